@@ -45,6 +45,31 @@ if(ARGOS_BUILD_FOR_SIMULATOR)
           PATTERN "build*" EXCLUDE PATTERN "*.csv" EXCLUDE)
   install(DIRECTORY experiments DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/argos3" COMPONENT examples
           PATTERN "CMakeLists.txt" EXCLUDE PATTERN "*.sqlite*" EXCLUDE PATTERN "*.report" EXCLUDE PATTERN "*.runs" EXCLUDE)
+
+  # in a file and not in the code, so that a commit links nothing again
+  set(argosBuildFile "${PROJECT_BINARY_DIR}/share/argos3/build.txt")
+  add_custom_target(argos_build_file ALL
+    COMMAND "${CMAKE_COMMAND}" -D "FILE=${argosBuildFile}" -D "SOURCE=${PROJECT_SOURCE_DIR}"
+            -D "TYPE=$<CONFIG>" -P "${PROJECT_SOURCE_DIR}/src/cmake/WriteBuildFile.cmake"
+    BYPRODUCTS "${argosBuildFile}" COMMENT "Noting the commit" VERBATIM)
+  install(FILES "${argosBuildFile}" DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/argos3")
+
+  # schemas of experiment files, for editors: the program makes them from its plug-ins
+  file(CONFIGURE OUTPUT "${argosGenerated}/InstallSchemas.cmake" CONTENT [=[
+set(folder "$ENV{DESTDIR}${CMAKE_INSTALL_PREFIX}/@CMAKE_INSTALL_DATAROOTDIR@/argos3")
+foreach(format rng rnc)
+  message(STATUS "Installing: ${folder}/argos.${format}")
+  execute_process(COMMAND "${CMAKE_COMMAND}" -E env "ARGOS_PLUGIN_PATH=@CMAKE_LIBRARY_OUTPUT_DIRECTORY@"
+      "@PROJECT_BINARY_DIR@/bin/argos3" --schema ${format}
+    OUTPUT_FILE "${folder}/argos.${format}" ERROR_VARIABLE errors RESULT_VARIABLE status)
+  if(NOT status EQUAL 0)
+    file(REMOVE "${folder}/argos.${format}")
+    message(WARNING "The schema of experiment files cannot be made: ${errors}")
+  endif()
+endforeach()
+file(COPY "@PROJECT_SOURCE_DIR@/src/cmake/install/schemas.xml" DESTINATION "${folder}")
+]=] @ONLY)
+  install(SCRIPT "${argosGenerated}/InstallSchemas.cmake")
 endif()
 if(ARGOS_INSTALL_LDSOCONF)
   file(CONFIGURE OUTPUT "${argosGenerated}/argos3.conf" CONTENT "@CMAKE_INSTALL_PREFIX@/lib/argos3\n" @ONLY)

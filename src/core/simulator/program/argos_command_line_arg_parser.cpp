@@ -1,6 +1,7 @@
 #include <argos3/core/simulator/program/argos_command_line_arg_parser.h>
 
 #include <argos3/core/config.h>
+#include <argos3/core/simulator/catalogue/version_text.h>
 #include <argos3/core/simulator/program/option_table.h>
 #include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/text/string_utilities.h>
@@ -54,9 +55,11 @@ std::map<std::string, TTarget> GetTargets(CARGoSCommandLineArgParser::SOptions& 
   return {{"--config-file", &options.ExperimentFile},
           {"--replay", &options.Replay.File},
           {"--query", &options.Query},
+          {"--schema", &options.SchemaFormat},
           {"--generate", &options.Generate},
           {"--help", &raw.Help},
           {"--version", &raw.Version},
+          {"--json", &options.Json},
           {"--no-color", &options.NoColor},
           {"--quiet", &raw.Quiet},
           {"--log-level", &raw.LogLevel},
@@ -267,29 +270,32 @@ CARGoSCommandLineArgParser::EAction ChooseAction(const CLI::App& app, bool hasEx
                                                  CProblems& problems) {
   using EAction = CARGoSCommandLineArgParser::EAction;
   const std::pair<const char*, EAction> choices[] = {
-      {"--config-file", EAction::ACTION_RUN_EXPERIMENT},
-      {"--replay", EAction::ACTION_REPLAY},
-      {"--query", EAction::ACTION_QUERY_PLUGINS},
-      {"--generate", EAction::ACTION_GENERATE},
-      {"--help", EAction::ACTION_SHOW_HELP},
+      {"--config-file", EAction::ACTION_RUN_EXPERIMENT}, {"--replay", EAction::ACTION_REPLAY},
+      {"--query", EAction::ACTION_QUERY_PLUGINS},        {"--schema", EAction::ACTION_MAKE_SCHEMA},
+      {"--generate", EAction::ACTION_GENERATE},          {"--help", EAction::ACTION_SHOW_HELP},
       {"--version", EAction::ACTION_SHOW_VERSION}};
   EAction action = EAction::ACTION_UNKNOWN;
   std::string given;
   size_t count = 0;
   for (const auto& [name, choice] : choices) {
-    // with --replay, -c names the file of the views, with --generate the file of the words
+    // with --replay, -c names the file of the views, with others that of the libraries or words
     const bool isExperiment = choice == EAction::ACTION_RUN_EXPERIMENT;
-    const bool isForOther =
-        isExperiment && (app.count("--replay") > 0 || app.count("--generate") > 0);
+    const bool isForOther = isExperiment && app.count("--replay") + app.count("--query") +
+                                                    app.count("--schema") +
+                                                    app.count("--generate") >
+                                                0;
     if ((app.count(name) > 0 || (isExperiment && hasExperiment)) && !isForOther) {
       action = choice;
       given += (count++ == 0 ? "" : ", ") + std::string(name);
     }
   }
   if (count == 0) {
-    problems.Add("one of FILE, --replay FILE, -q WORD, --generate WORD, -h, -v must be given");
+    problems.Add(
+        "one of FILE, --replay FILE, -q WORD, --schema FORMAT, --generate WORD, -h, -v must be "
+        "given");
   } else if (count > 1) {
-    problems.Add("only one of -c, --replay, -q, --generate, -h, -v may be given, not " + given);
+    problems.Add("only one of -c, --replay, -q, --schema, --generate, -h, -v may be given, not " +
+                 given);
   }
   return action;
 }
@@ -344,6 +350,10 @@ void CheckUses(const CLI::App& app, CARGoSCommandLineArgParser::EAction action,
     if (row.Use == EOptionUse::Replay) {
       if (!isReplay) {
         problems.Add(name + " can only be used with --replay FILE");
+      }
+    } else if (row.Use == EOptionUse::Query) {
+      if (app.count("--query") == 0) {
+        problems.Add(name + " can only be used with -q WORD");
       }
     } else if (!isRun) {
       problems.Add(name + " can only be used with an experiment, -c FILE");
@@ -445,19 +455,7 @@ void CARGoSCommandLineArgParser::PrintUsage(CARGoSLog& log) const {
 }
 
 std::string CARGoSCommandLineArgParser::GetVersion() {
-#ifdef ARGOS_USE_DOUBLE
-  constexpr char kUseDouble[] = "ON";
-#else
-  constexpr char kUseDouble[] = "OFF";
-#endif
-#ifdef ARGOS_WITH_LUA
-  constexpr char kWithLua[] = "ON";
-#else
-  constexpr char kWithLua[] = "OFF";
-#endif
-  return std::string("ARGOS_VERSION=") + ARGOS_VERSION + "-" + ARGOS_RELEASE +
-         "\nARGOS_INSTALL_PREFIX=" + ARGOS_INSTALL_PREFIX + "\nARGOS_USE_DOUBLE=" + kUseDouble +
-         "\nARGOS_WITH_LUA=" + kWithLua + "\nARGOS_BUILD_FLAGS=" + ARGOS_BUILD_FLAGS + "\n";
+  return DescribeVersion();
 }
 
 }  // namespace argos

@@ -21,6 +21,7 @@ class CARGoSCommandLineArgParser {
     ACTION_RUN_EXPERIMENT,
     ACTION_REPLAY,
     ACTION_QUERY_PLUGINS,
+    ACTION_MAKE_SCHEMA,
     ACTION_GENERATE,
     ACTION_SHOW_HELP,
     ACTION_SHOW_VERSION
@@ -28,12 +29,15 @@ class CARGoSCommandLineArgParser {
 
   struct SOptions {
     EAction Action = ACTION_UNKNOWN;
-    std::string ExperimentFile; /**< of ACTION_RUN_EXPERIMENT */
+    /** Of ACTION_RUN_EXPERIMENT; of queries and schemas, its libraries are loaded. */
+    std::string ExperimentFile;
     SReplayRequest Replay; /**< of ACTION_REPLAY */
     std::string RecordFile; /**< empty: the run is not recorded */
     std::string VideoFile; /**< empty: no film besides those of the file */
     std::string VideoSpeed; /**< a positive number; empty: that of the file */
     std::string Query; /**< of ACTION_QUERY_PLUGINS */
+    bool Json = false; /**< of ACTION_QUERY_PLUGINS: as JSON */
+    std::string SchemaFormat; /**< of ACTION_MAKE_SCHEMA: "rng" or "rnc" */
     std::string Generate; /**< of ACTION_GENERATE */
     bool NoColor = false;
     bool NoVisualization = false;

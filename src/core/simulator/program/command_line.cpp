@@ -1,14 +1,18 @@
 #include <argos3/core/simulator/program/command_line.h>
 
+#include <argos3/core/simulator/catalogue/libraries_of.h>
+#include <argos3/core/simulator/catalogue/log_silence.h>
+#include <argos3/core/simulator/catalogue/schema.h>
+#include <argos3/core/simulator/catalogue/version_text.h>
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/loading/loading_check.h>
+#include <argos3/core/simulator/outputs/run_outputs.h>
 #include <argos3/core/simulator/program/argos_command_line_arg_parser.h>
 #include <argos3/core/simulator/program/crash_handler.h>
 #include <argos3/core/simulator/program/progress.h>
 #include <argos3/core/simulator/program/query_plugins.h>
 #include <argos3/core/simulator/program/shell_documents.h>
-#include <argos3/core/simulator/outputs/run_outputs.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/utility/errors/argos_exception.h>
@@ -200,6 +204,24 @@ class CLogLevelScope {
  private:
   ELogLevel m_previous = CLogControl::GetLevel();
 };
+
+// messages about loaded libraries would be among the text that is asked for
+void LoadLibrariesSilently(const SOptions& options) {
+  const CLogSilence silence;
+  CDynamicLoading::LoadAllLibraries();
+  if (!options.ExperimentFile.empty()) {
+    LoadLibrariesOf(options.ExperimentFile);
+  }
+}
+
+// the version is shown even if a library cannot be loaded; its engines are then left out
+void TryToLoadLibraries() {
+  try {
+    LoadLibrariesSilently({});
+  } catch (const std::exception& error) {
+    LOGERR << "[WARNING] " << error.what() << std::endl;
+  }
+}
 
 void ApplyRunOptions(CSimulator& simulator, const SOptions& options) {
   if (options.Seed == UInt32(0)) {
@@ -393,12 +415,15 @@ int Act(const SOptions& options) {
       LOG << CARGoSCommandLineArgParser::GetUsage();
       break;
     case CARGoSCommandLineArgParser::ACTION_SHOW_VERSION:
-      LOG.DisableColoredOutput();
-      LOG << CARGoSCommandLineArgParser::GetVersion();
+      TryToLoadLibraries();
+      PrintPlain(DescribeVersion());
       break;
     case CARGoSCommandLineArgParser::ACTION_QUERY_PLUGINS:
-      CDynamicLoading::LoadAllLibraries();
-      QueryPlugins(options.Query);
+      LoadLibrariesSilently(options);
+      return QueryPlugins(options.Query, options.Json) ? 0 : kFailure;
+    case CARGoSCommandLineArgParser::ACTION_MAKE_SCHEMA:
+      LoadLibrariesSilently(options);
+      PrintPlain(MakeSchema(options.SchemaFormat));
       break;
     default:
       return options.Check ? CheckExperiment(options) : RunExperiment(options);

@@ -1,5 +1,9 @@
 #include <argos3/core/simulator/program/option_table.h>
 
+#include <argos3/core/simulator/catalogue/plugin_kinds.h>
+#include <argos3/core/simulator/catalogue/text_layout.h>
+#include <argos3/core/utility/text/string_utilities.h>
+
 namespace argos {
 
 namespace {
@@ -26,14 +30,17 @@ constexpr char kExamples[] = R"(  argos3 experiment.argos                     ru
   argos3 -n -l log.txt -e errors.txt -c experiment.argos
                                               write the two logs to files
   argos3 -q sensors                           list all sensors
-  argos3 -q footbot_proximity                 describe every plug-in whose name contains the word
+  argos3 -q footbot_proximity                 all facts about the plug-ins of that name
+  argos3 -q range_and_bearing --json          the same for programs
+  argos3 --schema rng > argos.rng             a schema for editors
 )";
 
 constexpr char kQuery[] =
-    R"(  actuators, sensors, physics_engines, media, visualizations (or outputs), fields,
-  entities, controllers, loop_functions: a list of that kind; libraries can add kinds, such as dynamics3d_add_ons
+    R"(: a list of that kind; libraries can add kinds, such as dynamics3d_add_ons
   all: all the lists
-  other words: the full documentation of the plug-ins whose name contains the word
+  other words: all facts about the plug-ins of that name, or whose name contains
+  the word: C++ and Lua interface, robots, XML. With -c, the libraries that the
+  experiment file names are known, too. Status 1 if nothing was found.
 )";
 
 constexpr char kPaths[] =
@@ -43,6 +50,7 @@ constexpr char kPaths[] =
 
 constexpr char kEnvironment[] =
     R"(  ARGOS_FFMPEG       the program that encodes films, by default the ffmpeg in PATH
+  ARGOS_INCLUDE_PATH folders, separated by colons, with headers of your control interfaces, for -q
   ARGOS_PLUGIN_PATH  folders, separated by colons, that are searched for libraries first
   NO_COLOR           if set, logs have no colours
 )";
@@ -52,6 +60,16 @@ constexpr char kExitStatus[] =
   run ended normally but errors had stopped robots (on_error), 130 or 143 if stopped by SIGINT or
   SIGTERM.
 )";
+
+// of plug-ins that the core knows
+std::string ListKinds() {
+  std::string words;
+  for (const SPluginKind& kind : ListPluginKinds()) {
+    words += !kind.Of.empty() ? "" : (words.empty() ? "" : ", ") + kind.Word;
+  }
+  Replace(words, "visualizations", "visualizations (or outputs)");
+  return Wrapped(words, 2);
+}
 
 }  // namespace
 
@@ -72,8 +90,16 @@ const std::vector<SCommandLineOption>& GetCommandLineOptions() {
       {"--replay", "FILE", kActions,
        "show a recording; with -c, in the views and outputs of that file", EUse::Always,
        EWords::Recording},
-      {"-q,--query", "WORD", kActions, "list or describe plug-ins, see below", EUse::Always,
-       EWords::Plugins},
+      {"-q,--query", "WORD", kActions,
+       "list or describe plug-ins, see below; with -c also those of that file's libraries",
+       EUse::Always, EWords::Plugins},
+      {"--schema",
+       "FORMAT",
+       kActions,
+       "print a schema of experiment files, for editors: rng (RELAX NG) or rnc (compact)",
+       EUse::Always,
+       EWords::Listed,
+       {"rng", "rnc"}},
       {"--generate",
        "WORD",
        kActions,
@@ -85,6 +111,7 @@ const std::vector<SCommandLineOption>& GetCommandLineOptions() {
       {"-h,--help", "", kActions, "print this text"},
       {"-v,--version", "", kActions, "print the version and how it was built"},
 
+      {"--json", "", kOutput, "the answer to --query as JSON", EUse::Query},
       {"-n,--no-color", "", kOutput, "no colours in the logs; only terminals get colours"},
       {"--quiet", "", kOutput, "as --log-level warning", EUse::Run},
       {"--log-level",
@@ -153,22 +180,16 @@ const std::vector<SCommandLineOption>& GetCommandLineOptions() {
 
 const std::vector<SHelpSection>& GetHelpSections() {
   static const std::vector<SHelpSection> sections = {{"Examples", kExamples},
-                                                     {"Words for --query", kQuery},
+                                                     {"Words for --query", ListKinds() + kQuery},
                                                      {"Paths for --set", kPaths},
                                                      {"Environment", kEnvironment},
                                                      {"Exit status", kExitStatus}};
   return sections;
 }
 
-const std::vector<std::string>& GetQueryWords() {
-  static const std::vector<std::string> words = {
-      "actuators",      "all",   "controllers",     "entities", "fields",
-      "loop_functions", "media", "physics_engines", "sensors",  "visualizations"};
-  return words;
-}
-
 std::string GetUsageLine() {
-  return "argos3 (FILE | --replay FILE [-c FILE] | -q WORD | --generate WORD | -h | -v) [options]";
+  return "argos3 (FILE | --replay FILE [-c FILE] | -q WORD | --schema FORMAT | --generate WORD | "
+         "-h | -v) [options]";
 }
 
 }  // namespace argos

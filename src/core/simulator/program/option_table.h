@@ -11,7 +11,8 @@ enum class EOptionUse {
   Always,
   Run, /**< with an experiment or a replay */
   Simulation, /**< with an experiment */
-  Replay
+  Replay,
+  Query /**< with --query */
 };
 
 /** What completes the value of an option in a shell. */
@@ -57,9 +58,6 @@ struct SHelpSection {
 
 /** Examples, words of --query, environment, exit status. */
 const std::vector<SHelpSection>& GetHelpSections();
-
-/** Kinds of plug-ins that --query lists. */
-const std::vector<std::string>& GetQueryWords();
 
 /** "argos3 [options] FILE ...". */
 std::string GetUsageLine();

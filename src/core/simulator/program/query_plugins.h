@@ -1,62 +1,40 @@
 #ifndef ARGOS3_CORE_SIMULATOR_PROGRAM_QUERY_PLUGINS_H
 #define ARGOS3_CORE_SIMULATOR_PROGRAM_QUERY_PLUGINS_H
 
-#include <argos3/core/utility/plugins/factory.h>
+#include <argos3/core/simulator/catalogue/plugin_kinds.h>
 
 #include <string>
-#include <vector>
 
 namespace argos {
 
-/** Description of a plug-in, for display. */
-struct SPluginText {
-  std::string Label;
-  std::string Author;
-  std::string Version;
-  std::string Brief;
-  std::string Long;
-  std::string Status;
-};
-
-/** All registered plug-ins with this base class, by label. */
-template <typename TYPE>
-std::vector<SPluginText> ListPlugins() {
-  std::vector<SPluginText> plugins;
-  for (const auto& [label, info] : CFactory<TYPE>::GetTypes()) {
-    plugins.push_back({label, info.Author, info.Version, info.BriefDescription,
-                       info.LongDescription, info.Status});
-  }
-  return plugins;
-}
-
-/**
- * Adds a kind of plug-ins to queries that the core does not know, such as the add-ons of an engine.
- * For objects at namespace level of the library that contains the base class.
- */
-class CPluginKind {
- public:
-  using TList = std::vector<SPluginText>();
-
-  /**
-   * @param word    query: "dynamics3d_add_ons".
-   * @param of      label of the plug-in that owns these plug-ins.
-   * @param header  heading of the list: "ADD-ONS OF ...".
-   */
-  CPluginKind(const std::string& word, const std::string& of, const std::string& header,
-              TList* list);
+/** The answer to a question about plug-ins. */
+struct SPluginAnswer {
+  std::string Text;
+  bool IsFound = false;
 };
 
 /**
  * Describes registered plug-ins, for `argos3 -q`.
- * @param query  "actuators", "sensors", "physics_engines", "media", "visualizations", "entities",
- * "robot_types", "fields", "built_in_metrics", "controllers" or "loop_functions", or the word of a
- * CPluginKind: a list of that kind; "all": all lists; otherwise: the documentation of every plug-in
- * whose label contains the query (case-sensitive), followed by its own plug-ins.
+ * @param query  "actuators", "sensors", "physics_engines", "media", "visualizations", "overlays",
+ *   "entities", "robot_types", "fields", "built_in_metrics", "controllers" or "loop_functions", or
+ *   the word of a CPluginKind: a list of that kind; "all": all lists; otherwise a label, a tag or
+ *   the class of a control interface: all facts about these plug-ins; or a part of labels
+ *   (case-sensitive). Devices are created on each robot to find which they fit.
+ * @param asJson  the same facts as JSON, of lists those of all their plug-ins.
  */
+SPluginAnswer AnswerQuery(const std::string& query, bool asJson = false);
+
+/** The text of AnswerQuery(). */
 std::string DescribePlugins(const std::string& query);
 
-/** Prints DescribePlugins() on LOG, without colours, and flushes it. */
-void QueryPlugins(const std::string& query);
+/**
+ * Prints the answer on LOG, without colours, and flushes it.
+ * @return true if something was found.
+ */
+bool QueryPlugins(const std::string& query, bool asJson = false);
+
+/** Prints a text on LOG, without colours, and flushes it. */
+void PrintPlain(const std::string& text);
 
 }  // namespace argos
 

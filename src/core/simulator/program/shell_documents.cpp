@@ -1,8 +1,9 @@
 #include <argos3/core/simulator/program/shell_documents.h>
 
 #include <argos3/core/config.h>
+#include <argos3/core/simulator/catalogue/answer.h>
+#include <argos3/core/simulator/catalogue/plugin_kinds.h>
 #include <argos3/core/simulator/program/option_table.h>
-#include <argos3/core/simulator/program/query_plugins.h>
 #include <argos3/core/utility/configuration/argos_configuration.h>
 #include <argos3/core/utility/configuration/configuration_document.h>
 #include <argos3/core/utility/text/string_utilities.h>
@@ -263,12 +264,11 @@ std::string MakeZshCompletion() {
 /****************************************/
 
 std::vector<std::string> ListPluginWords() {
-  std::set<std::string> words(GetQueryWords().begin(), GetQueryWords().end());
-  std::istringstream lines(DescribePlugins("all"));
-  const std::string before = "   [ ";
-  for (std::string line; std::getline(lines, line);) {
-    if (line.rfind(before, 0) == 0) {
-      words.insert(line.substr(before.size(), line.find(' ', before.size()) - before.size()));
+  std::set<std::string> words = {"all"};
+  for (const SPluginKind& kind : ListPluginKinds()) {
+    words.insert(kind.Word);
+    for (const SPluginText& plugin : kind.Plugins) {
+      words.insert(TagOf(plugin.Label));
     }
   }
   return {words.begin(), words.end()};

@@ -5,6 +5,7 @@
 #include <argos3/core/utility/configuration/configuration_error.h>
 #include <argos3/core/utility/configuration/configuration_iterator.h>
 #include <argos3/core/utility/configuration/configuration_store.h>
+#include <argos3/core/utility/configuration/request_recorder.h>
 #include <argos3/core/utility/configuration/value_range.h>
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/text/classic_locale.h>
@@ -122,6 +123,9 @@ std::string DescribePresent(const std::string& missing, const std::vector<std::s
 }  // namespace
 
 void CConfigurationNode::ThrowMissingAttribute(const std::string& name) const {
+  if (CRequestRecorder* const recorder = CRequestRecorder::Current()) {
+    recorder->NoteMissed(Record(), name);
+  }
   THROW_CONFIGURATION_ERROR(GetLocation()
                             << ": <" << Value() << ">: attribute \"" << name << "\" is missing"
                             << DescribePresent(name, AttributeNames(*Record().Element)));
@@ -135,6 +139,7 @@ void CConfigurationNode::ThrowMissingChild(const std::string& tag) const {
 
 std::string CConfigurationNode::GetAttributeOrDefault(const std::string& name,
                                                       const std::string& dflt) const {
+  NoteRequest(name, nullptr);
   const char* text = FindAttribute(name);
   return text != nullptr ? text : dflt;
 }
@@ -146,16 +151,23 @@ std::string CConfigurationNode::GetTextOrDefault(const std::string& dflt) const 
 
 void CConfigurationNode::NoteRequest(const std::string& name, const char* sample) const {
   CAttributeRepairs::Note(Record(), name, sample);
+  if (CRequestRecorder* const recorder = CRequestRecorder::Current()) {
+    recorder->NoteType(Record(), name, sample);
+  }
 }
 
 bool CConfigurationNode::IsLenient() const {
   const SConfigurationRecord& record = Record();
-  return record.Store->LeniencyOf(record) != nullptr;
+  return record.Store->LeniencyOf(record) != nullptr || CRequestRecorder::Current() != nullptr;
 }
 
 void CConfigurationNode::WarnOfLooseText(const std::string& what, const char* text,
                                          const std::string& expected) const {
   const SConfigurationRecord& record = Record();
+  if (CRequestRecorder* const recorder = CRequestRecorder::Current()) {
+    recorder->NoteExpected(record, what, expected);
+    return;
+  }
   const std::string warning = GetLocation() + ": <" + Value() + ">: " + what + ": found \"" + text +
                               "\", expected " + expected;
   if (record.Store->LeniencyOf(record)->Reported.insert(warning).second) {
@@ -203,6 +215,16 @@ void CConfigurationNode::ThrowIfHuge(const std::string& name, const char* text) 
 // neighbours
 /****************************************/
 
+namespace {
+
+void NoteChildRequest(const SConfigurationRecord& record, const std::string& tag) {
+  if (CRequestRecorder* const recorder = CRequestRecorder::Current()) {
+    recorder->NoteChild(record, tag);
+  }
+}
+
+}  // namespace
+
 CConfigurationNode* CConfigurationNode::Parent(bool throwIfMissing) const {
   tinyxml2::XMLNode* parent = Record().Element->Parent();
   tinyxml2::XMLElement* element = parent != nullptr ? parent->ToElement() : nullptr;
@@ -222,6 +244,7 @@ CConfigurationNode* CConfigurationNode::FirstChildElement(bool throwIfMissing) c
 
 CConfigurationNode* CConfigurationNode::FirstChildElement(const char* tag,
                                                           bool throwIfMissing) const {
+  NoteChildRequest(Record(), tag);
   tinyxml2::XMLElement* element = Record().Element->FirstChildElement(tag);
   if (element == nullptr && throwIfMissing) {
     ThrowMissingChild(tag);
@@ -244,6 +267,7 @@ CConfigurationNode* CConfigurationNode::LastChildElement(bool throwIfMissing) co
 
 CConfigurationNode* CConfigurationNode::LastChildElement(const std::string& tag,
                                                          bool throwIfMissing) const {
+  NoteChildRequest(Record(), tag);
   tinyxml2::XMLElement* element = Record().Element->LastChildElement(tag.c_str());
   if (element == nullptr && throwIfMissing) {
     ThrowMissingChild(tag);
@@ -398,12 +422,16 @@ std::unique_ptr<CConfigurationNode> CConfigurationNode::Clone() const {
 
 const char* CConfigurationNode::FindAttribute(const std::string& name) const {
   SConfigurationRecord& record = Record();
+  CRequestRecorder* const recorder = CRequestRecorder::Current();
+  if (recorder != nullptr) {
+    recorder->NoteAttribute(record, name);
+  }
   UInt32 index = 0;
   for (const auto* attribute = record.Element->FirstAttribute(); attribute != nullptr;
        attribute = attribute->Next(), ++index) {
     if (name == attribute->Name()) {
       record.ReadAttributes |= AttributeBit(index);
-      return attribute->Value();
+      return recorder != nullptr ? recorder->TextOf(name, attribute->Value()) : attribute->Value();
     }
   }
   std::vector<std::string>& missed = record.MissedNames;
@@ -414,6 +442,7 @@ const char* CConfigurationNode::FindAttribute(const std::string& name) const {
 }
 
 std::string CConfigurationNode::GetAttribute(const std::string& name) const {
+  NoteRequest(name, nullptr);
   const char* text = FindAttribute(name);
   return text != nullptr ? text : "";
 }
@@ -445,6 +474,9 @@ void CConfigurationNode::RemoveAttribute(const std::string& name) {
 }
 
 CConfigurationAttribute* CConfigurationNode::FirstAttribute(bool throwIfMissing) const {
+  if (CRequestRecorder* const recorder = CRequestRecorder::Current()) {
+    recorder->NoteOpen(Record());
+  }
   const tinyxml2::XMLAttribute* attribute = Record().Element->FirstAttribute();
   if (attribute == nullptr) {
     if (throwIfMissing) {
@@ -457,12 +489,18 @@ CConfigurationAttribute* CConfigurationNode::FirstAttribute(bool throwIfMissing)
 }
 
 std::vector<std::string> CConfigurationNode::GetAttributeNames() const {
+  if (CRequestRecorder* const recorder = CRequestRecorder::Current()) {
+    recorder->NoteOpen(Record());
+  }
   return AttributeNames(*Record().Element);
 }
 
 const char* CConfigurationNode::FindText(bool throwIfMissing) const {
   SConfigurationRecord& record = Record();
   record.IsTextRead = true;
+  if (CRequestRecorder* const recorder = CRequestRecorder::Current()) {
+    recorder->NoteText(record);
+  }
   const char* text = record.Element->GetText();
   if (text == nullptr && throwIfMissing) {
     THROW_CONFIGURATION_ERROR(GetLocation() << ": <" << Value() << "> contains no text");
@@ -502,86 +540,13 @@ void MarkSubtreeRead(CConfigurationNode& node) {
   record.IsVisited = true;
   record.IsTextRead = true;
   record.ReadAttributes = ~UInt64(0);
+  if (CRequestRecorder* const recorder = CRequestRecorder::Current()) {
+    recorder->NoteOpen(record);
+  }
   for (auto* child = node.FirstChildElement(false); child != nullptr;
        child = child->NextSiblingElement(false)) {
     MarkSubtreeRead(*child);
   }
-}
-
-/****************************************/
-// CConfigurationAttribute
-/****************************************/
-
-CConfigurationAttribute::CConfigurationAttribute(SConfigurationRecord* record,
-                                                 const tinyxml2::XMLAttribute* attribute)
-    : m_record(record), m_attribute(attribute) {}
-
-const tinyxml2::XMLAttribute& CConfigurationAttribute::Checked() const {
-  if (m_attribute == nullptr) {
-    THROW_CONFIGURATION_ERROR("A configuration attribute that does not exist was used");
-  }
-  return *m_attribute;
-}
-
-std::string CConfigurationAttribute::Name() const {
-  return Checked().Name();
-}
-
-std::string CConfigurationAttribute::Value() const {
-  return Checked().Value();
-}
-
-void CConfigurationAttribute::SetText(const std::string& text) {
-  m_record->Element->SetAttribute(Checked().Name(), text.c_str());
-}
-
-CConfigurationAttribute CConfigurationAttribute::Successor() const {
-  CConfigurationAttribute next(m_record, Checked().Next());
-  if (next.m_attribute != nullptr) {
-    m_record->Store->HandleOf(m_record->Element)->FindAttribute(next.m_attribute->Name());
-  }
-  return next;
-}
-
-CConfigurationAttribute* CConfigurationAttribute::Next(bool throwIfMissing) const {
-  const CConfigurationAttribute next = Successor();
-  if (next.m_attribute == nullptr) {
-    if (throwIfMissing) {
-      THROW_CONFIGURATION_ERROR(LocationText(*m_record->File, m_record->Line)
-                                << ": no attribute follows \"" << Name() << "\"");
-    }
-    return nullptr;
-  }
-  return m_record->Store->KeepAttribute(next);
-}
-
-bool CConfigurationAttribute::IsLenient() const {
-  return m_record->Store->HandleOf(m_record->Element)->IsLenient();
-}
-
-void CConfigurationAttribute::WarnOfLooseText(const std::string& text,
-                                              const std::string& expected) const {
-  m_record->Store->HandleOf(m_record->Element)
-      ->WarnOfLooseText("attribute \"" + Name() + '"', text.c_str(), expected);
-}
-
-void CConfigurationAttribute::ThrowUnparsable(const std::string& text, const std::string& expected,
-                                              const std::string& reason) const {
-  m_record->Store->HandleOf(m_record->Element)
-      ->ThrowUnparsable("attribute \"" + Name() + '"', text.c_str(), expected, reason);
-}
-
-CConfigurationAttributeIterator CConfigurationAttributeIterator::begin(
-    const CConfigurationNode* node) const {
-  SConfigurationRecord& record = node->Record();
-  record.ReadAttributes |= AttributeBit(0);
-  return CConfigurationAttributeIterator(
-      CConfigurationAttribute(&record, record.Element->FirstAttribute()));
-}
-
-CConfigurationAttributeIterator& CConfigurationAttributeIterator::operator++() {
-  m_attribute = m_attribute.Successor();
-  return *this;
 }
 
 }  // namespace argos

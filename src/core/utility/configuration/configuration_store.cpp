@@ -2,6 +2,7 @@
 
 #include <argos3/core/utility/configuration/attribute_text.h>
 #include <argos3/core/utility/configuration/configuration_error.h>
+#include <argos3/core/utility/configuration/request_recorder.h>
 #include <argos3/core/utility/configuration/value_range.h>
 #include <argos3/core/utility/text/string_utilities.h>
 
@@ -34,6 +35,9 @@ CConfigurationNode* CConfigurationStore::HandleOf(tinyxml2::XMLElement* element)
   }
   SConfigurationRecord& record = RecordOf(*element);
   record.IsVisited = true;
+  if (CRequestRecorder* const recorder = CRequestRecorder::Current()) {
+    recorder->NoteVisit(record);
+  }
   if (record.Handle == nullptr) {
     CConfigurationNode& handle = m_handles.emplace_back();
     handle.m_record = &record;
@@ -72,6 +76,10 @@ void CConfigurationStore::InheritOrigin(tinyxml2::XMLElement& copy,
                                         tinyxml2::XMLElement& original) {
   SConfigurationRecord& record = RecordOf(copy);
   const auto* originalRecord = static_cast<const SConfigurationRecord*>(original.GetUserData());
+  if (CRequestRecorder::Current() != nullptr) {
+    record.OriginPath =
+        std::make_shared<const std::vector<std::string>>(CRequestRecorder::PathOf(original));
+  }
   if (originalRecord != nullptr) {
     record.Origin = originalRecord->Origin;
     record.File = originalRecord->File;

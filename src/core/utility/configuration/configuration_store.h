@@ -36,6 +36,8 @@ struct SConfigurationRecord {
   int Line = 0;
   // of the element of which it is a copy, or of itself
   const SConfigurationRecord* Origin = this;
+  // where the original is or was, for CRequestRecorder; null unless it is a recorded copy
+  std::shared_ptr<const std::vector<std::string>> OriginPath;
   // shared with the document from which the element was copied, which may have been destroyed
   std::shared_ptr<const std::string> File;
   // of the document from which the element was copied, likewise; null unless that is lenient

@@ -70,7 +70,17 @@ OPTIONAL XML CONFIGURATION
     <povray directory="out" base_name="scene_" size="1280x960" every="1" ticks="0-50,100"
             quality="good" look="light" render="auto" threads="0" max_lights="8"
             show_grid="true" show_boundary="true" show_rays="true" models="true">
-      <camera view="oblique" fit="arena" />
+      <camera view="oblique" fit="arena">
+        <placements>
+          <placement index="1" position="2,2,1" look_at="0,0,0" up="0,0,1"
+                     lens_focal_length="30" />
+        </placements>
+        <timeline loop="200">
+          <keyframe placement="0" step="0" />
+          <interpolate />
+          <keyframe placement="1" step="100" />
+        </timeline>
+      </camera>
       <overlays>
         <clock />
       </overlays>

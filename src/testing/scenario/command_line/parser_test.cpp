@@ -164,10 +164,10 @@ TEST_CASE("command line: --set splits at the first '=' outside brackets", "[comm
 }
 
 TEST_CASE("command line: there must be exactly one action", "[command_line]") {
-  CHECK_THAT(ErrorOf({}), Contains("one of FILE, --replay FILE, -q WORD, --generate WORD, -h, -v "
-                                   "must be given"));
+  CHECK_THAT(ErrorOf({}), Contains("one of FILE, --replay FILE, -q WORD, --schema FORMAT, "
+                                   "--generate WORD, -h, -v must be given"));
   CHECK_THAT(ErrorOf({"-n"}), Contains("must be given"));
-  CHECK_THAT(ErrorOf({"-c", "a", "-q", "b"}), Contains("only one of") && Contains("--query"));
+  CHECK_THAT(ErrorOf({"--replay", "a", "-q", "b"}), Contains("only one of") && Contains("--query"));
   CHECK_THAT(ErrorOf({"-h", "-v"}), Contains("only one of"));
 }
 
@@ -276,6 +276,14 @@ TEST_CASE("command line: the version is printed as lines KEY=value", "[command_l
   CHECK_THAT(version, Contains("\nARGOS_USE_DOUBLE=ON\n"));
   CHECK_THAT(version, Contains("\nARGOS_WITH_LUA=O"));
   CHECK_THAT(version, Contains("\nARGOS_BUILD_FLAGS="));
+  CHECK_THAT(version, Contains("\nARGOS_COMMIT="));
+  CHECK_THAT(version, Contains("\nARGOS_BUILD_TYPE="));
+#ifdef __clang__
+  CHECK_THAT(version, Contains("\nARGOS_COMPILER=clang "));
+#else
+  CHECK_THAT(version, Contains("\nARGOS_COMPILER=g++ "));
+#endif
+  CHECK_THAT(version, Contains("\nARGOS_ENGINES="));
 }
 
 TEST_CASE("progress: shows ticks, simulated time, real-time factor and time left",

@@ -214,9 +214,6 @@ TEST_CASE("argos3: help, version and queries end with status 0", "[command_line]
                                Contains("   [ e-puck ]\n      ") && Contains("   [ foot-bot ]\n"));
   const SProgramRun device = folder.Run({"-q", "footbot_proximity"});
   CHECK_THAT(device.Out, Contains("[ footbot_proximity (default) ]\n"));
-  const SProgramRun nothing = folder.Run({"-q", "no_such_word"});
-  CHECK(nothing.Status == 0);
-  CHECK_THAT(nothing.Out, Contains("Nothing found"));
 }
 
 TEST_CASE("argos3: an invalid command line is an error with status 1", "[command_line]") {

@@ -267,6 +267,7 @@ OPTIONAL XML
       </proximity_sensors>
       <light_sensors>
         <ring center="0,0,0.03" radius="0.04" range="0.1" num_sensors="8" />
+        <sensor offset="0,0.01,0.05" direction="0,0,1" range="1" />
       </light_sensors>
       <ground_sensors>
         <sensor offset="0.03,0.01" type="grayscale" />

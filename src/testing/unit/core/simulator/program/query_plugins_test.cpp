@@ -50,13 +50,25 @@ TEST_CASE("query: all prints the lists in their order", "[core][query]") {
 
 TEST_CASE("query: a word finds every plug-in whose label contains it", "[core][query]") {
   const std::string text = DescribePlugins("query_test");
-  CHECK(text ==
-        "Plug-ins whose name contains \"query_test\":\n\n"
-        "[ query_test_one ]\nThe first of two.\nby A. Author\nVersion: 1.5\nStatus: Usable\n\n"
-        "All about the first.\n\n" +
-            std::string(78, '=') +
-            "\n[ query_test_two ]\nThe second of two.\nby B. Author\nVersion: 2.5\n"
-            "Status: Experimental\n\nAll about the second.\n\n");
+  const std::string library = CFactory<CMedium>::GetTypes().at("query_test_one").Library;
+  CHECK_THAT(text, StartsWith("[ query_test_one ]\nThe first of two.\n\n"
+                              "A medium by A. Author, version 1.5.\n\n"));
+  CHECK_THAT(text,
+             Contains(library) && Contains("\nIN EXPERIMENT FILES\n\nAll about the first.\n"));
+  CHECK_THAT(text, Contains(std::string(78, '=') +
+                            "\n[ query_test_two ]\nThe second of two.\n\n"
+                            "A medium by B. Author, version 2.5, status: Experimental.\n"));
+}
+
+TEST_CASE("query: a whole name precedes parts of names, which are named", "[core][query]") {
+  const CPluginKind kind("query_test_names", "", "NAMES", [] {
+    return std::vector<SPluginText>{
+        {"query_whole", "undefined", "undefined", "undefined", "undefined", "undefined"},
+        {"query_whole_two", "undefined", "undefined", "undefined", "undefined", "undefined"}};
+  });
+  const std::string text = DescribePlugins("query_whole");
+  CHECK_THAT(text, StartsWith("[ query_whole ]\n(no description)\n") &&
+                       Contains("See also: query_whole_two\n") && !Contains("undefined"));
 }
 
 TEST_CASE("query: plug-ins of a plug-in are listed below it, in all and in searches",
@@ -70,7 +82,8 @@ TEST_CASE("query: plug-ins of a plug-in are listed below it, in all and in searc
   CHECK_THAT(DescribePlugins("all"), Contains(list));
   CHECK_THAT(DescribePlugins("query_test_one"), Contains("All about the first.\n\n" + list));
   CHECK_THAT(DescribePlugins("query_test_two"), !Contains("PARTS"));
-  CHECK_THAT(DescribePlugins("query_part"), Contains("[ query_part ]\nA part.\nby C. Author"));
+  CHECK_THAT(DescribePlugins("query_part"),
+             Contains("[ query_part ]\nA part.\n\nA part of query_test_one by C. Author"));
 }
 
 TEST_CASE("query: the search is case-sensitive", "[core][query]") {
@@ -80,6 +93,8 @@ TEST_CASE("query: the search is case-sensitive", "[core][query]") {
 TEST_CASE("query: a search without results names near labels", "[core][query]") {
   const std::string text = DescribePlugins("query_tset_one");
   CHECK_THAT(text, StartsWith("Nothing found") && Contains("query_test_one"));
+  CHECK_FALSE(AnswerQuery("query_tset_one").IsFound);
+  CHECK(AnswerQuery("query_test_one").IsFound);
   CHECK_THAT(DescribePlugins("sensor_s"), Contains("sensors"));
 }
 

@@ -1,0 +1,93 @@
+#include <argos3/core/simulator/catalogue/json_writer.h>
+
+#include <fmt/format.h>
+
+namespace argos {
+
+namespace {
+
+// bytes of the UTF-8 character at a place; 0 if it is none
+std::size_t CharacterSize(const std::string& text, std::size_t at) {
+  const auto byte = [&](std::size_t i) {
+    return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;
+  };
+  const unsigned first = byte(at);
+  const std::size_t size = first < 0x80   ? 1
+                           : first < 0xC2 ? 0
+                           : first < 0xE0 ? 2
+                           : first < 0xF0 ? 3
+                           : first < 0xF5 ? 4
+                                          : 0;
+  for (std::size_t i = 1; i < size; ++i) {
+    if ((byte(at + i) & 0xC0) != 0x80) {
+      return 0;
+    }
+  }
+  return size;
+}
+
+}  // namespace
+
+std::string JsonQuoted(const std::string& text) {
+  std::string quoted = "\"";
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t size = CharacterSize(text, at);
+    const char c = text[at];
+    if (size == 0) {
+      quoted += "\\ufffd";
+    } else if (size > 1) {
+      quoted += text.substr(at, size);
+    } else if (c == '"' || c == '\\') {
+      quoted += std::string("\\") + c;
+    } else if (c == '\n') {
+      quoted += "\\n";
+    } else if (static_cast<unsigned char>(c) < 0x20) {
+      quoted += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
+    } else {
+      quoted += c;
+    }
+    at += size == 0 ? 1 : size;
+  }
+  return quoted + '"';
+}
+
+void CJsonWriter::StartValue(const std::string& key) {
+  if (m_depth > 0) {
+    m_text += (m_isFirst ? "\n" : ",\n") + std::string(2 * m_depth, ' ');
+  }
+  m_isFirst = false;
+  if (!key.empty()) {
+    m_text += JsonQuoted(key) + ": ";
+  }
+}
+
+void CJsonWriter::Begin(const std::string& key, char bracket) {
+  StartValue(key);
+  m_text += bracket;
+  ++m_depth;
+  m_isFirst = true;
+}
+
+void CJsonWriter::End(char bracket) {
+  --m_depth;
+  if (!m_isFirst) {
+    m_text += '\n' + std::string(2 * m_depth, ' ');
+  }
+  m_text += bracket;
+  m_isFirst = false;
+  if (m_depth == 0) {
+    m_text += '\n';
+  }
+}
+
+void CJsonWriter::Add(const std::string& key, const std::string& text) {
+  StartValue(key);
+  m_text += JsonQuoted(text);
+}
+
+void CJsonWriter::Add(const std::string& key, bool value) {
+  StartValue(key);
+  m_text += value ? "true" : "false";
+}
+
+}  // namespace argos

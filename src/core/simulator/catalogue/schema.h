@@ -1,0 +1,19 @@
+#ifndef ARGOS3_CORE_SIMULATOR_CATALOGUE_SCHEMA_H
+#define ARGOS3_CORE_SIMULATOR_CATALOGUE_SCHEMA_H
+
+#include <string>
+
+namespace argos {
+
+/** True for the formats of MakeSchema(). */
+bool IsSchemaFormat(const std::string& format);
+
+/**
+ * A schema of experiment files, for editors, from what the registered plug-ins read.
+ * @param format  "rng": RELAX NG in XML; "rnc": its compact syntax.
+ */
+std::string MakeSchema(const std::string& format);
+
+}  // namespace argos
+
+#endif

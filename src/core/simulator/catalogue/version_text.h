@@ -1,0 +1,16 @@
+#ifndef ARGOS3_CORE_SIMULATOR_CATALOGUE_VERSION_TEXT_H
+#define ARGOS3_CORE_SIMULATOR_CATALOGUE_VERSION_TEXT_H
+
+#include <string>
+
+namespace argos {
+
+/**
+ * The text of `argos3 --version`: lines KEY=value with version, commit, compiler, options, the
+ * physics engines of the loaded libraries, and the folder of the running installation.
+ */
+std::string DescribeVersion();
+
+}  // namespace argos
+
+#endif

@@ -1,0 +1,86 @@
+#include <argos3/core/utility/configuration/configuration_attribute.h>
+
+#include <argos3/core/utility/configuration/configuration_error.h>
+#include <argos3/core/utility/configuration/configuration_iterator.h>
+#include <argos3/core/utility/configuration/configuration_node.h>
+#include <argos3/core/utility/configuration/configuration_store.h>
+#include <argos3/core/utility/configuration/request_recorder.h>
+
+namespace argos {
+
+CConfigurationAttribute::CConfigurationAttribute(SConfigurationRecord* record,
+                                                 const tinyxml2::XMLAttribute* attribute)
+    : m_record(record), m_attribute(attribute) {}
+
+const tinyxml2::XMLAttribute& CConfigurationAttribute::Checked() const {
+  if (m_attribute == nullptr) {
+    THROW_CONFIGURATION_ERROR("A configuration attribute that does not exist was used");
+  }
+  return *m_attribute;
+}
+
+std::string CConfigurationAttribute::Name() const {
+  return Checked().Name();
+}
+
+std::string CConfigurationAttribute::Value() const {
+  return Checked().Value();
+}
+
+void CConfigurationAttribute::SetText(const std::string& text) {
+  m_record->Element->SetAttribute(Checked().Name(), text.c_str());
+}
+
+CConfigurationAttribute CConfigurationAttribute::Successor() const {
+  CConfigurationAttribute next(m_record, Checked().Next());
+  if (next.m_attribute != nullptr) {
+    m_record->Store->HandleOf(m_record->Element)->FindAttribute(next.m_attribute->Name());
+  }
+  return next;
+}
+
+CConfigurationAttribute* CConfigurationAttribute::Next(bool throwIfMissing) const {
+  const CConfigurationAttribute next = Successor();
+  if (next.m_attribute == nullptr) {
+    if (throwIfMissing) {
+      THROW_CONFIGURATION_ERROR(LocationText(*m_record->File, m_record->Line)
+                                << ": no attribute follows \"" << Name() << "\"");
+    }
+    return nullptr;
+  }
+  return m_record->Store->KeepAttribute(next);
+}
+
+bool CConfigurationAttribute::IsLenient() const {
+  return m_record->Store->HandleOf(m_record->Element)->IsLenient();
+}
+
+void CConfigurationAttribute::WarnOfLooseText(const std::string& text,
+                                              const std::string& expected) const {
+  m_record->Store->HandleOf(m_record->Element)
+      ->WarnOfLooseText("attribute \"" + Name() + '"', text.c_str(), expected);
+}
+
+void CConfigurationAttribute::ThrowUnparsable(const std::string& text, const std::string& expected,
+                                              const std::string& reason) const {
+  m_record->Store->HandleOf(m_record->Element)
+      ->ThrowUnparsable("attribute \"" + Name() + '"', text.c_str(), expected, reason);
+}
+
+CConfigurationAttributeIterator CConfigurationAttributeIterator::begin(
+    const CConfigurationNode* node) const {
+  SConfigurationRecord& record = node->Record();
+  record.ReadAttributes |= 1;
+  if (CRequestRecorder* const recorder = CRequestRecorder::Current()) {
+    recorder->NoteOpen(record);
+  }
+  return CConfigurationAttributeIterator(
+      CConfigurationAttribute(&record, record.Element->FirstAttribute()));
+}
+
+CConfigurationAttributeIterator& CConfigurationAttributeIterator::operator++() {
+  m_attribute = m_attribute.Successor();
+  return *this;
+}
+
+}  // namespace argos

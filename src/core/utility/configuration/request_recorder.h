@@ -1,0 +1,97 @@
+#ifndef ARGOS3_CORE_UTILITY_CONFIGURATION_REQUEST_RECORDER_H
+#define ARGOS3_CORE_UTILITY_CONFIGURATION_REQUEST_RECORDER_H
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace argos {
+
+struct SConfigurationRecord;
+}  // namespace argos
+
+namespace tinyxml2 {
+class XMLElement;
+}
+
+namespace argos {
+
+/** What was requested of an attribute. */
+struct SRequestedAttribute {
+  /** A valid text of the type, as SampleText() gives it; "" for texts of any form. */
+  std::string Sample;
+  /** The form of numbers, as ExpectedText() gives it; "" if unknown. */
+  std::string Expected;
+  bool IsTyped = false; /**< it was read, not only looked for */
+  bool IsMissed = false; /**< its absence was an error */
+
+  /** Adds what another reading has found. A text and a number are a text. */
+  void Merge(const SRequestedAttribute& other);
+};
+
+/** What was requested of an element, and of those inside it. */
+struct SRequestedElement {
+  std::map<std::string, SRequestedAttribute> Attributes;
+  /** By tag; of elements with the attribute "implementation": "tag (implementation)". */
+  std::map<std::string, std::unique_ptr<SRequestedElement>> Children;
+  bool IsVisited = false; /**< there was such an element; otherwise it was only looked for */
+  bool HasText = false;
+  bool IsOpen = false; /**< any attributes and elements are read */
+
+  SRequestedElement& Child(const std::string& key);
+  /** Null if there is none. */
+  const SRequestedElement* Find(const std::string& key) const;
+  void Merge(const SRequestedElement& other);
+};
+
+/**
+ * During its lifetime, records what this thread requests of the elements of documents: names that
+ * are found and those that are not, with the types of the values. So what a part reads is known
+ * without a list of it. At most one exists per thread.
+ *
+ * A number in a document gets a text behind it and is read loosely (ParseLoosely()): the value is
+ * the same, and the reader states which form it expects.
+ */
+class CRequestRecorder {
+ public:
+  CRequestRecorder();
+  ~CRequestRecorder();
+  CRequestRecorder(const CRequestRecorder&) = delete;
+  CRequestRecorder& operator=(const CRequestRecorder&) = delete;
+
+  /** The root: its child is the root element of the documents. */
+  const SRequestedElement& GetRequests() const { return m_requests; }
+
+  /** The one of this thread, or null. */
+  static CRequestRecorder* Current();
+
+  /** Keys from the root of the document; of copies, those of the original; empty without root. */
+  static std::vector<std::string> PathOf(const tinyxml2::XMLElement& element);
+
+  // called by the elements
+  void NoteAttribute(const SConfigurationRecord& record, const std::string& name);
+  /** @param sample  null for texts of any form. */
+  void NoteType(const SConfigurationRecord& record, const std::string& name, const char* sample);
+  /** @return the text of the attribute to read: with a text behind it if it is a number. */
+  const char* TextOf(const std::string& name, const char* text);
+  void NoteExpected(const SConfigurationRecord& record, const std::string& what,
+                    const std::string& expected);
+  void NoteMissed(const SConfigurationRecord& record, const std::string& name);
+  void NoteChild(const SConfigurationRecord& record, const std::string& tag);
+  void NoteVisit(const SConfigurationRecord& record);
+  void NoteText(const SConfigurationRecord& record);
+  void NoteOpen(const SConfigurationRecord& record);
+
+ private:
+  // null if the element is in no document, such as one that code has made
+  SRequestedElement* Find(const SConfigurationRecord& record);
+
+  SRequestedElement m_requests;
+  std::string m_number;  // attribute whose type was noted last, if it is a number
+  std::string m_text;  // of TextOf()
+};
+
+}  // namespace argos
+
+#endif

@@ -1,0 +1,295 @@
+// What the program says of its plug-ins: -q, --json, --schema.
+
+#include "program_run.h"
+
+#include <argos3/testing/support/paths.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+using namespace argos;
+using Catch::Matchers::Contains;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+size_t WidestProseLine(const std::string& text) {
+  std::istringstream lines(text);
+  size_t widest = 0;
+  for (std::string line; std::getline(lines, line);) {
+    const size_t first = line.find_first_not_of(' ');
+    // XML examples and names of headers are not broken
+    const bool isCode = first != std::string::npos && (line[first] == '<' || line[first] == '#' ||
+                                                       line.find("=\"") != std::string::npos);
+    widest = isCode ? widest : std::max(widest, line.size());
+  }
+  return widest;
+}
+
+bool IsJson(const CTestFolder& folder, const std::string& text) {
+  std::ofstream(folder.Path("answer.json")) << text;
+  return std::system(("python3 -m json.tool '" + folder.Path("answer.json") + "' >'" +
+                      folder.Path("pretty.json") + "'")
+                         .c_str()) == 0;
+}
+
+// validates files against a schema that the program has made
+class CSchema {
+ public:
+  explicit CSchema(const std::vector<std::string>& arguments = {"--schema", "rng"}) {
+    const SProgramRun run = m_folder.Run(arguments);
+    CAPTURE(run.Err);
+    REQUIRE(run.Status == 0);
+    std::ofstream(m_folder.Path("argos.rng")) << run.Out;
+  }
+
+  bool AcceptsFile(const std::string& file) const {
+    return std::system(("xmllint --noout --relaxng '" + m_folder.Path("argos.rng") + "' '" + file +
+                        "' >'" + m_folder.Path("xmllint.txt") + "' 2>&1")
+                           .c_str()) == 0;
+  }
+  bool Accepts(const std::string& xml) const {
+    std::ofstream(m_folder.Path("file.argos")) << xml;
+    return AcceptsFile(m_folder.Path("file.argos"));
+  }
+  std::string GetMessages() const { return m_folder.Read("xmllint.txt"); }
+
+ private:
+  CTestFolder m_folder;
+};
+
+std::string Replaced(std::string text, const std::string& from, const std::string& to) {
+  const size_t at = text.find(from);
+  REQUIRE(at != std::string::npos);
+  return text.replace(at, from.size(), to);
+}
+
+constexpr const char* kExperiment = R"(<?xml version="1.0"?>
+<argos-configuration>
+  <framework>
+    <system threads="0" />
+    <experiment length="10" ticks_per_second="10" random_seed="1" />
+  </framework>
+  <controllers>
+    <my_controller id="c1" library="libmine">
+      <actuators><leds implementation="default" medium="leds" /></actuators>
+      <sensors>
+        <footbot_proximity implementation="default" show_rays="true">
+          <noise model="gaussian" std_dev="0.1" />
+        </footbot_proximity>
+      </sensors>
+      <params anything="1"><at all="2" /></params>
+    </my_controller>
+  </controllers>
+  <arena size="4, 4, 2" center="0,0,0.5">
+    <box id="b" size="1,1,0.5" movable="true" mass="2"><body position="1,0,0" /></box>
+    <distribute>
+      <position method="uniform" min="-1,-1,0" max="1,1,0" />
+      <orientation method="constant" values="0,0,0" />
+      <entity quantity="3" max_trials="100">
+        <foot-bot id="fb" rab_range="2"><controller config="c1" /></foot-bot>
+      </entity>
+    </distribute>
+  </arena>
+  <physics_engines><dynamics2d id="d" iterations="4" /></physics_engines>
+  <media><led id="leds" /></media>
+  <visualization />
+</argos-configuration>
+)";
+
+}  // namespace
+
+TEST_CASE("queries: a device has its C++ and Lua interfaces, robots and XML",
+          "[command_line][query]") {
+  const CTestFolder folder;
+  const SProgramRun run = folder.Run({"-q", "range_and_bearing"});
+  CHECK(run.Status == 0);
+  CHECK(run.Err == "");
+  for (const char* const fact :
+       {"[ range_and_bearing (medium) ]\n", "A sensor.\n", "CCI_RangeAndBearingSensor\n",
+        "#include <argos3/plugins/robots/generic/control_interface/"
+        "ci_range_and_bearing_sensor.h>\n",
+        "link ARGoS::genericrobot (libargos3plugin_simulator_genericrobot.so)\n",
+        "GetReadings() const\n", "Real Range                        cm\n",
+        "robot.range_and_bearing[i].horizontal_bearing  number\n",
+        "robot.range_and_bearing.set_data()\n", "e-puck, eye-bot, foot-bot\n", "noise_std_dev",
+        "[ range_and_bearing ]\n", "A medium.\n"}) {
+    CAPTURE(fact);
+    CHECK_THAT(run.Out, Contains(fact));
+  }
+  for (const char* const word : {"authors of this project", "undefined", "Usable"}) {
+    CAPTURE(word);
+    CHECK_THAT(run.Out, !Contains(word));
+  }
+  CHECK(WidestProseLine(run.Out) <= 80);
+}
+
+TEST_CASE("queries: all facts of all plug-ins are readable in 80 columns",
+          "[command_line][query]") {
+  const CTestFolder folder;
+  for (const char* const label : {"all", "foot-bot", "prototype", "cameras", "dynamics3d",
+                                  "offscreen", "pheromone", "robot-type", "lua_controller"}) {
+    CAPTURE(label);
+    const SProgramRun run = folder.Run({"-q", label});
+    CHECK(run.Status == 0);
+    CHECK(WidestProseLine(run.Out) <= 80);
+    CHECK_THAT(run.Out, !Contains("undefined") && !Contains("authors of this project"));
+  }
+}
+
+TEST_CASE("queries: a robot lists the devices that fit", "[command_line][query]") {
+  const CTestFolder folder;
+  const SProgramRun run = folder.Run({"-q", "e-puck"});
+  CHECK_THAT(run.Out, Contains("SENSORS THAT FIT\n") && Contains("  epuck_proximity (default)\n") &&
+                          Contains("  magnets (default), with <magnets> in its element\n") &&
+                          !Contains("footbot_turret"));
+  CHECK_THAT(folder.Run({"-q", "joints"}).Out,
+             Contains("ROBOTS\n\n  prototype\n  each with <joints> inside"));
+}
+
+TEST_CASE("queries: what is not found has suggestions and the status 1", "[command_line][query]") {
+  const CTestFolder folder;
+  const SProgramRun rnage = folder.Run({"-q", "rnage"});
+  CHECK(rnage.Status == 1);
+  CHECK_THAT(rnage.Out, Contains("did you mean range_and_bearing?"));
+  // a field has this name; the initials are those of the device
+  CHECK_THAT(folder.Run({"-q", "rab"}).Out,
+             Contains("[ rab ]") && Contains("See also: range_and_bearing\n"));
+  const SProgramRun nothing = folder.Run({"-q", "xyzxyz"});
+  CHECK(nothing.Status == 1);
+  CHECK_THAT(nothing.Out, Contains("argos3 -q all"));
+  CHECK_THAT(folder.Run({"-q", "Proximity"}).Out, Contains("epuck_proximity"));
+}
+
+TEST_CASE("queries: a control interface finds its devices", "[command_line][query]") {
+  const CTestFolder folder;
+  CHECK_THAT(folder.Run({"-q", "CCI_LEDsActuator"}).Out,
+             Contains("[ leds (default) ]") && !Contains("directional_leds (default) ]"));
+}
+
+TEST_CASE("queries: JSON has the same facts", "[command_line][query]") {
+  const CTestFolder folder;
+  const SProgramRun run = folder.Run({"-q", "footbot_proximity", "--json"});
+  CHECK(run.Status == 0);
+  CHECK(IsJson(folder, run.Out));
+  for (const char* const fact :
+       {"\"class\": \"CCI_FootBotProximitySensor\"", "\"link\": \"ARGoS::footbot\"",
+        "\"path\": \"robot.proximity[i].angle\"", "\"robot\": \"foot-bot\"",
+        "\"name\": \"show_rays\",\n          \"type\": \"boolean\",\n          \"required\": false",
+        "\"list\": \"sensors\""}) {
+    CAPTURE(fact);
+    CHECK_THAT(run.Out, Contains(fact));
+  }
+  const SProgramRun all = folder.Run({"-q", "all", "--json"});
+  CHECK(all.Status == 0);
+  CHECK(IsJson(folder, all.Out));
+  const SProgramRun nothing = folder.Run({"-q", "rnage", "--json"});
+  CHECK(nothing.Status == 1);
+  CHECK(IsJson(folder, nothing.Out));
+  CHECK_THAT(nothing.Out, Contains("\"plugins\": []") && Contains("\"range_and_bearing\""));
+}
+
+TEST_CASE("queries: names for completion are one a line", "[command_line][query]") {
+  const CTestFolder folder;
+  const SProgramRun run = folder.Run({"-q", "names"});
+  CHECK(run.Status == 0);
+  CHECK_THAT(run.Out, Contains("all\n") && Contains("sensors\n") && Contains("\nfoot-bot\n") &&
+                          Contains("\nrange_and_bearing\n"));
+  CHECK(run.Out.find(' ') == std::string::npos);
+}
+
+TEST_CASE("schemas: every experiment of the repository is valid", "[command_line][schema]") {
+  const CSchema schema;
+  size_t files = 0;
+  for (const char* const folder : {"experiments", "examples", "studies"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(InSourceTree(folder))) {
+      const std::string file = entry.path().string();
+      // what their libraries add is not known without them; the guide checks these
+      const bool hasOwnPlugins = entry.path().filename().string().rfind("own_", 0) == 0;
+      if (entry.path().extension() == ".argos" && !hasOwnPlugins) {
+        const bool isValid = schema.AcceptsFile(file);
+        INFO(schema.GetMessages());
+        CAPTURE(file);
+        CHECK(isValid);
+        ++files;
+      }
+    }
+  }
+  CHECK(files >= 30);
+}
+
+TEST_CASE("schemas: misspelt names and texts in place of numbers are not valid",
+          "[command_line][schema]") {
+  const CSchema schema;
+  const bool isValid = schema.Accepts(kExperiment);
+  INFO(schema.GetMessages());
+  REQUIRE(isValid);
+  const std::pair<const char*, const char*> faults[] = {
+      {"<framework>", "<framework><sytem threads=\"0\" />"},
+      {"threads=\"0\"", "thread=\"0\""},
+      {"threads=\"0\"", "threads=\"none\""},
+      {"length=\"10\"", "length=\"long\""},
+      {"<experiment length=\"10\" ticks_per_second=\"10\"", "<experiment length=\"10\""},
+      {"<leds ", "<led "},
+      {"implementation=\"default\" medium", "implementation=\"defualt\" medium"},
+      {"medium=\"leds\"", "meduim=\"leds\""},
+      {" medium=\"leds\"", ""},
+      {"show_rays=\"true\"", "show_rays=\"yes\""},
+      {"<noise model", "<nosie model"},
+      {"std_dev=\"0.1\"", "std_dev=\"a tenth\""},
+      {"size=\"4, 4, 2\"", "size=\"4, 4\""},
+      {"mass=\"2\"", "mass=\"2 kg\""},
+      {"<box ", "<boxx "},
+      {"<body position", "<bdoy position"},
+      {"position=\"1,0,0\"", "postion=\"1,0,0\""},
+      {"quantity=\"3\"", "quantity=\"three\""},
+      {"quantity=\"3\" ", ""},
+      {"rab_range=\"2\"", "rab_rnage=\"2\""},
+      {"iterations=\"4\"", "iterations=\"4.5\""},
+      {"<dynamics2d ", "<dynamic2d "},
+      {"<media>", "<mediums>"}};
+  for (const auto& [right, wrong] : faults) {
+    CAPTURE(right, wrong);
+    std::string xml = Replaced(kExperiment, right, wrong);
+    if (xml.find("<boxx") != std::string::npos) {
+      xml = Replaced(xml, "</box>", "</boxx>");
+    } else if (xml.find("<mediums>") != std::string::npos) {
+      xml = Replaced(xml, "</media>", "</mediums>");
+    } else if (xml.find("<leds ") == std::string::npos) {
+      REQUIRE(wrong == std::string("<led "));
+    }
+    CHECK_FALSE(schema.Accepts(xml));
+  }
+}
+
+TEST_CASE("schemas: robots of <robot_types> have any tag", "[command_line][schema]") {
+  const CSchema schema;
+  const std::string types = R"(<robot_types><robot-type id="disc"><body mass="0.4">
+    <solid geometry="cylinder" radius="0.04" height="0.05" /></body>
+    <differential_drive wheel_distance="0.06" wheel_radius="0.02" max_force="1" max_torque="1" />
+    </robot-type></robot_types>)";
+  const std::string robot = "<disc id=\"d0\"><body position=\"0,0,0\" /></disc><box ";
+  const std::string withRobot = Replaced(kExperiment, "<box ", robot);
+  CHECK_FALSE(schema.Accepts(withRobot));
+  CHECK(schema.Accepts(Replaced(withRobot, "<controllers>", types + "<controllers>")));
+  CHECK_FALSE(schema.Accepts(
+      Replaced(withRobot, "<controllers>",
+               Replaced(types, "wheel_radius=\"0.02\"", "wheel_radius=\"x\"") + "<controllers>")));
+}
+
+TEST_CASE("schemas: the compact syntax has the same definitions", "[command_line][schema]") {
+  const CTestFolder folder;
+  const SProgramRun compact = folder.Run({"--schema", "rnc"});
+  CHECK(compact.Status == 0);
+  CHECK_THAT(compact.Out, Contains("\nstart =\n") && Contains("element argos-configuration {") &&
+                              Contains("attribute ticks_per_second { natural }"));
+  const SProgramRun wrong = folder.Run({"--schema", "xsd"});
+  CHECK(wrong.Status == 1);
+  CHECK_THAT(wrong.Err, Contains("--schema xsd: expected rng or rnc"));
+}

@@ -1,0 +1,84 @@
+// Manuals of plug-ins for programs and for terminals.
+
+#include <argos3/core/simulator/catalogue/json_writer.h>
+#include <argos3/core/simulator/catalogue/manual.h>
+#include <argos3/core/simulator/catalogue/text_layout.h>
+
+#include <catch2/catch.hpp>
+
+using namespace argos;
+
+namespace {
+
+constexpr const char* kManual = R"(Prose, <b> and so on.
+
+REQUIRED XML
+
+  <controllers>
+    <my_controller id="c1" />
+  </controllers>
+
+with dots:
+
+  <arena ...>
+  </arena>
+
+or
+
+    <floor id="a" />
+    <floor id="b" />
+
+  size, width  m, default 1: of the
+               whole.
+  cap@size     of the cap only.
+  , @colour    of the cap, too.
+  not a row
+)";
+
+}  // namespace
+
+TEST_CASE("manuals: examples are their well-formed XML", "[core][catalogue]") {
+  const CManual manual(kManual);
+  REQUIRE(manual.GetExamples().size() == 3);
+  CHECK(manual.GetExamples()[0].Value() == "controllers");
+  CHECK(manual.GetExamples()[1].Value() == "floor");
+  CHECK(manual.GetExamples()[2].GetAttribute("id") == "b");
+}
+
+TEST_CASE("manuals: rows of tables describe attributes", "[core][catalogue]") {
+  const CManual manual(kManual);
+  CHECK(manual.TextOf("body", "size") == "m, default 1: of the whole.");
+  CHECK(manual.TextOf("body", "width") == "m, default 1: of the whole.");
+  CHECK(manual.TextOf("cap", "size") == "of the cap only.");
+  CHECK(manual.TextOf("body", "colour").empty());
+}
+
+TEST_CASE("text layout: paragraphs and tables have 80 columns, XML stays", "[core][catalogue]") {
+  const std::string words(120, 'x');
+  const std::string xml = "  <a b=\"" + words + "\" />\n";
+  CHECK(WrappedManual(xml) == xml);
+  CHECK(WrappedManual("short\nlines\n") == "short\nlines\n");
+  const std::string ten = "0123456789";
+  std::string line = ten;
+  for (int i = 0; i < 8; ++i) {
+    line += ' ' + ten;
+  }
+  // seven words of ten letters and six blanks: 76 columns
+  CHECK(WrappedManual(line + '\n') == line.substr(0, 76) + '\n' + line.substr(77) + '\n');
+  // the texts of a table stay in their column
+  CHECK(WrappedManual("  name  " + line + '\n') ==
+        "  name  " + line.substr(0, 65) + "\n        " + line.substr(66) + '\n');
+}
+
+TEST_CASE("JSON: texts are escaped, and lists may be empty", "[core][catalogue]") {
+  CJsonWriter json;
+  json.BeginObject();
+  json.Add("a", "\"\\\n\t\x01 \xc3\xa4 \xff");
+  json.BeginArray("b");
+  json.EndArray();
+  json.Add("c", true);
+  json.EndObject();
+  CHECK(json.GetText() ==
+        "{\n  \"a\": \"\\\"\\\\\\n\\u0009\\u0001 \xc3\xa4 \\ufffd\",\n  \"b\": [],\n  \"c\": "
+        "true\n}\n");
+}
