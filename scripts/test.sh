@@ -108,6 +108,8 @@ cmake --install "$build_dir" --prefix "$work/installed" >"$work/install.log"
 # moved after the installation, because it must be relocatable
 mv "$work/installed" "$work/prefix"
 check_installed_headers "$work/prefix/include"
+# with the installed controllers, which are found by name
+(cd "$work" && "$work/prefix/bin/argos3" -n -zc "$work/prefix/share/argos3/experiments/diffusion_10.argos" --length 1)
 build_user_project find_package -DCMAKE_PREFIX_PATH="$work/prefix"
 PKG_CONFIG_PATH="$work/prefix/lib/pkgconfig" build_user_project pkg_config -DUSE_PKG_CONFIG=ON
 "$repo/scripts/outside_projects.sh" "$work/prefix" "$work/projects"
