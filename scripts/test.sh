@@ -128,7 +128,9 @@ if [[ "${CI:-}" == true ]]; then
   echo "clang-tidy follows in .ci/run"
 else
   began "clang-tidy"
-  "$repo/scripts/tidy.sh" "$build_dir"
+  # source by source and without precompiled headers, so that missing includes are found; this build is only configured
+  configure "$repo/build-ci" -DCMAKE_BUILD_TYPE=Release -DARGOS_BUILD_TESTING=ON -DARGOS_WERROR=ON
+  "$repo/scripts/tidy.sh" "$repo/build-ci"
 fi
 
 say "All checks passed after ${SECONDS} s"
