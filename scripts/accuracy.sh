@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# Makes the tables in doc/accuracy.md and the plot doc/images/accuracy.svg from doc/data/accuracy.csv, the output of
+# Makes the tables in doc/internals/accuracy.md and the plot doc/images/accuracy.svg from doc/data/accuracy.csv, the output of
 # argos3_accuracy_benchmark:
 #   scripts/accuracy.sh             needs gnuplot (Debian: gnuplot-nox)
 #   scripts/accuracy.sh --tables    only prints the tables; needs no gnuplot
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 csv="$repo/doc/data/accuracy.csv"
-page="$repo/doc/accuracy.md"
+page="$repo/doc/internals/accuracy.md"
 plot="$repo/doc/images/accuracy.svg"
 
 # Definitions for awk: columns, and number formats with three digits and nothing below a thousandth.
@@ -109,7 +109,7 @@ draw() { # draw <folder>
   gnuplot -c "$repo/scripts/accuracy.gp" "$1" "$plot"
 }
 
-[[ -f "$csv" ]] || die "no $csv; doc/accuracy.md says how to measure it"
+[[ -f "$csv" ]] || die "no $csv; doc/internals/accuracy.md says how to measure it"
 case "${1:-}" in
   "") ;;
   --tables) tables; exit 0 ;;

@@ -108,6 +108,8 @@ cmake --install "$build_dir" --prefix "$work/installed" >"$work/install.log"
 # moved after the installation, because it must be relocatable
 mv "$work/installed" "$work/prefix"
 check_installed_headers "$work/prefix/include"
+# with the installed controllers, which are found by name
+(cd "$work" && "$work/prefix/bin/argos3" -n -zc "$work/prefix/share/argos3/experiments/diffusion_10.argos" --length 1)
 build_user_project find_package -DCMAKE_PREFIX_PATH="$work/prefix"
 PKG_CONFIG_PATH="$work/prefix/lib/pkgconfig" build_user_project pkg_config -DUSE_PKG_CONFIG=ON
 "$repo/scripts/outside_projects.sh" "$work/prefix" "$work/projects"
@@ -126,7 +128,9 @@ if [[ "${CI:-}" == true ]]; then
   echo "clang-tidy follows in .ci/run"
 else
   began "clang-tidy"
-  "$repo/scripts/tidy.sh" "$build_dir"
+  # source by source and without precompiled headers, so that missing includes are found; this build is only configured
+  configure "$repo/build-ci" -DCMAKE_BUILD_TYPE=Release -DARGOS_BUILD_TESTING=ON -DARGOS_WERROR=ON
+  "$repo/scripts/tidy.sh" "$repo/build-ci"
 fi
 
 say "All checks passed after ${SECONDS} s"

@@ -29,6 +29,11 @@ changed_files() {
   git ls-files --others --exclude-standard -- 'src' 'experiments' 'examples'
 }
 
+by_source() {
+  [[ "${compiled[*]}" != */Unity/* ]] || die "$build compiles several sources at once, so that only all can be checked: --all;" \
+    "for single files configure, without building, a folder for sources one by one: cmake -G Ninja --preset ci, in build-ci/"
+}
+
 units=()
 unit_of() { # unit_of <file>: the translation unit through which a file is checked
   local file="$1" candidate
@@ -48,11 +53,13 @@ unit_of() { # unit_of <file>: the translation unit through which a file is check
 }
 
 if (($# > 0)) && [[ "$1" != --all ]]; then
+  by_source
   for file in "$@"; do
     unit_of "${file#"$repo"/}"
   done
   echo "tidy: ${#units[@]} unit(s) for the files given"
 elif (($# == 0)) && changed="$(changed_files)"; then
+  by_source
   while IFS= read -r file; do
     [[ -z "$file" ]] || unit_of "$file"
   done <<<"$changed"
