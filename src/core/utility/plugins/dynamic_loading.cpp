@@ -333,8 +333,7 @@ CDynamicLoading::TDLHandle CDynamicLoading::LoadLibrary(const std::string& lib,
   // a file that is there and does not load explains more than the places without one
   THROW_ARGOSEXCEPTION("The library \"" << lib << "\" cannot be loaded"
                                         << (problems.empty() ? DescribeSimilar(lib, places) : "")
-                                        << "; tried:"
-                                        << (problems.empty() ? searched : problems));
+                                        << "; tried:" << (problems.empty() ? searched : problems));
 }
 
 void CDynamicLoading::UnloadLibrary(const std::string& lib) {
