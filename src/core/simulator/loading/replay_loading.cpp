@@ -54,7 +54,6 @@ void CExperimentLoader::InitReplay(TConfigurationNode& root, CLoadErrors& errors
   AdoptLoopFunctions(m_experiment.Replay->MakeLoopFunctions());
   m_experiment.Replay->Begin(*m_context.Space);
   m_settings.MaxClock = m_experiment.Replay->GetLastTick();
-  LOG << "[INFO] The replay shows the recording up to tick " << m_settings.MaxClock << std::endl;
   m_context.Loading.RunChecks(errors);
 }
 

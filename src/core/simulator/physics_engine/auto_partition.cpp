@@ -1,6 +1,8 @@
 #include <argos3/core/simulator/physics_engine/space_partition.h>
 
+#include <argos3/core/simulator/context/library_attribute.h>
 #include <argos3/core/simulator/context/load_errors.h>
+#include <argos3/core/utility/plugins/unknown_label.h>
 #include <argos3/core/utility/text/string_utilities.h>
 #include <argos3/core/utility/text/classic_locale.h>
 
@@ -89,10 +91,12 @@ void Expand(TConfigurationNode& section, TConfigurationNode& node, TConfiguratio
   UInt32 count = 0;
   GetNodeAttribute(node, "engine", type);
   GetNodeAttribute(node, "count", count);
+  LoadLibraryOf(node);
   if (type == kTag || !CFactory<CPhysicsEngine>::Exists(type)) {
     THROW_ARGOSEXCEPTION(node.GetLocation()
                          << ": <" << kTag << ">: there is no physics engine of type <" << type
-                         << ">" << DidYouMean(type, CFactory<CPhysicsEngine>::GetLabels()));
+                         << ">"
+                         << DescribeUnknownLabel(type, CFactory<CPhysicsEngine>::GetLabels()));
   }
   if (count < 1 || count > kMaxCount) {
     THROW_ARGOSEXCEPTION(node.GetLocation() << ": <" << kTag << ">: \"count\" must be from 1 to "

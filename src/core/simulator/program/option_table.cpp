@@ -81,10 +81,14 @@ std::string SCommandLineOption::GetShortName() const {
   return Names.rfind("--", 0) == 0 ? "" : Names.substr(0, Names.find(','));
 }
 
-const std::vector<SCommandLineOption>& GetCommandLineOptions() {
-  using EUse = EOptionUse;
-  using EWords = EOptionWords;
-  static const std::vector<SCommandLineOption> options = {
+namespace {
+
+using EUse = EOptionUse;
+using EWords = EOptionWords;
+using TOptions = std::vector<SCommandLineOption>;
+
+TOptions MakeActionOptions() {
+  return {
       {"-c,--config-file", "FILE", kActions, "run the experiment in this file; -c may be left out",
        EUse::Always, EWords::ExperimentFile},
       {"--replay", "FILE", kActions,
@@ -110,7 +114,11 @@ const std::vector<SCommandLineOption>& GetCommandLineOptions() {
        {"man", "bash", "zsh", "plugins", "xpaths"}},
       {"-h,--help", "", kActions, "print this text"},
       {"-v,--version", "", kActions, "print the version and how it was built"},
+  };
+}
 
+TOptions MakeOutputOptions() {
+  return {
       {"--json", "", kOutput, "the answer to --query as JSON", EUse::Query},
       {"-n,--no-color", "", kOutput, "no colours in the logs; only terminals get colours"},
       {"--quiet", "", kOutput, "as --log-level warning", EUse::Run},
@@ -139,11 +147,19 @@ const std::vector<SCommandLineOption>& GetCommandLineOptions() {
        EUse::Run, EWords::File},
       {"--speed", "X", kOutput,
        "simulated seconds in a second of the film; 1, the default, is real time"},
+  };
+}
 
+TOptions MakeReplayOptions() {
+  return {
       {"--from", "TICK|TIMEs", kReplay, "begin with this tick, or time: 100, 12.5s", EUse::Replay},
       {"--to", "TICK|TIMEs", kReplay, "end with this tick, or time", EUse::Replay},
       {"--every", "N", kReplay, "ticks from state to state: 10 is ten times as fast", EUse::Replay},
+  };
+}
 
+TOptions MakeRunOptions() {
+  return {
       {"-z,--no-visualization", "", kRun, "ignore the <visualization> of the file"},
       {"--check", "", kRun,
        "load the experiment with its libraries, report all errors and warnings, and do not run it; "
@@ -175,6 +191,21 @@ const std::vector<SCommandLineOption>& GetCommandLineOptions() {
       {"--digest", "", kRun, "print a digest of the final state; equal runs, equal digests",
        EUse::Simulation},
   };
+}
+
+TOptions MakeOptions() {
+  TOptions all;
+  for (const TOptions& group :
+       {MakeActionOptions(), MakeOutputOptions(), MakeReplayOptions(), MakeRunOptions()}) {
+    all.insert(all.end(), group.begin(), group.end());
+  }
+  return all;
+}
+
+}  // namespace
+
+const std::vector<SCommandLineOption>& GetCommandLineOptions() {
+  static const TOptions options = MakeOptions();
   return options;
 }
 

@@ -173,6 +173,8 @@ TEST_CASE("replay: a part, with another step, in the views of another file",
       {"--replay", "run.rec", "-c", "views.argos", "--from", "2s", "--to", "55", "--every", "10"});
   CheckSuccess(run);
   CHECK_THAT(run.Out, Contains("Replaying ticks 20 to 55") && Contains("random seed 124"));
+  // that of the experiment is not what is shown
+  CHECK_THAT(run.Out, !Contains("Total experiment length"));
   CHECK(ListFrames(folder, "views") ==
         std::vector<std::string>{"frame_0000000020.png", "frame_0000000030.png",
                                  "frame_0000000040.png", "frame_0000000050.png",
