@@ -26,7 +26,6 @@ constexpr const char* kMethods[] = {
     "method=\"uniform\" min=\"-4,-4,0\" max=\"4,4,0\"",
     "method=\"gaussian\" mean=\"0,0,0\" std_dev=\"1,1,0\"", "method=\"constant\" values=\"6,0,0\"",
     "method=\"grid\" center=\"-6,0,0\" distances=\"1,1,0\" layout=\"1,1,1\""};
-constexpr const char* kCoreLoopFunctions = R"(<loop_functions label="lua" />)";
 
 std::string KeyOf(TConfigurationNode& element) {
   const std::string tag = element.Value();
@@ -285,7 +284,6 @@ void CRecordedGrammar::RecordCore() {
         "<controller config=\"c1\"><params /></controller></{2}></entity></distribute>",
         kMethods[i], i, robots.front());
   }
-  sample.Sections = kCoreLoopFunctions;
   RecordSample(sample);
   sample.Engines = m_catalogue.GetLoader().GetEngine();
   RecordWithout(sample.ToXml(sample.Engines),
