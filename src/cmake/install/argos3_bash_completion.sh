@@ -1,12 +1,9 @@
 # shellcheck shell=bash
-# Completion of argos3's command line in bash: source this file, or link it from /etc/bash_completion.d/.
+# Completion of the command line of argos3 in bash: source this file, or link it from /etc/bash_completion.d/.
+# Options and names come from the program.
 _argos3() {
   local current="${COMP_WORDS[COMP_CWORD]}"
   local previous="${COMP_WORDS[COMP_CWORD - 1]}"
-  local options="--config-file --query --help --version --no-color --no-visualization --log-file --logerr-file
-    --seed --threads --length --set --csv --record --video --speed --replay --from --to --every --digest"
-  local queries="actuators sensors physics_engines media visualizations outputs fields entities controllers
-    loop_functions all"
   COMPREPLY=()
   case "$previous" in
     -c | --config-file)
@@ -19,7 +16,10 @@ _argos3() {
       compopt -o filenames 2>/dev/null
       ;;
     -q | --query)
-      mapfile -t COMPREPLY < <(compgen -W "$queries" -- "$current")
+      mapfile -t COMPREPLY < <(compgen -W "$(argos3 -q names 2>/dev/null)" -- "$current")
+      ;;
+    --schema)
+      mapfile -t COMPREPLY < <(compgen -W "rng rnc" -- "$current")
       ;;
     --csv)
       mapfile -t COMPREPLY < <(compgen -d -- "$current")
@@ -30,7 +30,7 @@ _argos3() {
       compopt -o filenames 2>/dev/null
       ;;
     *)
-      mapfile -t COMPREPLY < <(compgen -W "$options" -- "$current")
+      mapfile -t COMPREPLY < <(compgen -W "$(argos3 --help 2>/dev/null | grep -oE -- '(^|[ ,])--[a-z-]+' | tr -d ' ,' | sort -u)" -- "$current")
       ;;
   esac
 }
