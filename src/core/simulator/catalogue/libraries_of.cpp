@@ -1,6 +1,6 @@
 #include <argos3/core/simulator/catalogue/libraries_of.h>
 
-#include <argos3/core/simulator/loading/library_attribute.h>
+#include <argos3/core/simulator/context/library_attribute.h>
 #include <argos3/core/utility/configuration/configuration_document.h>
 
 namespace argos {

@@ -1,11 +1,13 @@
 #include <argos3/core/simulator/catalogue/recorded_grammar.h>
 
 #include <argos3/core/simulator/catalogue/manual.h>
+#include <argos3/core/simulator/catalogue/sample_elements.h>
 #include <argos3/core/utility/configuration/configuration_document.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <iterator>
 #include <sstream>
 
@@ -14,6 +16,7 @@ namespace argos {
 namespace {
 
 constexpr const char* kRoot = "argos-configuration";
+constexpr const char* kNoValue = "no_such_value";
 
 // what the core reads: its elements have no manuals, and these are their variants
 constexpr const char* kCoreFramework =
@@ -24,14 +27,6 @@ constexpr const char* kMethods[] = {
     "method=\"uniform\" min=\"-4,-4,0\" max=\"4,4,0\"",
     "method=\"gaussian\" mean=\"0,0,0\" std_dev=\"1,1,0\"", "method=\"constant\" values=\"6,0,0\"",
     "method=\"grid\" center=\"-6,0,0\" distances=\"1,1,0\" layout=\"1,1,1\""};
-constexpr const char* kCoreLoopFunctions = R"(<loop_functions label="lua" />)";
-
-std::string KeyOf(TConfigurationNode& element) {
-  const std::string tag = element.Value();
-  return NodeAttributeExists(element, "implementation")
-             ? tag + " (" + element.GetAttribute("implementation") + ")"
-             : tag;
-}
 
 // all elements of a tree; the order does not change while attributes are removed
 void CollectElements(TConfigurationNode& element, std::vector<TConfigurationNode>& all) {
@@ -39,6 +34,58 @@ void CollectElements(TConfigurationNode& element, std::vector<TConfigurationNode
   TConfigurationNodeIterator it;
   for (it = it.begin(&element); it != it.end(); ++it) {
     CollectElements(*it, all);
+  }
+}
+
+std::vector<TConfigurationNode> ParseElements(CConfigurationDocument& document,
+                                              const std::string& text) {
+  document.Parse(text, "(example)");
+  std::vector<TConfigurationNode> all;
+  CollectElements(document.GetRoot(), all);
+  return all;
+}
+
+std::string TextOf(CConfigurationDocument& document) {
+  std::ostringstream text;
+  text << document.GetRoot();
+  return text.str();
+}
+
+bool IsWord(const std::string& text) {
+  return !text.empty() && std::all_of(text.begin(), text.end(), [](unsigned char c) {
+    return std::isalpha(c) != 0 || c == '_';
+  });
+}
+
+// words in quotation marks, each once
+std::set<std::string> QuotedWords(const std::string& error) {
+  std::set<std::string> words;
+  for (size_t begin = error.find('"'); begin != std::string::npos;) {
+    const size_t end = error.find('"', begin + 1);
+    if (end == std::string::npos) {
+      break;
+    }
+    const std::string word = error.substr(begin + 1, end - begin - 1);
+    if (IsWord(word) && word != kNoValue) {
+      words.insert(word);
+      begin = error.find('"', end + 1);
+    } else {
+      begin = end;  // it may begin a word, if marks are not paired
+    }
+  }
+  return words;
+}
+
+// an attribute whose absence was an error
+void FindMissed(const SRequestedElement& element, std::string& name, SRequestedAttribute& missed) {
+  for (const auto& [key, attribute] : element.Attributes) {
+    if (attribute.IsMissed) {
+      name = key;
+      missed = attribute;
+    }
+  }
+  for (const auto& [key, child] : element.Children) {
+    FindMissed(*child, name, missed);
   }
 }
 
@@ -134,32 +181,73 @@ void CRecordedGrammar::RecordElement(const SSampleElement& element) {
   }
 }
 
-// loads it again without each of its attributes
-void CRecordedGrammar::RecordWithout(const SSampleElement& element) {
-  const auto parse = [&element](CConfigurationDocument& document) {
-    document.Parse(element.Text, "(example)");
-    std::vector<TConfigurationNode> all;
-    CollectElements(document.GetRoot(), all);
-    return all;
-  };
+// loads a sample again without each of its attributes; load(xml of the element)
+template <typename LOAD>
+void CRecordedGrammar::RecordWithout(const std::string& text, const LOAD& load) {
   CConfigurationDocument whole;
-  std::vector<TConfigurationNode> elements = parse(whole);
+  const std::vector<TConfigurationNode> elements = ParseElements(whole, text);
   for (size_t i = 0; i < elements.size(); ++i) {
     for (const std::string& name : elements[i].GetAttributeNames()) {
-      if (name == "implementation") {
-        continue;
-      }
       CConfigurationDocument document;
-      parse(document)[i].RemoveAttribute(name);
-      std::ostringstream text;
-      text << document.GetRoot();
+      ParseElements(document, text)[i].RemoveAttribute(name);
       const CRequestRecorder recorder;
-      m_catalogue.GetLoader().Load(MakeSample({element.Section, element.Key, text.str()}));
+      load(TextOf(document));
       const SRequestedElement* const root = recorder.GetRequests().Find(kRoot);
-      if (root != nullptr) {
+      if (name != "implementation" && root != nullptr) {
         NoteMissed(*root, "");
       }
     }
+  }
+}
+
+// Loads it again with the other values that the error of a wrong one lists: a model of noise, for
+// example, decides which other attributes are read.
+void CRecordedGrammar::RecordVariants(const SSampleElement& element) {
+  CConfigurationDocument whole;
+  const std::vector<TConfigurationNode> elements = ParseElements(whole, element.Text);
+  for (size_t i = 0; i < elements.size(); ++i) {
+    for (const std::string& name : elements[i].GetAttributeNames()) {
+      const std::string value = elements[i].GetAttribute(name);
+      if (!IsWord(value) || name == "id" || name == "config" || name == "implementation") {
+        continue;
+      }
+      CConfigurationDocument wrong;
+      ParseElements(wrong, element.Text)[i].SetAttribute(name, std::string(kNoValue));
+      const std::string error =
+          m_catalogue.GetLoader().Load(MakeSample({element.Section, element.Key, TextOf(wrong)}));
+      for (const std::string& other : QuotedWords(error)) {
+        if (other != value && other != name) {
+          RecordVariant(element, i, name, other);
+        }
+      }
+    }
+  }
+}
+
+void CRecordedGrammar::RecordVariant(const SSampleElement& element, size_t index,
+                                     const std::string& name, const std::string& value) {
+  constexpr int kMostAdditions = 4;
+  CConfigurationDocument document;
+  TConfigurationNode changed = ParseElements(document, element.Text)[index];
+  changed.SetAttribute(name, value);
+  for (int i = 0; i < kMostAdditions; ++i) {
+    const SSampleExperiment sample = MakeSample({element.Section, element.Key, TextOf(document)});
+    SRequestedAttribute missed;
+    std::string missedName;
+    {
+      const CRequestRecorder recorder;
+      const std::string error = m_catalogue.GetLoader().Load(sample);
+      m_requests.Merge(recorder.GetRequests());
+      if (error.empty()) {
+        NoteAlways(sample.ToXml(sample.Engines));
+        return;
+      }
+      FindMissed(recorder.GetRequests(), missedName, missed);
+    }
+    if (missedName.empty() || missed.Sample.empty() || changed.HasAttribute(missedName)) {
+      return;
+    }
+    changed.SetAttribute(missedName, missed.Sample);
   }
 }
 
@@ -168,8 +256,11 @@ void CRecordedGrammar::Record(const std::string& section, const std::string& key
   for (const std::string& text : m_catalogue.GetElements().Of(section, key)) {
     const SSampleElement element = {section, key, text};
     RecordElement(element);
+    RecordVariants(element);
     if (isFirst) {
-      RecordWithout(element);
+      RecordWithout(text, [&](const std::string& changed) {
+        m_catalogue.GetLoader().Load(MakeSample({section, key, changed}));
+      });
     }
     isFirst = false;
   }
@@ -187,8 +278,10 @@ void CRecordedGrammar::RecordCore() {
         "<controller config=\"c1\"><params /></controller></{2}></entity></distribute>",
         kMethods[i], i, robots.front());
   }
-  sample.Sections = kCoreLoopFunctions;
   RecordSample(sample);
+  sample.Engines = m_catalogue.GetLoader().GetEngine();
+  RecordWithout(sample.ToXml(sample.Engines),
+                [&](const std::string& changed) { m_catalogue.GetLoader().LoadXml(changed); });
 }
 
 void CRecordedGrammar::RecordAll() {

@@ -47,7 +47,11 @@ class CRecordedGrammar {
  private:
   bool RecordSample(const SSampleExperiment& sample);
   void RecordElement(const SSampleElement& element);
-  void RecordWithout(const SSampleElement& element);
+  template <typename LOAD>
+  void RecordWithout(const std::string& text, const LOAD& load);
+  void RecordVariants(const SSampleElement& element);
+  void RecordVariant(const SSampleElement& element, std::size_t index, const std::string& name,
+                     const std::string& value);
   void RecordCore();
   SSampleExperiment MakeSample(const SSampleElement& element);
   void NoteAlways(const std::string& xml);

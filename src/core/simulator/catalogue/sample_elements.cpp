@@ -27,11 +27,6 @@ std::string TextOf(const TConfigurationNode& element) {
   return text.str();
 }
 
-std::string KeyOf(const TConfigurationNode& element) {
-  const std::string implementation = element.GetAttribute("implementation");
-  return implementation.empty() ? element.Value() : element.Value() + " (" + implementation + ")";
-}
-
 // "<leds implementation='default' />" of "leds (default)"
 std::string BareElement(const std::string& section, const std::string& label) {
   const size_t bracket = label.find(" (");
@@ -43,6 +38,11 @@ std::string BareElement(const std::string& section, const std::string& label) {
 }
 
 }  // namespace
+
+std::string KeyOf(const TConfigurationNode& element) {
+  const std::string implementation = element.GetAttribute("implementation");
+  return implementation.empty() ? element.Value() : element.Value() + " (" + implementation + ")";
+}
 
 std::string CSampleElements::SectionOf(const SPluginKind& kind) {
   const auto found = SectionsByKind().find(kind.Word);

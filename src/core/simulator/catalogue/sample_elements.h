@@ -11,6 +11,9 @@
 
 namespace argos {
 
+/** "leds (default)" of `<leds implementation="default" />`; the tag of an element without it. */
+std::string KeyOf(const TConfigurationNode& element);
+
 /** An element for a section of an experiment, from an example in a manual. */
 struct SSampleElement {
   std::string Section; /**< "arena", "media", "sensors", "overlays", ... */

@@ -77,8 +77,8 @@ CSampleLoader::~CSampleLoader() {
   fs::remove_all(m_folder, failure);
 }
 
-std::string CSampleLoader::LoadOnce(const std::string& xml,
-                                    const std::function<void(CSimulator&)>& use) {
+std::string CSampleLoader::LoadXml(const std::string& xml,
+                                   const std::function<void(CSimulator&)>& use) {
   const CLogSilence silence;
   try {
     CConfigurationDocument document;
@@ -101,11 +101,11 @@ std::string CSampleLoader::LoadOnce(const std::string& xml,
 std::string CSampleLoader::Load(const SSampleExperiment& sample,
                                 const std::function<void(CSimulator&)>& use) {
   if (!sample.Engines.empty()) {
-    return LoadOnce(sample.ToXml(sample.Engines), use);
+    return LoadXml(sample.ToXml(sample.Engines), use);
   }
   std::string first;
   for (size_t i = 0; i < m_engines.size(); ++i) {
-    const std::string error = LoadOnce(sample.ToXml(m_engines[i]), use);
+    const std::string error = LoadXml(sample.ToXml(m_engines[i]), use);
     if (error.empty()) {
       std::rotate(m_engines.begin(), m_engines.begin() + static_cast<std::ptrdiff_t>(i),
                   m_engines.begin() + static_cast<std::ptrdiff_t>(i) + 1);

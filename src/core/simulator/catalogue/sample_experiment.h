@@ -44,9 +44,13 @@ class CSampleLoader {
   std::string Load(const SSampleExperiment& sample,
                    const std::function<void(CSimulator&)>& use = nullptr);
 
- private:
-  static std::string LoadOnce(const std::string& xml, const std::function<void(CSimulator&)>& use);
+  /** The same with an experiment as text. */
+  static std::string LoadXml(const std::string& xml,
+                             const std::function<void(CSimulator&)>& use = nullptr);
+  /** The element of the engine that was used last. */
+  std::string GetEngine() const { return m_engines.empty() ? "" : m_engines.front(); }
 
+ private:
   std::string m_folder;
   std::string m_previousFolder;
   std::vector<std::string> m_engines;  // elements; the one that was used last is the first

@@ -91,6 +91,7 @@ class CSchemaMaker {
     CManual Manual;
   };
 
+  void MergeDevices();
   void MergeEntities();
   void MergeOverlays(const SRequestedElement& element);
   const SDescribed* Find(const std::string& section, const std::string& key) const;
@@ -112,6 +113,7 @@ class CSchemaMaker {
   SSchemaPattern Root(bool withTypes);
 
   CRecordedGrammar& m_grammar;
+  SRequestedElement m_root;  // a copy, completed
   SSchema m_schema;
   std::map<std::string, SDescribed> m_described;  // by section and key
   SRequestedElement m_entities;  // all, as children
@@ -131,13 +133,42 @@ CSchemaMaker::CSchemaMaker(CRecordedGrammar& grammar, const std::vector<SPluginK
       }
     }
   }
+  m_root.Merge(m_grammar.GetRoot());
+  MergeDevices();
   MergeEntities();
-  MergeOverlays(m_grammar.GetRoot());
+  MergeOverlays(m_root);
+}
+
+// what devices have in common, such as <noise>, is read by the same code in each
+void CSchemaMaker::MergeDevices() {
+  std::vector<SRequestedElement*> devices;
+  for (const auto& [label, controller] : m_root.Child("controllers").Children) {
+    for (const char* const section : {"actuators", "sensors"}) {
+      for (const auto& [key, device] : controller->Child(section).Children) {
+        devices.push_back(device.get());
+      }
+    }
+  }
+  SRequestedElement common;
+  for (const SRequestedElement* const device : devices) {
+    for (const auto& [tag, child] : device->Children) {
+      if (child->IsVisited) {
+        common.Child(tag).Merge(*child);
+      }
+    }
+  }
+  for (SRequestedElement* const device : devices) {
+    for (const auto& [tag, child] : device->Children) {
+      if (!child->IsVisited && common.Find(tag) != nullptr) {
+        child->Merge(*common.Find(tag));
+      }
+    }
+  }
 }
 
 // robots inside and outside <distribute> are the same; what one robot contains, others can contain
 void CSchemaMaker::MergeEntities() {
-  const SRequestedElement* const arena = m_grammar.GetRoot().Find("arena");
+  const SRequestedElement* const arena = m_root.Find("arena");
   if (arena == nullptr) {
     return;
   }
@@ -342,7 +373,7 @@ SSchemaPattern CSchemaMaker::Arena(bool withTypes) {
     choices.push_back(std::move(plugin));
   }
   m_schema.Definitions["entities"] = AnyNumberOf(choices);
-  const SRequestedElement* const arena = m_grammar.GetRoot().Find("arena");
+  const SRequestedElement* const arena = m_root.Find("arena");
   const SRequestedElement* const distribute =
       arena == nullptr ? nullptr : arena->Find("distribute");
   // the tag of a robot of <robot_types> is the id of its type
@@ -363,14 +394,14 @@ SSchemaPattern CSchemaMaker::Root(bool withTypes) {
   m_withTypes = withTypes;
   SSchemaPattern root = {EKind::Element, "argos-configuration"};
   std::vector<SSchemaPattern> sections;
-  for (const auto& [tag, section] : m_grammar.GetRoot().Children) {
+  for (const auto& [tag, section] : m_root.Children) {
     if (tag != "robot_types") {
       sections.push_back(Element(tag, *section, tag, nullptr));
     }
   }
   SSchemaPattern rest = AnyNumberOf(sections);
   root.Parts.push_back(rest);
-  const SRequestedElement* const types = m_grammar.GetRoot().Find("robot_types");
+  const SRequestedElement* const types = m_root.Find("robot_types");
   if (withTypes && types != nullptr) {
     root.Parts.push_back(Element("robot_types", *types, "robot_types", nullptr));
     root.Parts.push_back(rest);

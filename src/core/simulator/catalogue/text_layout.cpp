@@ -99,6 +99,10 @@ void WrapRun(const TBlock& block, std::string& text) {
 }
 
 void WrapBlock(const TBlock& block, std::string& text) {
+  if (block.front().rfind("- ", 0) == 0 && IsWide(block)) {
+    WrapParagraph(block, text);
+    return;
+  }
   const auto isIndented = [](const std::string& line) { return line.front() == ' '; };
   auto begin = block.begin();
   while (begin != block.end()) {

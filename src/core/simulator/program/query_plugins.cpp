@@ -7,7 +7,6 @@
 #include <argos3/core/simulator/catalogue/text_layout.h>
 #include <argos3/core/utility/logging/argos_log.h>
 
-#include <set>
 #include <vector>
 
 namespace argos {
@@ -40,29 +39,10 @@ std::string WriteText(const std::string& query, const SAnswer& answer,
   return text;
 }
 
-// what may be asked for, each in a line: for the completion of shells
-std::string ListNames(const std::vector<SPluginKind>& kinds) {
-  std::set<std::string> names;
-  for (const SPluginKind& kind : kinds) {
-    names.insert(kind.Word);
-    for (const SPluginText& plugin : kind.Plugins) {
-      names.insert(TagOf(plugin.Label));
-    }
-  }
-  std::string text = "all\noutputs\n";
-  for (const std::string& name : names) {
-    text += name + '\n';
-  }
-  return text;
-}
-
 }  // namespace
 
 SPluginAnswer AnswerQuery(const std::string& query, bool asJson) {
   const std::vector<SPluginKind> kinds = ListPluginKinds();
-  if (query == "names") {
-    return {ListNames(kinds), true};
-  }
   const SAnswer answer = FindAnswer(query, kinds);
   return {asJson ? WriteJson(query, answer, kinds) : WriteText(query, answer, kinds),
           answer.IsFound()};

@@ -110,10 +110,10 @@ OPTIONAL XML
 
   <metrics file="metrics.csv" every="10" digits="6" builtin="dispersion, collisions" />
 
-  builtin names of built-in metrics, separated by commas: they are computed in this run, and recordings
-          have them, too. By default none.
-  every   whole number >= 1, default 1: rows of the ticks 0, every, 2 every, ...
-  digits  from 1 to 17: significant digits of numbers in texts. Default: as many as needed.
+  builtin  names of built-in metrics, separated by commas: they are computed in this run, and recordings
+           have them, too. By default none.
+  every    whole number >= 1, default 1: rows of the ticks 0, every, 2 every, ...
+  digits   from 1 to 17: significant digits of numbers in texts. Default: as many as needed.
 
 Columns: run (the number of resets before), tick, time (s), robots (in the arena), stopped (those that
 errors have stopped), and the metrics in the order in which they were first recorded. A metric is a

@@ -88,7 +88,8 @@ Attributes of <offscreen>:
   show_rays      bool; the rays of sensors that have show_rays="true", and their
                  hits, where obstructed rays end. Default: true
 
-  ground_texture path of an image file, which covers the ground of an arena that has no
+  ground_texture
+                 path of an image file, which covers the ground of an arena that has no
                  <floor>. Only views show it: sensors see the ground as without it.
                  Default: none
   ground_texture_size

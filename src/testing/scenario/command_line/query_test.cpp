@@ -160,7 +160,8 @@ TEST_CASE("queries: what is not found has suggestions and the status 1", "[comma
   CHECK_THAT(rnage.Out, Contains("did you mean range_and_bearing?"));
   // a field has this name; the initials are those of the device
   CHECK_THAT(folder.Run({"-q", "rab"}).Out,
-             Contains("[ rab ]") && Contains("See also: range_and_bearing\n"));
+             Contains("[ rab ]") && Contains("See also: ") &&
+                 Contains("range_and_bearing\n"));
   const SProgramRun nothing = folder.Run({"-q", "xyzxyz"});
   CHECK(nothing.Status == 1);
   CHECK_THAT(nothing.Out, Contains("argos3 -q all"));
@@ -197,7 +198,7 @@ TEST_CASE("queries: JSON has the same facts", "[command_line][query]") {
 
 TEST_CASE("queries: names for completion are one a line", "[command_line][query]") {
   const CTestFolder folder;
-  const SProgramRun run = folder.Run({"-q", "names"});
+  const SProgramRun run = folder.Run({"--generate", "plugins"});
   CHECK(run.Status == 0);
   CHECK_THAT(run.Out, Contains("all\n") && Contains("sensors\n") && Contains("\nfoot-bot\n") &&
                           Contains("\nrange_and_bearing\n"));
