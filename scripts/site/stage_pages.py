@@ -8,6 +8,8 @@
 
     stage_pages.py REPOSITORY ARGOS3 OUT     the program argos3; OUT gets docs/ and mkdocs.yml
 """
+import html
+import json
 import os
 import pathlib
 import re
@@ -18,9 +20,10 @@ import sys
 here = pathlib.Path(__file__).resolve().parent
 LINK = re.compile(r"(!?\[[^\]]*\]\()([^)\s]+)(\))")
 KINDS = {
-    "actuators": "Actuators", "sensors": "Sensors", "entities": "Entities", "physics_engines": "Physics engines",
-    "dynamics3d_add_ons": "Add-ons of dynamics3d", "media": "Media", "visualizations": "Visualizations and outputs",
-    "fields": "Fields", "loop_functions": "Loop functions",
+    "actuators": "Actuators", "sensors": "Sensors", "entities": "Entities", "robot_types": "Types of robots in XML",
+    "physics_engines": "Physics engines", "dynamics3d_add_ons": "Add-ons of dynamics3d", "media": "Media",
+    "visualizations": "Visualizations and outputs", "overlays": "Overlays", "fields": "Fields",
+    "built_in_metrics": "Built-in metrics", "controllers": "Controllers", "loop_functions": "Loop functions",
 }
 
 
@@ -96,36 +99,81 @@ class Stage:
         return False
 
 
-def query(argos3, word):
-    result = subprocess.run([argos3, "-n", "-q", word], check=True, capture_output=True, text=True,
+def query(argos3):
+    result = subprocess.run([argos3, "-n", "-q", "all", "--json"], check=True, capture_output=True, text=True,
                             env={**os.environ, "NO_COLOR": "1", "ARGOS_PLUGIN_PATH": ""})
-    return result.stdout
+    return json.loads(result.stdout)["plugins"]
+
+
+def cell(text):
+    """Text as a cell of a table."""
+    return " ".join(html.escape(text, quote=False).replace("|", "\\|").split())
+
+
+def describe_interface(interface):
+    lines = ["", "### C++", "", f"`{interface['class']}`, in", "", "```cpp", f"#include <{interface['header']}>", "```", ""]
+    if interface["link"]:
+        lines += [f"Link `{interface['link']}`. {cell(interface['text'])}", ""]
+    tables = [("Method", interface["methods"])]
+    tables += [(f"`{kind['name']}`", kind["fields"]) for kind in interface["types"]]
+    for title, entries in tables:
+        if entries:
+            lines += [f"| {title} | |", "|---|---|"]
+            lines += [f"| `{cell_code(entry['code'])}` | {cell(entry['text'])} |" for entry in entries]
+            lines.append("")
+    return lines
+
+
+def cell_code(code):
+    return " ".join(code.replace("|", "\\|").split())
+
+
+def describe_plugin(plugin):
+    lines = [f"## {plugin['label']} {{ #{anchor(plugin['label'])} }}", "", cell(plugin["brief"])]
+    if plugin.get("interface", {}).get("class"):
+        lines += describe_interface(plugin["interface"])
+    if plugin.get("lua"):
+        lines += ["", "### Lua", "", "```text", *(entry["path"] for entry in plugin["lua"]), "```", ""]
+        if plugin["lua_text"]:
+            lines += ["```text", plugin["lua_text"].strip("\n"), "```", ""]
+    if plugin.get("robots"):
+        fits = (f"[{fit['robot']}](entities.md#{anchor(fit['robot'])})" + (f" with `<{fit['needs']}>`" if fit["needs"] else "")
+                for fit in plugin["robots"])
+        lines += ["", "**Robots that it fits:** " + ", ".join(fits), ""]
+    if plugin.get("devices"):
+        for kind in ("sensor", "actuator"):
+            fits = (f"[{device['label']}]({kind}s.md#{anchor(device['label'])})" for device in plugin["devices"]
+                    if device["kind"] == kind)
+            lines += ["", f"**{kind.capitalize()}s that fit:** " + ", ".join(fits), ""]
+    if plugin.get("attributes"):
+        lines += ["", "### XML", "", "| Element | Attribute | Value | |", "|---|---|---|---|"]
+        lines += [f"| `{a['element']}` | `{a['name']}` | {cell(a['type'])}{', required' if a['required'] else ''} | {cell(a['text'])} |"
+                  for a in plugin["attributes"]]
+    if plugin["manual"].strip():
+        lines += ["", "```text", plugin["manual"].strip("\n"), "```", ""]
+    return lines
 
 
 def write_plugins(argos3, docs):
     """@return the lines of the navigation."""
     navigation = []
     (docs / "plugins").mkdir()
-    index = ["# Plug-ins", "", "What is provided, as `argos3 --query NAME` describes it."]
+    index = ["# Plug-ins", "", "What is provided, as `argos3 -q NAME` describes it."]
+    plugins = query(argos3)
+    unknown = {plugin["list"] for plugin in plugins} - KINDS.keys()
+    if unknown:
+        sys.exit(f"argos3 --query lists kinds of plug-ins that the site does not have: {', '.join(sorted(unknown))}")
     for kind, title in KINDS.items():
-        entries = re.findall(r"^   \[ (.+) \]\n      (.*)", query(argos3, kind), re.M)
+        entries = [plugin for plugin in plugins if plugin["list"] == kind]
         if not entries:
-            continue
+            sys.exit(f"argos3 --query lists no {kind}")
         page = [f"# {title}", ""]
         index += ["", f"## {title}", "", "| | |", "|---|---|"]
-        for label, brief in entries:
-            index.append(f"| [{label}]({kind}.md#{anchor(label)}) | {brief} |")
-            # the description of this one among those whose names contain its name
-            texts = re.split(r"^(?=\[ .+ \]$)", query(argos3, label.split(" ")[0]), flags=re.M)
-            text = next((t for t in texts if t.startswith(f"[ {label} ]\n")), None)
-            if text is None:
-                sys.exit(f"argos3 --query {label.split(' ')[0]} does not describe [ {label} ], which --query {kind} lists")
-            body = text.split("\n", 1)[1].strip("\n")
-            page += [f"## {label} {{ #{anchor(label)} }}", "", "```text", body, "```", ""]
+        for plugin in entries:
+            index.append(f"| [{plugin['label']}]({kind}.md#{anchor(plugin['label'])}) | {cell(plugin['brief'])} |")
+            page += describe_plugin(plugin)
         (docs / "plugins" / f"{kind}.md").write_text("\n".join(page), encoding="utf-8")
         navigation.append(f"      - {title}: plugins/{kind}.md")
-    if len(navigation) < 5:
-        sys.exit("argos3 --query lists hardly any plug-ins; has its output changed?")
     (docs / "plugins" / "index.md").write_text("\n".join(index) + "\n", encoding="utf-8")
     return ["      - plugins/index.md", *navigation]
 
