@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Installs the Debian packages in a bare Debian 12, runs an experiment, builds projects against them, removes them and
-# checks that nothing is left. Needs root, debootstrap and a network; takes minutes, so continuous integration does not
-# run it:
+# Installs the Debian packages in a bare Debian 12, runs an experiment, builds projects against them, replays the user's
+# guide (every command of every page, with its expected output), removes them and checks that nothing is left. Needs root,
+# debootstrap and a network; takes minutes, so continuous integration does not run it:
 #   scripts/check_packages.sh [PACKAGES]     the folder with the .deb files, by default packages/, made by package.sh
 # MIRROR is where debootstrap and apt fetch packages, by default http://deb.debian.org/debian.
 set -euo pipefail
@@ -69,6 +69,13 @@ inside bash -euo pipefail -c '
     argos3 -zc obstacle_avoidance.argos
     echo "USE_PKG_CONFIG=$way: $(wc -l <paths.csv) lines of data"
   done' || die "a project failed, see above"
+
+say "Replay the user's guide (after ${SECONDS} s)"
+mapfile -t tools < <("$repo/scripts/setup.sh" --list guide)
+apt_install "${tools[@]}"
+mkdir "$system/root/sources"
+git -C "$repo" archive HEAD | tar -x -C "$system/root/sources"
+inside /root/sources/scripts/check_guide.sh /usr || die "a page of the guide failed, see above"
 
 say "Remove all (after ${SECONDS} s)"
 inside dpkg --listfiles argos3-sim argos3-sim-dev argos3-sim-examples | sort -u >"$system/tmp/installed"

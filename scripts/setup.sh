@@ -24,7 +24,7 @@ if [[ "${1:-}" == --list ]]; then
 fi
 (($# > 0)) || set -- run
 for mark in "$@"; do
-  [[ "$mark" =~ ^(run|test|site|package|runtime|dev|option)$ ]] || fail "'$mark' is no mark of $list"
+  [[ "$mark" =~ ^(run|test|site|package|guide|runtime|dev|option)$ ]] || fail "'$mark' is no mark of $list"
 done
 mapfile -t wanted < <(awk -v marks="$*" '
   /^[^#]/ {
