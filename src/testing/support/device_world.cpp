@@ -202,11 +202,15 @@ SExperiment SDeviceWorld::ToExperiment() const {
                           "/><controller config='bare_" + robot + "'/></" + robot + ">";
     }
   }
-  const Real edge = PlaceOf(0, Robots - flying, kSpacing, 0.0).Length();
+  const UInt32 driving = Robots - flying;
+  const Real edge = PlaceOf(0, driving, kSpacing, 0.0).Length();
+  // between four robots
+  const CVector3 gap =
+      PlaceOf(driving / 2, driving, kSpacing, 0.0) + CVector3(0.5 * kSpacing, 0.5 * kSpacing, 0.0);
   experiment.Arena += LightText("lamp0", CVector3(edge, 0.0, 0.5), "yellow") +
                       LightText("lamp1", CVector3(-0.5 * edge, edge, 2.0), "white") +
                       BoxText("wall", CVector3(0.05, 1.0, 0.3), CVector3(edge, 0.3, 0.0)) +
-                      PillarText("pillar", 0.5 * kSpacing, 0.5 * kSpacing, 0.03, 0.3);
+                      PillarText("pillar", gap.GetX(), gap.GetY(), 0.03, 0.3);
   return experiment;
 }
 

@@ -100,7 +100,7 @@ bool IsPlacedByHand(const CEmbodiedEntity& body) {
   return parent != nullptr && parent->Value() == "arena";
 }
 
-// bodies that begin inside another one are pushed out of it, perhaps on the wrong side
+// bodies that begin inside a wall are pushed out of it, perhaps on the wrong side
 void CheckOverlaps(const SSimulationContext& context, TLines& lines) {
   const CBodyIndex& index = context.Space->GetBodyIndex();
   size_t number = 0;
@@ -114,7 +114,8 @@ void CheckOverlaps(const SSimulationContext& context, TLines& lines) {
     const SAnchor& origin = body.GetOriginAnchor();
     const UInt32 other =
         index.FindOverlap(*description, origin.Position, origin.Orientation, body.GetBodyNumber());
-    if (other != CBodyIndex::kNoBody && number++ == 0) {
+    // robots that overlap each other are pushed apart
+    if (other != CBodyIndex::kNoBody && !index.GetBody(other).IsMovable() && number++ == 0) {
       CTextOutput text;
       text << '"' << body.GetRootEntity().GetId() << "\" at (" << origin.Position << ") overlaps \""
            << index.GetBody(other).GetRootEntity().GetId() << '"';

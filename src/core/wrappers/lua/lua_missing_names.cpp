@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <new>
 #include <string_view>
 #include <vector>
 
@@ -117,10 +118,15 @@ int LookUp(lua_State* state) {
     lua_pop(state, 1);
     lookUp.Missing->Place = i;
     lookUp.Missing->IsMissing = true;
-    for (lua_pushnil(state); lua_next(state, -2) != 0; lua_pop(state, 1)) {
-      if (lua_type(state, -2) == LUA_TSTRING) {
-        lookUp.Missing->Known.emplace_back(lua_tostring(state, -2));
+    try {
+      for (lua_pushnil(state); lua_next(state, -2) != 0; lua_pop(state, 1)) {
+        if (lua_type(state, -2) == LUA_TSTRING) {
+          lookUp.Missing->Known.emplace_back(lua_tostring(state, -2));
+        }
       }
+    } catch (const std::bad_alloc&) {
+      // must not pass through Lua: the names so far are enough
+      return 0;
     }
     break;
   }
