@@ -64,8 +64,8 @@ class CDeviceCatalogue {
                     const std::string& parts) const;
 
   CSampleElements m_elements;
-  CSampleLoader m_loader;
   CPublicHeaders m_headers;
+  CSampleLoader m_loader;  // after the headers: it changes the working directory
   std::vector<std::string> m_entities;
   bool m_areRobotsKnown = false;
   std::vector<std::string> m_robots;

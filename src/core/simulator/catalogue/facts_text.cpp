@@ -77,7 +77,8 @@ std::string DescribeClass(const SDeviceFacts& facts) {
   text += facts.Class.Header.empty()
               ? Wrapped("Its header is not known; ARGOS_INCLUDE_PATH may list its folder.", kIndent)
               : "\n  #include <" + facts.Class.Header + ">\n";
-  text += "  link " + DescribeLibrary(facts.Library) + "\n\n";
+  text += "  link " + DescribeLibrary(facts.Library) + '\n';
+  text += facts.Class.Methods.empty() ? "" : "\n";
   for (const SDeclaration& method : facts.Class.Methods) {
     text += DescribeDeclaration(method, kIndent);
   }

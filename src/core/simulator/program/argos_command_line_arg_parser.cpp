@@ -41,7 +41,7 @@ Examples:
 
 Words for --query:
   QUERY_WORDS      a list of that kind; libraries can add kinds, such as dynamics3d_add_ons
-  all: all the lists
+  all: all the lists; names: all names, for the completion of shells
   other words: all facts about the plug-ins of that name, or whose name contains
   the word: C++ and Lua interface, robots, XML. With -c, the libraries that the
   experiment file names are known, too. Status 1 if nothing was found.
