@@ -3,6 +3,7 @@
 #include <argos3/core/simulator/catalogue/device_facts.h>
 #include <argos3/core/simulator/catalogue/text_layout.h>
 #include <argos3/core/utility/configuration/value_range.h>
+#include <argos3/core/utility/text/string_utilities.h>
 
 #include <fmt/format.h>
 
@@ -121,7 +122,11 @@ std::string DescribeRobots(const SDeviceFacts& facts) {
     }
   }
   if (robots.empty()) {
-    return text + Wrapped("None of the loaded libraries.", kIndent) + '\n';
+    // the innermost cause is the last line
+    const std::string& problem = facts.Problem;
+    std::string cause = problem.substr(problem.rfind('\n') + 1);
+    Replace(cause, "[FATAL] ", "");
+    return text + Wrapped("None of the loaded libraries: " + cause, kIndent) + '\n';
   }
   text += Wrapped(Joined(robots), kIndent);
   for (const std::string& part : parts) {
