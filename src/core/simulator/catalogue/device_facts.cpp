@@ -1,12 +1,12 @@
 #include <argos3/core/simulator/catalogue/device_facts.h>
 
 #include <argos3/core/simulator/catalogue/interface_class.h>
-#include <argos3/core/simulator/catalogue/manual.h>
 #include <argos3/core/simulator/entity/actuator.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/entity/sensor.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/space.h>
+#include <argos3/core/utility/configuration/configuration_document.h>
 
 #include <algorithm>
 #include <memory>
@@ -47,43 +47,48 @@ std::string CDeviceCatalogue::Robot(const std::string& label, const std::string&
          parts + "</" + label + ">";
 }
 
+bool CDeviceCatalogue::IsRobot(const std::string& label) {
+  bool has = false;
+  SSampleExperiment sample;
+  sample.Arena = Robot(label, "r0", "0,0,0", "");
+  sample.Media = m_elements.GetMedia();
+  const std::string error = m_loader.Load(sample, [&](CSimulator& simulator) {
+    has = !simulator.GetSpace().GetControllableEntities().empty();
+  });
+  return error.empty() && has;
+}
+
+// from its first example
+void CDeviceCatalogue::NoteBody(const std::string& label) {
+  const std::vector<std::string> examples = m_elements.Of("arena", label);
+  if (examples.empty()) {
+    return;
+  }
+  CConfigurationDocument document;
+  document.Parse(examples.front(), "(example)");
+  std::ostringstream contents;
+  TConfigurationNodeIterator it;
+  for (it = it.begin(&document.GetRoot()); it != it.end(); ++it) {
+    if (it->Value() != "body" && it->Value() != "controller") {
+      contents << *it;
+    }
+  }
+  m_bodies[label] = contents.str();
+}
+
 const std::vector<std::string>& CDeviceCatalogue::GetRobots() {
   if (m_areRobotsKnown) {
     return m_robots;
   }
   m_areRobotsKnown = true;
   for (const std::string& label : m_entities) {
-    const auto isRobot = [&] {
-      bool has = false;
-      SSampleExperiment sample;
-      sample.Arena = Robot(label, "r0", "0,0,0", "");
-      sample.Media = m_elements.GetMedia();
-      const std::string error = m_loader.Load(sample, [&](CSimulator& simulator) {
-        has = !simulator.GetSpace().GetControllableEntities().empty();
-      });
-      return error.empty() && has;
-    };
-    if (isRobot()) {
-      m_robots.push_back(label);
-      continue;
+    bool isRobot = IsRobot(label);
+    if (!isRobot) {
+      NoteBody(label);
+      isRobot = m_bodies.count(label) > 0 && IsRobot(label);
     }
-    // with the contents of its example
-    const std::vector<std::string> examples = m_elements.Of("arena", label);
-    if (!examples.empty()) {
-      const CManual example("  " + examples.front());
-      for (TConfigurationNode root : example.GetExamples()) {
-        std::ostringstream contents;
-        TConfigurationNodeIterator it;
-        for (it = it.begin(&root); it != it.end(); ++it) {
-          if (it->Value() != "body" && it->Value() != "controller") {
-            contents << *it;
-          }
-        }
-        m_bodies[label] = contents.str();
-      }
-      if (isRobot()) {
-        m_robots.push_back(label);
-      }
+    if (isRobot) {
+      m_robots.push_back(label);
     }
   }
   return m_robots;

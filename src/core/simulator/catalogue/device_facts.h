@@ -29,7 +29,7 @@ struct SDeviceFacts {
   std::vector<SLuaEntry> Lua;
   std::vector<SFit> Robots;
   std::string Example; /**< a robot that it fits, if that is not made of parts */
-  std::string Problem; /**< why it fits no robot, if so */
+  std::string Problem; /**< why it does not fit the first robot, if it fits none */
 };
 
 /** Finds facts about devices by creating each of them, on each robot. */
@@ -50,6 +50,8 @@ class CDeviceCatalogue {
   CSampleLoader& GetLoader() { return m_loader; }
 
  private:
+  bool IsRobot(const std::string& label);
+  void NoteBody(const std::string& label);
   SDeviceFacts FindFacts(const std::string& section, const std::string& label);
   void FindClass(const std::string& section, const std::string& label, SDeviceFacts& facts) const;
   void TryOn(const std::string& robot, const std::vector<SSampleElement>& examples,
@@ -64,8 +66,8 @@ class CDeviceCatalogue {
                     const std::string& parts) const;
 
   CSampleElements m_elements;
-  CSampleLoader m_loader;
   CPublicHeaders m_headers;
+  CSampleLoader m_loader;  // after the headers: it changes the working directory
   std::vector<std::string> m_entities;
   bool m_areRobotsKnown = false;
   std::vector<std::string> m_robots;

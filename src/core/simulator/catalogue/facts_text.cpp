@@ -3,6 +3,7 @@
 #include <argos3/core/simulator/catalogue/device_facts.h>
 #include <argos3/core/simulator/catalogue/text_layout.h>
 #include <argos3/core/utility/configuration/value_range.h>
+#include <argos3/core/utility/text/string_utilities.h>
 
 #include <fmt/format.h>
 
@@ -77,7 +78,8 @@ std::string DescribeClass(const SDeviceFacts& facts) {
   text += facts.Class.Header.empty()
               ? Wrapped("Its header is not known; ARGOS_INCLUDE_PATH may list its folder.", kIndent)
               : "\n  #include <" + facts.Class.Header + ">\n";
-  text += "  link " + DescribeLibrary(facts.Library) + "\n\n";
+  text += "  link " + DescribeLibrary(facts.Library) + '\n';
+  text += facts.Class.Methods.empty() ? "" : "\n";
   for (const SDeclaration& method : facts.Class.Methods) {
     text += DescribeDeclaration(method, kIndent);
   }
@@ -120,7 +122,11 @@ std::string DescribeRobots(const SDeviceFacts& facts) {
     }
   }
   if (robots.empty()) {
-    return text + Wrapped("None of the loaded libraries.", kIndent) + '\n';
+    // the innermost cause is the last line
+    const std::string& problem = facts.Problem;
+    std::string cause = problem.substr(problem.rfind('\n') + 1);
+    Replace(cause, "[FATAL] ", "");
+    return text + Wrapped("None of the loaded libraries: " + cause, kIndent) + '\n';
   }
   text += Wrapped(Joined(robots), kIndent);
   for (const std::string& part : parts) {

@@ -54,7 +54,7 @@ bool IsForControllers(const std::string& code, const std::string& className) {
   return name != className && name != "explicit " + className;
 }
 
-std::string Cleaned(std::string code) {
+std::string Cleaned(const std::string& code) {
   static const std::regex kNoise("^virtual | = 0$|\\bargos::");
   return std::regex_replace(code, kNoise, "");
 }

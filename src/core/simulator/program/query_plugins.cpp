@@ -4,6 +4,7 @@
 #include <argos3/core/simulator/catalogue/device_facts.h>
 #include <argos3/core/simulator/catalogue/facts_json.h>
 #include <argos3/core/simulator/catalogue/facts_text.h>
+#include <argos3/core/simulator/catalogue/plugin_kinds.h>
 #include <argos3/core/simulator/catalogue/text_layout.h>
 #include <argos3/core/utility/logging/argos_log.h>
 

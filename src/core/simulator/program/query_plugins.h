@@ -1,8 +1,6 @@
 #ifndef ARGOS3_CORE_SIMULATOR_PROGRAM_QUERY_PLUGINS_H
 #define ARGOS3_CORE_SIMULATOR_PROGRAM_QUERY_PLUGINS_H
 
-#include <argos3/core/simulator/catalogue/plugin_kinds.h>
-
 #include <string>
 
 namespace argos {
@@ -37,5 +35,9 @@ bool QueryPlugins(const std::string& query, bool asJson = false);
 void PrintPlain(const std::string& text);
 
 }  // namespace argos
+
+#ifndef ARGOS_WITHOUT_COMPANIONS
+#include <argos3/core/simulator/catalogue/plugin_kinds.h>
+#endif
 
 #endif

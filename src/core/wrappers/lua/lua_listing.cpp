@@ -16,7 +16,7 @@ constexpr int kDeepest = 5;
 // of the value on top of the stack
 std::string TypeOf(lua_State* state) {
   if (luaL_getmetafield(state, -1, "__name") == LUA_TSTRING) {
-    const std::string name = lua_tostring(state, -1);
+    std::string name = lua_tostring(state, -1);
     lua_pop(state, 1);
     return name;
   }

@@ -160,8 +160,7 @@ TEST_CASE("queries: what is not found has suggestions and the status 1", "[comma
   CHECK_THAT(rnage.Out, Contains("did you mean range_and_bearing?"));
   // a field has this name; the initials are those of the device
   CHECK_THAT(folder.Run({"-q", "rab"}).Out,
-             Contains("[ rab ]") && Contains("See also: ") &&
-                 Contains("range_and_bearing\n"));
+             Contains("[ rab ]") && Contains("See also: ") && Contains("range_and_bearing\n"));
   const SProgramRun nothing = folder.Run({"-q", "xyzxyz"});
   CHECK(nothing.Status == 1);
   CHECK_THAT(nothing.Out, Contains("argos3 -q all"));
@@ -172,6 +171,16 @@ TEST_CASE("queries: a control interface finds its devices", "[command_line][quer
   const CTestFolder folder;
   CHECK_THAT(folder.Run({"-q", "CCI_LEDsActuator"}).Out,
              Contains("[ leds (default) ]") && !Contains("directional_leds (default) ]"));
+}
+
+TEST_CASE("queries: libraries that an experiment names are known", "[command_line][query]") {
+  const CTestFolder folder;
+  std::ofstream(folder.Path("e.argos"))
+      << "<argos-configuration><controllers><x id='a' library='no_such_library' /></controllers>"
+         "</argos-configuration>";
+  const SProgramRun run = folder.Run({"-q", "leds", "-c", "e.argos"});
+  CHECK(run.Status == 1);
+  CHECK_THAT(run.Err, Contains("no_such_library"));
 }
 
 TEST_CASE("queries: JSON has the same facts", "[command_line][query]") {

@@ -140,8 +140,10 @@ TEST_CASE("lua program: queries describe controllers and loop functions in Lua",
   const CTestFolder folder;
   CHECK_THAT(folder.Run({"-q", "loop_functions"}).Out,
              Contains("[ lua ]\n      Loop functions written in Lua."));
-  CHECK_THAT(folder.Run({"-q", "lua"}).Out, Contains("[ lua_controller ]") && Contains("[ lua ]") &&
-                                                Contains("floor_color") && Contains("on_error"));
+  CHECK_THAT(folder.Run({"-q", "lua"}).Out, Contains("[ lua ]") && Contains("floor_color") &&
+                                                Contains("See also: lua_controller\n"));
+  CHECK_THAT(folder.Run({"-q", "lua_controller"}).Out,
+             Contains("[ lua_controller ]") && Contains("on_error"));
 }
 
 TEST_CASE("lua program: the crowd example of the documentation runs", "[lua][program]") {

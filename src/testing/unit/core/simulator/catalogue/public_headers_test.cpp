@@ -2,7 +2,13 @@
 
 #include <argos3/core/simulator/catalogue/public_headers.h>
 
+#include <argos3/testing/support/temporary_folder.h>
+
 #include <catch2/catch.hpp>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
 
 using namespace argos;
 
@@ -96,6 +102,19 @@ TEST_CASE("public headers: types in a class, with the units of their fields", "[
   CHECK(heater.Types[1].Fields[0].Code == "MODE_OFF");
   CHECK(heater.Types[1].Fields[0].Text == "cold");
   CHECK(heater.Types[1].Fields[1].Code == "MODE_ON");
+}
+
+TEST_CASE("public headers: ARGOS_INCLUDE_PATH names further folders", "[core][catalogue]") {
+  const CTemporaryFolder folder;
+  std::filesystem::create_directory(folder.Path("own"));
+  std::ofstream(folder.Path("own/ci_heater_actuator.h")) << kHeader;
+  setenv("ARGOS_INCLUDE_PATH", (folder.Path("none") + ":" + folder.GetPath()).c_str(), 1);
+  const CPublicHeaders headers;
+  unsetenv("ARGOS_INCLUDE_PATH");
+  CHECK(headers.Describe("CCI_HeaterActuator").Header == "own/ci_heater_actuator.h");
+  // the installation's own
+  CHECK(headers.Describe("CCI_LEDsActuator").Header ==
+        "argos3/plugins/robots/generic/control_interface/ci_leds_actuator.h");
 }
 
 TEST_CASE("public headers: of an unknown class nothing is known", "[core][catalogue]") {
