@@ -3,7 +3,8 @@
 
 #include <numbers>
 
-/** Turns on the spot: 5.3 cm between the wheels, so pi * 5.3 / 20 cm/s on each is half a turn in 10 s. */
+/** Turns on the spot: 5.3 cm between the wheels, so pi * 5.3 / 20 cm/s on each is half a turn in 10
+ * s. */
 class CSpin : public argos::CCI_Controller {
  public:
   void Init(argos::TConfigurationNode& /*tree*/) override {
