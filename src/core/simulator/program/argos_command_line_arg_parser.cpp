@@ -1,6 +1,7 @@
 #include <argos3/core/simulator/program/argos_command_line_arg_parser.h>
 
 #include <argos3/core/config.h>
+#include <argos3/core/simulator/catalogue/text_layout.h>
 #include <argos3/core/simulator/catalogue/version_text.h>
 #include <argos3/core/simulator/program/option_table.h>
 #include <argos3/core/utility/errors/argos_exception.h>
@@ -12,6 +13,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <sstream>
 #include <variant>
 
 namespace argos {
@@ -39,11 +41,29 @@ struct SRawOptions {
   std::vector<std::string> Overrides;
 };
 
+// where the texts of the options begin
+constexpr size_t kHelpColumn = 32;
+
+// the text of an option in lines, which CLI11 indents
+std::string FoldHelp(const std::string& help) {
+  std::istringstream lines(Wrapped(help, kHelpColumn));
+  std::string text;
+  for (std::string line; std::getline(lines, line);) {
+    text += text.empty() ? "" : "\n";
+    text += line.substr(kHelpColumn);
+  }
+  return text;
+}
+
 class CHelpFormatter : public CLI::Formatter {
  public:
-  CHelpFormatter() { column_width(32); }
+  CHelpFormatter() { column_width(kHelpColumn); }
   std::string make_usage(const CLI::App*, std::string) const override {
-    return "Usage: " + GetUsageLine() + "\n";
+    std::string usage;
+    for (const std::string& line : GetUsageLines()) {
+      usage += (usage.empty() ? "Usage: " : "       ") + line + '\n';
+    }
+    return usage;
   }
 };
 
@@ -96,16 +116,17 @@ void Define(CLI::App& app, CARGoSCommandLineArgParser::SOptions& options, SRawOp
   const std::map<std::string, TTarget> targets = GetTargets(options, raw);
   for (const SCommandLineOption& row : GetCommandLineOptions()) {
     const TTarget& target = targets.at(row.GetLongName());
+    const std::string help = FoldHelp(row.Help);
     CLI::Option* option = nullptr;
     if (bool* const* const flag = std::get_if<bool*>(&target)) {
-      option = app.add_flag(row.Names, **flag, row.Help);
+      option = app.add_flag(row.Names, **flag, help);
     } else if (std::string* const* const text = std::get_if<std::string*>(&target)) {
       // if given repeatedly, it is reported
-      option = app.add_option(row.Names, **text, row.Help)
+      option = app.add_option(row.Names, **text, help)
                    ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast)
                    ->type_name(row.Value);
     } else {
-      option = app.add_option(row.Names, *std::get<std::vector<std::string>*>(target), row.Help)
+      option = app.add_option(row.Names, *std::get<std::vector<std::string>*>(target), help)
                    ->expected(1)
                    ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
                    ->type_name(row.Value);

@@ -68,7 +68,8 @@ std::string ListKinds() {
     words += !kind.Of.empty() ? "" : (words.empty() ? "" : ", ") + kind.Word;
   }
   Replace(words, "visualizations", "visualizations (or outputs)");
-  return Wrapped(words, 2);
+  const std::string lines = Wrapped(words, 2);
+  return lines.substr(0, lines.size() - 1);
 }
 
 }  // namespace
@@ -218,9 +219,11 @@ const std::vector<SHelpSection>& GetHelpSections() {
   return sections;
 }
 
-std::string GetUsageLine() {
-  return "argos3 (FILE | --replay FILE [-c FILE] | -q WORD | --schema FORMAT | --generate WORD | "
-         "-h | -v) [options]";
+const std::vector<std::string>& GetUsageLines() {
+  static const std::vector<std::string> lines = {
+      "argos3 FILE [options]", "argos3 --replay FILE [-c FILE] [options]",
+      "argos3 -q WORD | --schema FORMAT | --generate WORD  [-c FILE]", "argos3 -h | -v"};
+  return lines;
 }
 
 }  // namespace argos

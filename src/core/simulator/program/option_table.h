@@ -59,8 +59,8 @@ struct SHelpSection {
 /** Examples, words of --query, environment, exit status. */
 const std::vector<SHelpSection>& GetHelpSections();
 
-/** "argos3 [options] FILE ...". */
-std::string GetUsageLine();
+/** The ways to call the program: "argos3 FILE [options]", ... */
+const std::vector<std::string>& GetUsageLines();
 
 }  // namespace argos
 

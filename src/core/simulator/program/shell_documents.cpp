@@ -56,13 +56,21 @@ std::string DescribeForMan(const SCommandLineOption& option) {
   return text + '\n' + ForRoff(option.Help) + '\n';
 }
 
+std::string Synopsis() {
+  std::string text;
+  for (const std::string& line : GetUsageLines()) {
+    text += text.empty() ? "" : "\n.br\n";
+    text += ForRoff(line);
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string MakeManPage() {
   std::string page = ".TH ARGOS3 1 \"\" \"argos3 " ARGOS_VERSION "\" \"User Commands\"\n";
   page +=
-      ".SH NAME\nargos3 \\- a simulator for swarms of robots\n.SH SYNOPSIS\n" +
-      ForRoff(GetUsageLine()) +
+      ".SH NAME\nargos3 \\- a simulator for swarms of robots\n.SH SYNOPSIS\n" + Synopsis() +
       "\n.SH DESCRIPTION\nRuns an experiment, which an XML file describes, with robots that have "
       "controllers in C++ or Lua. The user's guide, doc/guide/, begins with a first experiment.\n";
   std::string group;
