@@ -113,7 +113,7 @@ void AddPlugin(CJsonWriter& json, const SMatch& match, const std::vector<SPlugin
   json.Add("list", word);
   json.Add("label", plugin.Label);
   json.Add("brief", said(plugin.Brief));
-  json.Add("author", said(plugin.Author));
+  json.Add("author", IsOwnAuthor(plugin.Author) ? std::string() : said(plugin.Author));
   json.Add("version", said(plugin.Version));
   json.Add("status", said(plugin.Status));
   json.Add("library", plugin.Library);

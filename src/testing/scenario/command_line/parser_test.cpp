@@ -10,6 +10,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <sstream>
+
 using namespace argos;
 using Catch::Contains;
 
@@ -23,6 +25,17 @@ TParser::SOptions Parse(const std::vector<const char*>& arguments) {
   TParser parser;
   parser.Parse(static_cast<SInt32>(argv.size()), argv.data());
   return parser.GetOptions();
+}
+
+// words with one blank between them
+std::string JoinLines(const std::string& text) {
+  std::istringstream words(text);
+  std::string joined;
+  for (std::string word; words >> word;) {
+    joined += joined.empty() ? "" : " ";
+    joined += word;
+  }
+  return joined;
 }
 
 std::string ErrorOf(const std::vector<const char*>& arguments) {
@@ -97,7 +110,8 @@ TEST_CASE("command line: help, man page and completions have all options", "[com
   for (const SCommandLineOption& option : GetCommandLineOptions()) {
     const std::string name = option.GetLongName();
     CAPTURE(name);
-    CHECK_THAT(usage, Contains(option.Names) && Contains(option.Help));
+    CHECK_THAT(usage, Contains(option.Names));
+    CHECK_THAT(JoinLines(usage), Contains(option.Help));
     CHECK_THAT(man, Contains(name) && Contains(option.Help));
     CHECK_THAT(bash, Contains(' ' + name) || Contains('|' + name) || Contains('\'' + name));
     CHECK_THAT(zsh, Contains(name + "'[") || Contains(name + "}'["));

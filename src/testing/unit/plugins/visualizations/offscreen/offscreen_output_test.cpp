@@ -148,7 +148,7 @@ TEST_CASE("qt-opengl: user functions are loaded only for frames", "[visualizatio
   CHECK_THROWS_WITH(CExperiment("<qt-opengl>" + functions + "<frame_grabbing directory='" +
                                 folder.GetPath() + "'/></qt-opengl>"),
                     Contains("test.argos:5: <user_functions label=\"unknown\">") &&
-                        Contains("No CDrawingFunctions is registered"));
+                        Contains("there is no CDrawingFunctions"));
 }
 
 TEST_CASE("qt-opengl: a file with frame grabbing writes every n-th frame",
