@@ -50,7 +50,7 @@ def main():
     problems = [] if known.returncode == 0 else [known.stderr]
     source = ""
     for kind in ("sensor", "actuator"):
-        section = re.search(rf"^## {kind.capitalize()}s\n(.*?)^(?:## |<!--)", page, flags=re.M | re.S).group(1)
+        section = re.search(rf"^## {kind.capitalize()}s\b[^\n]*\n(.*?)^(?:## |<!--)", page, flags=re.M | re.S).group(1)
         rows = re.findall(r"^\| `(\w+)` \| `(\w+)`(.*?) \| (.*) \|$", section, flags=re.M)
         tags = {row[0] for row in rows}
         problems += [f"{kind} {tag}: in one list only" for tag in tags ^ listed(kind + "s")]

@@ -111,7 +111,7 @@ def cell(text):
 
 
 def describe_interface(interface):
-    lines = ["", "### C++", "", f"`{interface['class']}`, in", "", "```cpp", f"#include <{interface['header']}>", "```", ""]
+    lines = ["", f"**C++** `{interface['class']}`, in", "", "```cpp", f"#include <{interface['header']}>", "```", ""]
     if interface["link"]:
         lines += [f"Link `{interface['link']}`. {cell(interface['text'])}", ""]
     tables = [("Method", interface["methods"])]
@@ -133,9 +133,9 @@ def describe_plugin(plugin):
     if plugin.get("interface", {}).get("class"):
         lines += describe_interface(plugin["interface"])
     if plugin.get("lua"):
-        lines += ["", "### Lua", "", "```text", *(entry["path"] for entry in plugin["lua"]), "```", ""]
-        if plugin["lua_text"]:
-            lines += ["```text", plugin["lua_text"].strip("\n"), "```", ""]
+        lines += ["", "**Lua**", "", "```text", *(entry["path"] for entry in plugin["lua"])]
+        lines += ["", plugin["lua_text"].strip("\n")] if plugin["lua_text"] else []
+        lines += ["```", ""]
     if plugin.get("robots"):
         fits = (f"[{fit['robot']}](entities.md#{anchor(fit['robot'])})" + (f" with `<{fit['needs']}>`" if fit["needs"] else "")
                 for fit in plugin["robots"])
@@ -146,7 +146,7 @@ def describe_plugin(plugin):
                     if device["kind"] == kind)
             lines += ["", f"**{kind.capitalize()}s that fit:** " + ", ".join(fits), ""]
     if plugin.get("attributes"):
-        lines += ["", "### XML", "", "| Element | Attribute | Value | |", "|---|---|---|---|"]
+        lines += ["", "**XML**", "", "| Element | Attribute | Value | |", "|---|---|---|---|"]
         lines += [f"| `{a['element']}` | `{a['name']}` | {cell(a['type'])}{', required' if a['required'] else ''} | {cell(a['text'])} |"
                   for a in plugin["attributes"]]
     if plugin["manual"].strip():

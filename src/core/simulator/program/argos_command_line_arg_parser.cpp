@@ -177,20 +177,36 @@ void CheckRepetitions(const CLI::App& app, CProblems& problems) {
   }
 }
 
-// -q and the like take no file
-bool TakesExperiment(const CLI::App& app) {
-  for (const char* const name : {"--query", "--generate", "--help", "--version"}) {
-    if (app.count(name) > 0) {
-      return false;
+// long options with one dash: CLI11 would read their letters as short ones
+void CheckDashes(const CLI::App& app, SInt32 argc, const char* const* argv, CProblems& problems) {
+  const std::vector<std::string> names = OptionNames(app);
+  for (SInt32 i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    const std::string name = '-' + word.substr(0, word.find('='));
+    if (word.size() > 2 && word[0] == '-' && word[1] != '-' &&
+        std::find(names.begin(), names.end(), name) != names.end()) {
+      problems.Add("unknown option " + name.substr(1) + "; did you mean \"" + name + "\"?");
     }
   }
-  return true;
+}
+
+// "--length: 1 required S missing" of CLI11
+std::string DescribeParseError(const CLI::ParseError& error) {
+  std::string text = error.what();
+  const std::string missing = " missing";
+  const size_t required = text.find(": 1 required ");
+  if (required != std::string::npos && text.size() > missing.size() &&
+      text.compare(text.size() - missing.size(), missing.size(), missing) == 0) {
+    text.resize(text.size() - missing.size());
+    Replace(text, ": 1 required ", " needs a value: ");
+  }
+  return text;
 }
 
 // a word without an option is the experiment, if there is none
 void ReadStrayWords(const CLI::App& app, std::string& experimentFile, CProblems& problems) {
   bool afterUnknownOption = false;
-  bool isFileKnown = app.count("--config-file") > 0 || !TakesExperiment(app);
+  bool isFileKnown = app.count("--config-file") > 0;
   for (const std::string& word : app.remaining()) {
     if (word.size() > 1 && word[0] == '-' && word != "--") {
       const std::string name = word.substr(0, word.find('='));
@@ -298,14 +314,14 @@ CARGoSCommandLineArgParser::EAction ChooseAction(const CLI::App& app, bool hasEx
   EAction action = EAction::ACTION_UNKNOWN;
   std::string given;
   size_t count = 0;
+  const bool hasOther =
+      std::any_of(std::begin(choices) + 1, std::end(choices),
+                  [&app](const auto& choice) { return app.count(choice.first) > 0; });
   for (const auto& [name, choice] : choices) {
-    // with --replay, -c names the file of the views, with others that of the libraries or words
+    // with --replay, the experiment is the file of the views, with others that of the libraries or
+    // words
     const bool isExperiment = choice == EAction::ACTION_RUN_EXPERIMENT;
-    const bool isForOther = isExperiment && app.count("--replay") + app.count("--query") +
-                                                    app.count("--schema") +
-                                                    app.count("--generate") >
-                                                0;
-    if ((app.count(name) > 0 || (isExperiment && hasExperiment)) && !isForOther) {
+    if (isExperiment ? hasExperiment && !hasOther : app.count(name) > 0) {
       action = choice;
       given += (count++ == 0 ? "" : ", ") + std::string(name);
     }
@@ -427,10 +443,12 @@ void CARGoSCommandLineArgParser::Parse(SInt32 argc, const char* const* argv) {
   CLI::App app(Title(), "argos3");
   Define(app, m_options, raw);
   CProblems problems;
+  CheckDashes(app, argc, argv, problems);
+  problems.ThrowIfAny();
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    problems.Add(error.what());
+    problems.Add(DescribeParseError(error));
     problems.ThrowIfAny();
   }
 
