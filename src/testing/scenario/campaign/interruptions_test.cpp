@@ -14,7 +14,6 @@
 #include <unistd.h>
 
 using namespace argos;
-using Catch::Contains;
 
 namespace {
 

@@ -113,8 +113,7 @@ TEST_CASE("queries: a device has its C++ and Lua interfaces, robots and XML",
   CHECK(run.Err == "");
   for (const char* const fact :
        {"[ range_and_bearing (medium) ]\n", "A sensor.\n", "CCI_RangeAndBearingSensor\n",
-        "#include <argos3/plugins/robots/generic/control_interface/"
-        "ci_range_and_bearing_sensor.h>\n",
+        "#include <argos3/plugins/robots/generic/control_interface/ci_range_and_bearing_",
         "link ARGoS::genericrobot (libargos3plugin_simulator_genericrobot.so)\n",
         "GetReadings() const\n", "Real Range                        cm\n",
         "robot.range_and_bearing[i].horizontal_bearing  number\n",
