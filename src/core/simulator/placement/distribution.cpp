@@ -6,6 +6,7 @@
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/entity/positional_entity.h>
 #include <argos3/core/simulator/geometry/body_index.h>
+#include <argos3/core/simulator/placement/ground_order.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/utility/configuration/attribute_text.h>
 #include <argos3/core/utility/text/classic_locale.h>
@@ -56,6 +57,8 @@ class CProbing {
 constexpr UInt64 kMostEntities = 10000000;
 // of one entity; without a free place they take some 10 s
 constexpr UInt64 kMostTrials = 10000000;
+// what a tick reads of fewer robots fits into the second-level cache, wherever it is
+constexpr UInt64 kManyEntities = 500;
 
 // the area of the base of an upright solid, m^2; 0 for solids without a flat base
 Real ComputeBase(const SShapeDescription& solid) {
@@ -152,8 +155,10 @@ void CDistribution::CallStep(const std::function<void()>& step) {
 void CDistribution::PlaceAll() {
   m_positions->RequireCapacity(m_quantity);
   CheckRoom();
-  for (UInt64 i = 0; i < m_quantity; ++i) {
-    PlaceOne(i);
+  if (m_body != nullptr && m_quantity >= kManyEntities) {
+    PlaceOnGround();
+  } else {
+    PlaceOneByOne();
   }
 }
 
@@ -221,23 +226,75 @@ void CDistribution::Probe() {
   probe->Destroy();
 }
 
-void CDistribution::PlaceOne(UInt64 number) {
-  const std::string id = m_baseId + std::to_string(m_baseNumber + number);
+std::string CDistribution::MakeId(UInt64 number) const {
+  return m_baseId + std::to_string(m_baseNumber + number);
+}
+
+// tries places that are free of the space's bodies until one is taken
+// @param take  bool(position, orientation, angles in degrees)
+template <typename TAKE>
+void CDistribution::FindPlace(UInt64 number, TAKE&& take) {
   const bool canRetry = m_positions->CanRetry() || m_orientations->CanRetry();
   const UInt64 trials = canRetry ? m_maxTrials + 1 : 1;
   for (UInt64 trial = 0; trial < trials; ++trial) {
     const CVector3 position = m_positions->Next(trial > 0);
     const CVector3 angles = m_orientations->Next(trial > 0);
     const CQuaternion orientation = FromDegrees(angles);
-    if (!IsFree(position, orientation)) {
-      continue;
-    }
-    WriteIntoTemplate(id, position, angles);
-    if (TryToCreate(id)) {
+    if (IsFree(position, orientation) && take(position, orientation, angles)) {
       return;
     }
   }
-  GiveUp(id, trials);
+  GiveUp(MakeId(number), trials);
+}
+
+void CDistribution::PlaceOneByOne() {
+  for (UInt64 number = 0; number < m_quantity; ++number) {
+    const std::string id = MakeId(number);
+    FindPlace(number, [&](const CVector3& position, const CQuaternion&, const CVector3& angles) {
+      WriteIntoTemplate(id, position, angles);
+      return TryToCreate(id);
+    });
+  }
+}
+
+void CDistribution::PlaceOnGround() {
+  const SPlaces places = ChoosePlaces();
+  const std::vector<UInt32> order =
+      OrderOnGround(places.Positions, 2.0 * m_body->ComputeBoundingRadius());
+  CEntity::TVector entities(order.size());  // by number
+  for (const UInt32 number : order) {
+    WriteIntoTemplate(MakeId(number), places.Positions[number], places.Angles[number]);
+    entities[number] = &m_space.CreateEntity(*m_template);
+  }
+  m_space.OrderRoots(entities);
+}
+
+// places of bodies that overlap neither those of the space nor each other
+CDistribution::SPlaces CDistribution::ChoosePlaces() {
+  SPlaces places;
+  places.Positions.reserve(m_quantity);
+  places.Angles.reserve(m_quantity);
+  std::vector<SBodyPose> poses;  // the index refers to them
+  poses.reserve(m_quantity);
+  CBodyIndex index;
+  index.SetArea(m_space.GetArenaLimits());
+  CEmbodiedEntity body(nullptr);  // stands for all of them
+  for (UInt64 number = 0; number < m_quantity; ++number) {
+    FindPlace(number, [&](const CVector3& position, const CQuaternion& orientation,
+                          const CVector3& angles) {
+      m_lastObstacle = index.FindOverlap(*m_body, position, orientation, CBodyIndex::kNoBody);
+      m_isLastPlanned = true;
+      if (m_lastObstacle != CBodyIndex::kNoBody) {
+        return false;
+      }
+      places.Positions.push_back(position);
+      places.Angles.push_back(angles);
+      poses.push_back({position, orientation});
+      index.Add(body, poses.back(), *m_body, true);
+      return true;
+    });
+  }
+  return places;
 }
 
 bool CDistribution::IsFree(const CVector3& position, const CQuaternion& orientation) {
@@ -247,6 +304,7 @@ bool CDistribution::IsFree(const CVector3& position, const CQuaternion& orientat
   }
   const CBodyIndex& index = m_space.GetBodyIndex();
   m_lastObstacle = index.FindOverlap(*m_body, position, orientation, CBodyIndex::kNoBody);
+  m_isLastPlanned = false;
   return m_lastObstacle == CBodyIndex::kNoBody;
 }
 
@@ -268,15 +326,19 @@ void CDistribution::WriteIntoTemplate(const std::string& id, const CVector3& pos
   SetAttributeText(*m_poseNode, "orientation", ExactText(anglesInDegrees));
 }
 
+std::string CDistribution::DescribeObstacle() const {
+  if (m_lastObstacle == CBodyIndex::kNoBody) {
+    return "something in its engine";
+  }
+  return m_isLastPlanned ? MakeId(m_lastObstacle)
+                         : m_space.GetBodyIndex().GetBody(m_lastObstacle).GetRootEntity().GetId();
+}
+
 void CDistribution::GiveUp(const std::string& id, UInt64 trials) const {
-  const bool isKnown = m_lastObstacle != CBodyIndex::kNoBody;
-  const std::string obstacle =
-      isKnown ? m_space.GetBodyIndex().GetBody(m_lastObstacle).GetRootEntity().GetId()
-              : "something in its engine";
   CTextOutput message;
   message << "no free place for \"" << id << "\" after " << trials
           << (trials == 1 ? " trial" : " trials") << "; positions are " << m_positions->Describe()
-          << "; the last one, (" << m_lastPosition << "), is taken by \"" << obstacle
+          << "; the last one, (" << m_lastPosition << "), is taken by \"" << DescribeObstacle()
           << "\"; make the area larger, the quantity smaller, or \"max_trials\" larger";
   THROW_ARGOSEXCEPTION(message.str());
 }

@@ -9,6 +9,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace argos {
 
@@ -19,6 +20,11 @@ class CSpace;
  *
  * Places are tested against the space's index before any robot is created, so a controller is
  * initialised once per robot and the time is in proportion to the number of trials.
+ *
+ * If there are many entities, all places are found first, and the entities are created in the order
+ * of their places on the ground: those that are near each other are then also near in memory, which
+ * a tick needs (doc/internals/architecture.md). Ids, places, and the order of the space's lists are
+ * the same as if they were created one after the other.
  */
 class CDistribution {
  public:
@@ -42,11 +48,21 @@ class CDistribution {
   void Probe();
   void TryEntity();
   void CheckRoom() const;
-  void PlaceOne(UInt64 number);
+  void PlaceOneByOne();
+  void PlaceOnGround();
+  struct SPlaces {
+    std::vector<CVector3> Positions;  // m
+    std::vector<CVector3> Angles;  // degrees: z, y, x
+  };
+  SPlaces ChoosePlaces();
+  template <typename TAKE>
+  void FindPlace(UInt64 number, TAKE&& take);
+  std::string MakeId(UInt64 number) const;
   bool IsFree(const CVector3& position, const CQuaternion& orientation);
   bool TryToCreate(const std::string& id);
   void WriteIntoTemplate(const std::string& id, const CVector3& position,
                          const CVector3& anglesInDegrees);
+  std::string DescribeObstacle() const;
   [[noreturn]] void GiveUp(const std::string& id, UInt64 trials) const;
 
   CSpace& m_space;
@@ -67,6 +83,7 @@ class CDistribution {
   // of the last place that was taken
   CVector3 m_lastPosition;
   UInt32 m_lastObstacle = ~UInt32(0);  // number of a body; kNoBody: only an engine knows it
+  bool m_isLastPlanned = false;  // the obstacle is an entity of this element, by number
 };
 
 }  // namespace argos

@@ -1,6 +1,7 @@
 #include <argos3/core/simulator/space/entity_views.h>
 
 #include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/simulator/space/root_places.h>
 
 #include <algorithm>
 #include <new>
@@ -124,14 +125,30 @@ CEntityViews& CEntityViews::Complete() {
   }
   ListPending();
   if (m_isAllStale) {
-    m_all.clear();
-    for (const auto& entry : m_perId) {
-      m_all.push_back(entry.second);
-    }
+    ListAll();
     m_isAllStale = false;
-    std::sort(m_all.begin(), m_all.end(), SEntityComparator());
   }
   return *this;
+}
+
+void CEntityViews::ListAll() {
+  const CRootPlaces places(m_roots);
+  struct SListed {
+    size_t Place;  // of the root
+    CEntity* Entity;
+  };
+  std::vector<SListed> listed;
+  listed.reserve(m_perId.size());
+  for (const auto& entry : m_perId) {
+    listed.push_back({places.Find(entry.second->GetRootEntity()), entry.second});
+  }
+  std::sort(listed.begin(), listed.end(), [](const SListed& a, const SListed& b) {
+    return a.Place != b.Place ? a.Place < b.Place : a.Entity->GetIndex() < b.Entity->GetIndex();
+  });
+  m_all.clear();
+  for (const SListed& each : listed) {
+    m_all.push_back(each.Entity);
+  }
 }
 
 CSpace::TMapPerType* CEntityViews::FindType(const std::string& type) {

@@ -20,15 +20,17 @@ namespace argos {
  */
 class CEntityViews {
  public:
-  /** @param roots  the root entities of the space, in order of addition; must outlive the views. */
+  /** @param roots  the root entities of the space, in their order; must outlive the views. */
   explicit CEntityViews(const CEntity::TVector& roots) : m_roots(roots) {}
 
   /** Notes that an entity or a component has been added to the space. */
   void Add(CEntity& entity);
   /** Notes that it is about to be deleted. */
   void Remove(CEntity& entity);
+  /** Notes that the order of the root entities has changed. */
+  void NoticeOrder() { m_isAllStale = true; }
 
-  /** All entities and components, in order of index. */
+  /** All entities, each root entity followed by its components in the order of their indices. */
   CEntity::TVector& GetAll() { return Complete().m_all; }
   /** By qualified id, such as "fb0.leds_0". */
   CEntity::TMap& GetPerId() { return Complete().m_perId; }
@@ -43,12 +45,13 @@ class CEntityViews {
   void RemoveFromLists(CEntity& entity);
   void ListWithComponents(CEntity& entity, const std::string& type);
   void ListPending();
+  void ListAll();
 
   const CEntity::TVector& m_roots;
   std::mutex m_mutex;
   bool m_isOpen = false;  // there has been a request
   bool m_isComplete = false;  // every component of every type exists and is listed
-  bool m_isAllStale = false;  // m_all lists entities that do not exist any more
+  bool m_isAllStale = false;  // m_all must be listed again
   CEntity::TVector m_all;
   CEntity::TMap m_perId;
   CSpace::TMapPerTypePerId m_perType;

@@ -14,6 +14,7 @@
 #include <argos3/core/simulator/space/entity_views.h>
 #include <argos3/core/simulator/space/metrics.h>
 #include <argos3/core/simulator/space/robot_records.h>
+#include <argos3/core/simulator/space/root_places.h>
 #include <argos3/core/utility/datatypes/digest.h>
 #include <argos3/core/utility/errors/exception_text.h>
 #include <argos3/core/utility/logging/argos_log.h>
@@ -41,6 +42,29 @@ void TakeRecords(CMetrics& metrics, const std::function<const CEntity&(size_t)>&
     } catch (...) {
       ThrowWithCause("robot \"" + getRobot(failures.front().Robot).GetId() + "\" failed");
     }
+  }
+}
+
+// gives those items of a list whose roots have places the order of these
+template <typename ITEM, typename ROOT_OF>
+void Reorder(std::vector<ITEM*>& list, const CRootPlaces& places, ROOT_OF&& rootOf) {
+  struct SMoved {
+    size_t Place;
+    ITEM* Item;
+  };
+  std::vector<SMoved> moved;
+  std::vector<size_t> slots;  // in the list
+  for (size_t i = 0; i < list.size(); ++i) {
+    const size_t place = places.Find(rootOf(*list[i]));
+    if (place < places.GetSize()) {
+      moved.push_back({place, list[i]});
+      slots.push_back(i);
+    }
+  }
+  std::stable_sort(moved.begin(), moved.end(),
+                   [](const SMoved& a, const SMoved& b) { return a.Place < b.Place; });
+  for (size_t i = 0; i < moved.size(); ++i) {
+    list[slots[i]] = moved[i].Item;
   }
 }
 
@@ -176,6 +200,16 @@ CEntity& CSpace::CreateEntity(TConfigurationNode& node) {
   }
 }
 
+void CSpace::OrderRoots(const CEntity::TVector& order) {
+  CheckMayChange();
+  const CRootPlaces places(order);
+  Reorder(m_roots, places, [](const CEntity& root) -> const CEntity& { return root; });
+  Reorder(m_robots, places,
+          [](CControllableEntity& robot) -> const CEntity& { return robot.GetRootEntity(); });
+  ++m_robotsVersion;
+  m_views->NoticeOrder();
+}
+
 void CSpace::InsertEntity(CEntity& entity) {
   if (!entity.HasParent()) {
     CheckMayChange();
@@ -267,6 +301,9 @@ void CSpace::Destroy() {
   std::exception_ptr failure;
   size_t numFailures = 0;
   size_t numMore = 0;
+  // in the reverse order of creation, in which engines and media find entities fastest
+  std::sort(m_roots.begin(), m_roots.end(), SEntityComparator());
+  std::sort(m_robots.begin(), m_robots.end(), SEntityComparator());
   while (!m_roots.empty()) {
     const size_t before = m_roots.size();
     try {

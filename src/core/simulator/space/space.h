@@ -65,6 +65,7 @@ class CSpace : public CBaseConfigurableResource {
 
   /** Components included. */
   UInt32 GetNumberEntities() const;
+  /** Each root entity is followed by its components. */
   CEntity::TVector& GetEntityVector();
   CEntity::TVector& GetRootEntityVector() { return m_roots; }
   /** By qualified id ("fb0", "fb0.leds_0.led_3"). @throws with the nearest ids if unknown. */
@@ -139,7 +140,7 @@ class CSpace : public CBaseConfigurableResource {
   /** Calls back for each robot on the pool's threads; in order if there is only one thread. */
   virtual void IterateOverControllableEntities(const TControllableEntityIterCBType& callback);
 
-  /** Robots in order of their addition. */
+  /** Robots in the order of root entities. */
   const std::vector<CControllableEntity*>& GetControllableEntities() const { return m_robots; }
   /** Changes whenever that list changes. */
   UInt64 GetVersionOfControllableEntities() const { return m_robotsVersion; }
@@ -198,6 +199,11 @@ class CSpace : public CBaseConfigurableResource {
    * CARGoSException
    */
   CEntity& CreateEntity(TConfigurationNode& node);
+  /**
+   * Gives root entities, and their robots, the order of that list. Others keep their places in the
+   * space's lists, and indices stay those of the order of addition, in which a tick visits robots.
+   */
+  void OrderRoots(const CEntity::TVector& order);
   /** Creates the entity without its controller, and destroys it. @throws as CreateEntity() */
   void TryEntity(TConfigurationNode& node);
   /** 64-bit digest of the state of every entity and medium, in order. */
@@ -238,9 +244,9 @@ class CSpace : public CBaseConfigurableResource {
   CRandom::CRNG* m_rng = nullptr;  // owned by its category
 
   std::map<std::string, std::unique_ptr<CEntityType>> m_entityTypes;  // by tag; outlive entities
-  CEntity::TVector m_roots;  // in order of addition
+  CEntity::TVector m_roots;  // in order of addition, or as OrderRoots() says
   std::unordered_map<std::string, std::unique_ptr<CEntity>> m_rootById;  // never iterated
-  std::vector<CControllableEntity*> m_robots;  // in order of addition
+  std::vector<CControllableEntity*> m_robots;  // in the order of m_roots
   UInt64 m_robotsVersion = 0;
   ssize_t m_nextIndex = 0;
   std::unique_ptr<CEntityViews> m_views;  // the lists and maps for users

@@ -40,16 +40,17 @@ const CEmbodiedEntity* FindBody(CControllableEntity& robot) {
 
 }  // namespace
 
-void CLookAhead::SetRobots(const std::vector<CControllableEntity*>& robots) {
-  m_controllables = &robots;
+void CLookAhead::SetVisits(const std::vector<SRobotVisit>& visits) {
+  m_visits = &visits;
   m_robots.clear();
   m_arrays.clear();
-  if (robots.size() < kFewRobots) {
+  if (visits.size() < kFewRobots) {
     return;
   }
-  m_robots.reserve(robots.size());
-  m_arrays.reserve(robots.size());
-  for (CControllableEntity* robot : robots) {
+  m_robots.reserve(visits.size());
+  m_arrays.reserve(visits.size());
+  for (const SRobotVisit& visit : visits) {
+    CControllableEntity* const robot = visit.Robot;
     for (const auto& sensor : robot->m_sensors) {
       if (const auto* const withArray = dynamic_cast<const CArraySensor*>(sensor.Simulated)) {
         m_arrays.push_back(withArray->GetReadingsArray());
@@ -71,46 +72,46 @@ void CLookAhead::LoadHead(const CControllableEntity& robot) {
   LoadBetween(&robot.m_pcController, &robot.m_vecIntersectionPoints + 1);
 }
 
-void CLookAhead::BeforeAct(size_t number) const {
-  if (number + 3 * kStep >= m_robots.size()) {
+void CLookAhead::BeforeAct(size_t visit) const {
+  if (visit + 3 * kStep >= m_robots.size()) {
     return;
   }
-  LoadHead(GetRobot(number + 3 * kStep));
-  LoadAhead(GetRobot(number + 2 * kStep).m_actuators.data(), 1);
-  for (const CSimulatedActuator* actuator : GetRobot(number + kStep).m_actuators) {
+  LoadHead(GetRobot(visit + 3 * kStep));
+  LoadAhead(GetRobot(visit + 2 * kStep).m_actuators.data(), 1);
+  for (const CSimulatedActuator* actuator : GetRobot(visit + kStep).m_actuators) {
     LoadAhead(actuator, kActuatorBytes);
   }
 }
 
-void CLookAhead::BeforeSense(size_t number, const CBodyIndex& index) const {
-  if (number + 3 * kStep >= m_robots.size()) {
+void CLookAhead::BeforeSense(size_t visit, const CBodyIndex& index) const {
+  if (visit + 3 * kStep >= m_robots.size()) {
     return;
   }
-  const SAnchor* const farOrigin = m_robots[number + 3 * kStep].Origin;
-  LoadHead(GetRobot(number + 3 * kStep));
+  const SAnchor* const farOrigin = m_robots[visit + 3 * kStep].Origin;
+  LoadHead(GetRobot(visit + 3 * kStep));
   if (farOrigin != nullptr) {
     LoadAhead(farOrigin, sizeof(SBodyPose));
   }
 
-  const CControllableEntity& middle = GetRobot(number + 2 * kStep);
+  const CControllableEntity& middle = GetRobot(visit + 2 * kStep);
   LoadAhead(middle.m_sensors.data(), 1);
   LoadAhead(middle.m_actuators.data(), 1);
   if (middle.m_pcController != nullptr) {
     LoadAhead(middle.m_pcController, 1);
     LoadAhead(middle.m_pcController + 1, kControllerBytes);
   }
-  LoadAround(m_robots[number + 2 * kStep], index, false);
+  LoadAround(m_robots[visit + 2 * kStep], index, false);
 
-  const CControllableEntity& near = GetRobot(number + kStep);
+  const CControllableEntity& near = GetRobot(visit + kStep);
   for (const auto& sensor : near.m_sensors) {
     LoadAhead(sensor.Simulated, kSensorBytes);
   }
   for (const CSimulatedActuator* actuator : near.m_actuators) {
     LoadAhead(actuator, kActuatorBytes);
   }
-  LoadAround(m_robots[number + kStep], index, true);
-  const UInt32 endOfArrays = m_robots[number + kStep].EndOfArrays;
-  for (UInt32 i = m_robots[number + kStep - 1].EndOfArrays; i < endOfArrays; ++i) {
+  LoadAround(m_robots[visit + kStep], index, true);
+  const UInt32 endOfArrays = m_robots[visit + kStep].EndOfArrays;
+  for (UInt32 i = m_robots[visit + kStep - 1].EndOfArrays; i < endOfArrays; ++i) {
     LoadAhead(m_arrays[i].Start, m_arrays[i].Bytes);
   }
 }

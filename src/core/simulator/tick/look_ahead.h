@@ -12,6 +12,12 @@ class CBodyIndex;
 class CControllableEntity;
 struct SAnchor;
 
+/** A robot in a loop of a tick. Loops are in the order of creation, which is that of memory. */
+struct SRobotVisit {
+  CControllableEntity* Robot;
+  UInt32 Number; /**< in CSpace::GetControllableEntities() */
+};
+
 /**
  * Prefetches the data of the robots that the loops of a tick will visit next.
  *
@@ -24,15 +30,15 @@ struct SAnchor;
 class CLookAhead {
  public:
   /**
-   * Sets the robots of a space. To be called after robots, bodies or controllers have changed.
-   * @param robots  is read by the functions below.
+   * Sets the loops. To be called after robots, bodies or controllers have changed.
+   * @param visits  is read by the functions below.
    */
-  void SetRobots(const std::vector<CControllableEntity*>& robots);
+  void SetVisits(const std::vector<SRobotVisit>& visits);
 
-  /** To be called before robot @p number acts. */
-  void BeforeAct(size_t number) const;
-  /** To be called before robot @p number senses. */
-  void BeforeSense(size_t number, const CBodyIndex& index) const;
+  /** To be called before the robot of a visit acts. */
+  void BeforeAct(size_t visit) const;
+  /** To be called before the robot of a visit senses. */
+  void BeforeSense(size_t visit, const CBodyIndex& index) const;
 
  private:
   struct SRobot {
@@ -42,9 +48,9 @@ class CLookAhead {
   static void LoadHead(const CControllableEntity& robot);
   void LoadAround(const SRobot& robot, const CBodyIndex& index, bool lists) const;
 
-  const CControllableEntity& GetRobot(size_t number) const { return *(*m_controllables)[number]; }
+  const CControllableEntity& GetRobot(size_t visit) const { return *(*m_visits)[visit].Robot; }
 
-  const std::vector<CControllableEntity*>* m_controllables = nullptr;  // in the order of the loops
+  const std::vector<SRobotVisit>* m_visits = nullptr;
   std::vector<SRobot> m_robots;  // in the same order; empty if there are few
   std::vector<CArraySensor::SArray> m_arrays;  // that the robots' sensors read and write
 };

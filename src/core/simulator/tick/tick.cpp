@@ -45,54 +45,59 @@ void Timed(Real* seconds, PHASE&& phase) {
   *seconds += SecondsSince(start);
 }
 
-// a part of the work of a phase: robots [Begin, End)
-struct SRobotsOfPhase {
-  const std::vector<CControllableEntity*>& Robots;
+// what is called of the robots
+struct SCall {
+  const char* Name;  // such as "ControlStep()"
+  bool IsDevice;
+};
+
+// a part of the work of a phase: visits [Begin, End)
+struct SVisitsOfPhase {
+  const std::vector<SRobotVisit>& Visits;
   size_t Begin;
   size_t End;
   UInt32 Thread;  // that does it
   UInt64 FirstPlace;  // of robot 0 in the log
-  const char* Call;  // such as "ControlStep()"
-  bool IsDevice;
+  SCall Call;
 };
 
 // in a catch block: ends the run, or stops the robot
-void HandleFailure(SSimulationContext& context, const SRobotsOfPhase& phase,
-                   CControllableEntity& robot) {
-  const std::string where = "robot \"" + robot.GetRootEntity().GetId() + "\": " + phase.Call +
+void HandleFailure(SSimulationContext& context, const SCall& call, CControllableEntity& robot) {
+  const std::string where = "robot \"" + robot.GetRootEntity().GetId() + "\": " + call.Name +
                             " threw in tick " + std::to_string(*context.Clock);
   if (robot.GetOnError() == EOnError::EndRun) {
     ThrowWithCause(where);
   }
-  robot.Stop(phase.IsDevice, where, DescribeCurrentException());
+  robot.Stop(call.IsDevice, where, DescribeCurrentException());
   if (robot.GetOnError() == EOnError::Quarantine) {
     context.Space->QuarantineLater(robot.GetRootEntity());
   }
 }
 
 // calls step for the robots
-// @param lookAhead  void(size_t): called before each robot is visited, with its number
+// @param lookAhead  void(size_t): called before each visit, with its number
 template <typename STEP, typename LOOK_AHEAD>
-void ForRobots(SSimulationContext& context, const SRobotsOfPhase& phase, STEP&& step,
+void ForRobots(SSimulationContext& context, const SVisitsOfPhase& phase, STEP&& step,
                LOOK_AHEAD&& lookAhead) {
-  CRunningCodeScope running({phase.Call, &CControllableEntity::Describe, nullptr, context.Clock});
+  CRunningCodeScope running({phase.Call.Name, &CControllableEntity::Describe, nullptr, context.Clock});
   CRandom::COwner::CScope randomOwner(nullptr, *context.Clock);
   CRobotRecords::CScope records(context.Metrics->GetRobotRecords(), phase.Thread);
   for (size_t current = phase.Begin; current < phase.End; ++current) {
     try {
       for (; current < phase.End; ++current) {
         lookAhead(current);
-        CControllableEntity& robot = *phase.Robots[current];
+        CControllableEntity& robot = *phase.Visits[current].Robot;
         if (robot.IsEnabled()) {
-          CARGoSLog::SetSequence(phase.FirstPlace + current);
+          const UInt32 number = phase.Visits[current].Number;
+          CARGoSLog::SetSequence(phase.FirstPlace + number);
           running.SetSubject(&robot);
           randomOwner.SetOwner(&robot.GetRandomOwner());
-          records.SetRobot(current);
+          records.SetRobot(number);
           step(robot);
         }
       }
     } catch (...) {
-      HandleFailure(context, phase, *phase.Robots[current]);
+      HandleFailure(context, phase.Call, *phase.Visits[current].Robot);
     }
   }
 }
@@ -196,12 +201,24 @@ void CTick::Run() {
 }
 
 // to be called before each loop over robots: users add and remove robots between phases
-void CTick::UpdateLookAhead() {
+void CTick::PlanVisits() {
   const UInt64 version = m_context.Space->GetVersionOfControllableEntities();
-  if (version != m_robotsOfLookAhead) {
-    m_lookAhead.SetRobots(m_context.Space->GetControllableEntities());
-    m_robotsOfLookAhead = version;
+  if (version == m_robotsOfVisits) {
+    return;
   }
+  m_visits.clear();
+  m_visits.reserve(m_context.Space->GetControllableEntities().size());
+  for (CControllableEntity* robot : m_context.Space->GetControllableEntities()) {
+    m_visits.push_back({robot, static_cast<UInt32>(m_visits.size())});
+  }
+  const auto isBefore = [](const SRobotVisit& a, const SRobotVisit& b) {
+    return a.Robot->GetIndex() < b.Robot->GetIndex();
+  };
+  if (!std::is_sorted(m_visits.begin(), m_visits.end(), isBefore)) {
+    std::sort(m_visits.begin(), m_visits.end(), isBefore);
+  }
+  m_lookAhead.SetVisits(m_visits);
+  m_robotsOfVisits = version;
 }
 
 // before a loop over robots
@@ -217,22 +234,21 @@ void CTick::TakeRecords(const char* call, bool isDevice) {
     try {
       std::rethrow_exception(failure.Error);
     } catch (...) {
-      HandleFailure(m_context, {robots, 0, 0, 0, 0, call, isDevice}, *robots[failure.Robot]);
+      HandleFailure(m_context, {call, isDevice}, *robots[failure.Robot]);
     }
   }
 }
 
 void CTick::Act() {
-  UpdateLookAhead();
+  PlanVisits();
   BeginRecords();
-  const std::vector<CControllableEntity*>& robots = m_context.Space->GetControllableEntities();
-  InLogOrder(robots.size(), [&](UInt64 firstPlace) {
+  InLogOrder(m_visits.size(), [&](UInt64 firstPlace) {
     m_context.Pool->ParallelFor(
-        robots.size(), m_actCost, [&](size_t begin, size_t end, UInt32 thread) {
+        m_visits.size(), m_actCost, [&](size_t begin, size_t end, UInt32 thread) {
           ForRobots(
-              m_context, {robots, begin, end, thread, firstPlace, "an actuator", true},
+              m_context, {m_visits, begin, end, thread, firstPlace, {"an actuator", true}},
               [](CControllableEntity& robot) { robot.Act(); },
-              [this](size_t robot) { m_lookAhead.BeforeAct(robot); });
+              [this](size_t visit) { m_lookAhead.BeforeAct(visit); });
         });
   });
   TakeRecords("an actuator", true);
@@ -273,13 +289,12 @@ void CTick::UpdateMedia() {
 }
 
 void CTick::SenseAndControl() {
-  UpdateLookAhead();
+  PlanVisits();
   BeginRecords();
   const CPhysicsEngine::TVector& engines = m_context.Engines;
   m_context.Space->SetBodiesOutsideIndex(
       std::any_of(engines.begin(), engines.end(),
                   [](const CPhysicsEngine* engine) { return engine->HasBodiesOutsideIndex(); }));
-  const std::vector<CControllableEntity*>& robots = m_context.Space->GetControllableEntities();
   // a controller writes only into its own robot's actuators, which no sensor reads in this phase:
   // so all robots of a run may sense before the first of them is controlled
   std::mutex timesMutex;
@@ -293,11 +308,11 @@ void CTick::SenseAndControl() {
     Timed(m_times ? &sense : nullptr, [&] {
       try {
         ForRobots(
-            m_context, {robots, first, last, thread, firstPlace, "a sensor", true},
+            m_context, {m_visits, first, last, thread, firstPlace, {"a sensor", true}},
             [](CControllableEntity& robot) { robot.Sense(); },
-            [&](size_t robot) {
-              sensed = robot;
-              m_lookAhead.BeforeSense(robot, *m_context.Index);
+            [&](size_t visit) {
+              sensed = visit;
+              m_lookAhead.BeforeSense(visit, *m_context.Index);
             });
         sensed = last;
       } catch (...) {
@@ -306,7 +321,7 @@ void CTick::SenseAndControl() {
     });
     Timed(m_times ? &control : nullptr, [&] {
       ForRobots(
-          m_context, {robots, first, sensed, thread, firstPlace, "ControlStep()", false},
+          m_context, {m_visits, first, sensed, thread, firstPlace, {"ControlStep()", false}},
           [](CControllableEntity& robot) { robot.ControlStep(); }, [](size_t) {});
     });
     if (failure) {
@@ -318,9 +333,9 @@ void CTick::SenseAndControl() {
       m_times->Control += control;
     }
   };
-  InLogOrder(robots.size(), [&](UInt64 firstPlace) {
+  InLogOrder(m_visits.size(), [&](UInt64 firstPlace) {
     m_context.Pool->ParallelFor(
-        robots.size(), m_senseCost, [&](size_t begin, size_t end, UInt32 thread) {
+        m_visits.size(), m_senseCost, [&](size_t begin, size_t end, UInt32 thread) {
           for (size_t first = begin; first < end; first += CSpace::kRobotsPerRun) {
             senseAndControl(first, std::min(end, first + CSpace::kRobotsPerRun), thread,
                             firstPlace);

@@ -30,7 +30,7 @@ class CTick {
   void SetTimes(STickTimes* times) { m_times = times; }
 
  private:
-  void UpdateLookAhead();
+  void PlanVisits();
   void Act();
   void CollectGhosts();
   void UpdatePhysics();
@@ -44,8 +44,9 @@ class CTick {
   STickTimes* m_times = nullptr;
   CPhaseCost m_actCost, m_senseCost;  // of robots
   CPhaseCost m_ghostCost, m_engineCost, m_mediumCost;
+  std::vector<SRobotVisit> m_visits;
+  UInt64 m_robotsOfVisits = ~UInt64(0);  // version of the list of robots that m_visits has
   CLookAhead m_lookAhead;
-  UInt64 m_robotsOfLookAhead = ~UInt64(0);  // version of the list of robots that m_lookAhead has
 };
 
 }  // namespace argos
