@@ -79,7 +79,8 @@ void HandleFailure(SSimulationContext& context, const SCall& call, CControllable
 template <typename STEP, typename LOOK_AHEAD>
 void ForRobots(SSimulationContext& context, const SVisitsOfPhase& phase, STEP&& step,
                LOOK_AHEAD&& lookAhead) {
-  CRunningCodeScope running({phase.Call.Name, &CControllableEntity::Describe, nullptr, context.Clock});
+  CRunningCodeScope running(
+      {phase.Call.Name, &CControllableEntity::Describe, nullptr, context.Clock});
   CRandom::COwner::CScope randomOwner(nullptr, *context.Clock);
   CRobotRecords::CScope records(context.Metrics->GetRobotRecords(), phase.Thread);
   for (size_t current = phase.Begin; current < phase.End; ++current) {
