@@ -57,8 +57,6 @@ class CProbing {
 constexpr UInt64 kMostEntities = 10000000;
 // of one entity; without a free place they take some 10 s
 constexpr UInt64 kMostTrials = 10000000;
-// what a tick reads of fewer robots fits into the second-level cache, wherever it is
-constexpr UInt64 kManyEntities = 500;
 
 // the area of the base of an upright solid, m^2; 0 for solids without a flat base
 Real ComputeBase(const SShapeDescription& solid) {
@@ -155,7 +153,7 @@ void CDistribution::CallStep(const std::function<void()>& step) {
 void CDistribution::PlaceAll() {
   m_positions->RequireCapacity(m_quantity);
   CheckRoom();
-  if (m_body != nullptr && m_quantity >= kManyEntities) {
+  if (m_body != nullptr && m_quantity >= CSpace::kFewRobots) {
     PlaceOnGround();
   } else {
     PlaceOneByOne();
@@ -261,12 +259,12 @@ void CDistribution::PlaceOnGround() {
   const SPlaces places = ChoosePlaces();
   const std::vector<UInt32> order =
       OrderOnGround(places.Positions, 2.0 * m_body->ComputeBoundingRadius());
-  CEntity::TVector entities(order.size());  // by number
+  std::vector<ssize_t> indices(order.size());  // by number
   for (const UInt32 number : order) {
     WriteIntoTemplate(MakeId(number), places.Positions[number], places.Angles[number]);
-    entities[number] = &m_space.CreateEntity(*m_template);
+    indices[number] = m_space.CreateEntity(*m_template).GetIndex();
   }
-  m_space.OrderRoots(entities);
+  m_space.OrderRoots(indices);
 }
 
 // places of bodies that overlap neither those of the space nor each other

@@ -132,7 +132,12 @@ CEntityViews& CEntityViews::Complete() {
 }
 
 void CEntityViews::ListAll() {
-  const CRootPlaces places(m_roots);
+  std::vector<ssize_t> indices;
+  indices.reserve(m_roots.size());
+  for (const CEntity* root : m_roots) {
+    indices.push_back(root->GetIndex());
+  }
+  const CRootPlaces places(indices);
   struct SListed {
     size_t Place;  // of the root
     CEntity* Entity;

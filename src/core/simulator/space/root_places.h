@@ -9,14 +9,13 @@
 
 namespace argos {
 
-/** Finds the places of root entities in a list, by their indices. */
+/** Finds the places of root entities in a list of their indices. */
 class CRootPlaces {
  public:
-  /** @param roots  entities of a space; indices must not change later. */
-  explicit CRootPlaces(const CEntity::TVector& roots) : m_size(roots.size()) {
+  explicit CRootPlaces(const std::vector<ssize_t>& indices) : m_size(indices.size()) {
     m_places.reserve(m_size);
-    for (const CEntity* root : roots) {
-      m_places.push_back({root->GetIndex(), m_places.size()});
+    for (const ssize_t index : indices) {
+      m_places.push_back({index, m_places.size()});
     }
     std::sort(m_places.begin(), m_places.end(), IsBefore);
   }

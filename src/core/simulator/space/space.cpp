@@ -200,9 +200,9 @@ CEntity& CSpace::CreateEntity(TConfigurationNode& node) {
   }
 }
 
-void CSpace::OrderRoots(const CEntity::TVector& order) {
+void CSpace::OrderRoots(const std::vector<ssize_t>& indices) {
   CheckMayChange();
-  const CRootPlaces places(order);
+  const CRootPlaces places(indices);
   Reorder(m_roots, places, [](const CEntity& root) -> const CEntity& { return root; });
   Reorder(m_robots, places,
           [](CControllableEntity& robot) -> const CEntity& { return robot.GetRootEntity(); });

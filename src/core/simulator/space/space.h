@@ -149,6 +149,11 @@ class CSpace : public CBaseConfigurableResource {
    * sensing has loaded is still in the cache for control.
    */
   static constexpr size_t kRobotsPerRun = 64;
+  /**
+   * What a tick reads of fewer robots fits into the second-level cache of most processors, wherever
+   * it is in memory.
+   */
+  static constexpr size_t kFewRobots = 500;
   CSimulator& GetSimulator();
   /** What the parts of the simulation share. */
   SSimulationContext& GetContext() { return m_context; }
@@ -200,10 +205,11 @@ class CSpace : public CBaseConfigurableResource {
    */
   CEntity& CreateEntity(TConfigurationNode& node);
   /**
-   * Gives root entities, and their robots, the order of that list. Others keep their places in the
-   * space's lists, and indices stay those of the order of addition, in which a tick visits robots.
+   * Gives root entities, and their robots, the order of the list of their indices. Others keep
+   * their places in the space's lists. Indices stay those of the order of addition, in which a tick
+   * visits robots.
    */
-  void OrderRoots(const CEntity::TVector& order);
+  void OrderRoots(const std::vector<ssize_t>& indices);
   /** Creates the entity without its controller, and destroys it. @throws as CreateEntity() */
   void TryEntity(TConfigurationNode& node);
   /** 64-bit digest of the state of every entity and medium, in order. */

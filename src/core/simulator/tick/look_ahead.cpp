@@ -4,6 +4,7 @@
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/geometry/body_index.h>
+#include <argos3/core/simulator/space/space.h>
 #include <argos3/core/utility/memory/load_ahead.h>
 
 namespace argos {
@@ -19,8 +20,6 @@ constexpr size_t kActuatorBytes = 80;
 constexpr size_t kControllerBytes = 96;
 // m; how far most sensors reach from the surface of the robot
 constexpr Real kReach = 0.1;
-// with fewer robots, what a tick reads of them fits into the second-level cache of most processors
-constexpr size_t kFewRobots = 500;
 
 void LoadBetween(const void* begin, const void* end) {
   LoadAhead(begin, static_cast<const char*>(end) - static_cast<const char*>(begin));
@@ -44,7 +43,7 @@ void CLookAhead::SetVisits(const std::vector<SRobotVisit>& visits) {
   m_visits = &visits;
   m_robots.clear();
   m_arrays.clear();
-  if (visits.size() < kFewRobots) {
+  if (visits.size() < CSpace::kFewRobots) {
     return;
   }
   m_robots.reserve(visits.size());
