@@ -93,7 +93,10 @@ TEST_CASE("distribute: many robots are created by their places, and listed by th
   CHECK(LengthOfPath(few) > 15.0 * kFew);
   // the tick, removal and destruction work in either order
   many.Step(2);
-  space.Remove(space.GetEntity("fb300"));
+  {
+    const CSimulator::CScope scope(many.GetSimulator());
+    space.Remove(space.GetEntity("fb300"));
+  }
   many.Step(2);
   CHECK(space.GetControllableEntities()[300]->GetRootEntity().GetId() == "fb301");
 }
