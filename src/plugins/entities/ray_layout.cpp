@@ -7,6 +7,33 @@
 
 namespace argos {
 
+namespace {
+
+// m^2; a shorter ray may have a square length that loses bits when it is rotated
+constexpr Real kLeastSquareLength = 1e-200;
+
+}  // namespace
+
+void FillBlocks(const SSensorRay* rays, size_t count, SRayBlock* blocks) {
+  const size_t numPlaces = SRayBlock::GetNumBlocks(count) * SRayBlock::kSize;
+  for (size_t i = 0; i < numPlaces; ++i) {
+    const SSensorRay& ray = rays[std::min(i, count - 1)];
+    SRayBlock& block = blocks[i / SRayBlock::kSize];
+    const size_t place = i % SRayBlock::kSize;
+    block.OffsetX[place] = ray.Offset.GetX();
+    block.OffsetY[place] = ray.Offset.GetY();
+    block.DirectionX[place] = ray.Direction.GetX();
+    block.DirectionY[place] = ray.Direction.GetY();
+  }
+}
+
+void SRayBounds::Include(const SSensorRay& ray, bool isFirst) {
+  const Real z = ray.Offset.GetZ();
+  MinZ = isFirst ? z : std::min(MinZ, z);
+  MaxZ = isFirst ? z : std::max(MaxZ, z);
+  HaveLengths = HaveLengths && ray.Direction.SquareLength() > kLeastSquareLength;
+}
+
 void SRayLayout::AddSensor(const CVector3& offset, const CVector3& direction, Real range,
                            UInt32 anchor) {
   RequirePositive(range, "sensor", "range (m)");
@@ -31,12 +58,15 @@ void SRayLayout::AddSensorFan(const CVector3& center, Real radius, const CRadian
 }
 
 void SRayLayout::ComputeBounds() {
-  Planar = true;
+  Planar = HaveLengths = true;
   CenterX = CenterY = Reach = FarthestStart = 0.0;
+  Lengths.clear();
   for (const SSensorRay& ray : Rays) {
     Planar = Planar && ray.Direction.GetZ() == 0.0 && ray.Anchor == Rays.front().Anchor;
     CenterX += ray.Offset.GetX() / static_cast<Real>(Rays.size());
     CenterY += ray.Offset.GetY() / static_cast<Real>(Rays.size());
+    Include(ray, &ray == &Rays.front());
+    Lengths.push_back(ray.Direction.Length());
   }
   for (const SSensorRay& ray : Rays) {
     const Real startX = ray.Offset.GetX() - CenterX;
@@ -45,6 +75,8 @@ void SRayLayout::ComputeBounds() {
     Reach = std::max({Reach, FarthestStart,
                       std::hypot(startX + ray.Direction.GetX(), startY + ray.Direction.GetY())});
   }
+  Blocks.resize(SRayBlock::GetNumBlocks(Rays.size()));
+  FillBlocks(Rays.data(), Rays.size(), Blocks.data());
 }
 
 }  // namespace argos

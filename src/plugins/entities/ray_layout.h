@@ -4,6 +4,7 @@
 #include <argos3/core/utility/math/angles.h>
 #include <argos3/core/utility/math/vector3.h>
 
+#include <cstddef>
 #include <vector>
 
 namespace argos {
@@ -28,12 +29,32 @@ inline CVector3 WithLength(CVector3 direction, Real length) {
   return direction.Normalize() *= length;
 }
 
+/** Eight rays seen from above, in arrays over which loops are vectorized. */
+struct SRayBlock {
+  static constexpr size_t kSize = 8;
+
+  Real OffsetX[kSize], OffsetY[kSize]; /**< start in the anchor's frame, m */
+  Real DirectionX[kSize], DirectionY[kSize]; /**< from start to end in the anchor's frame, m */
+
+  static constexpr size_t GetNumBlocks(size_t rays) { return (rays + kSize - 1) / kSize; }
+};
+
+/** Copies rays to GetNumBlocks(count) blocks; repeats the last one to fill the last block. */
+void FillBlocks(const SSensorRay* rays, size_t count, SRayBlock* blocks);
+
 /** Bounds of several rays, for casting them together. */
 struct SRayBounds {
-  /** True if all rays are horizontal and on one anchor; only then the circle is valid. */
+  /** True if all rays are horizontal and on one anchor; only then the rest is valid. */
   bool Planar = true;
+  /** True if each ray is so long that its square length is a normal number, > 0. */
+  bool HaveLengths = true;
   /** A circle in the anchor's xy plane that contains all rays, m. */
   Real CenterX = 0.0, CenterY = 0.0, Reach = 0.0;
+  /** Heights of the rays in the anchor's frame, m. */
+  Real MinZ = 0.0, MaxZ = 0.0;
+
+  /** Extends the heights, and HaveLengths, to a ray. @param isFirst  of all. */
+  void Include(const SSensorRay& ray, bool isFirst);
 };
 
 /** Sensors along rays, common to a type of robot. */
@@ -41,6 +62,10 @@ struct SRayLayout : SRayBounds {
   typedef SSensorRay TPlace;
 
   std::vector<SSensorRay> Rays;
+  /** The same, in their order. */
+  std::vector<SRayBlock> Blocks;
+  /** Of each ray, m. */
+  std::vector<Real> Lengths;
   /** From the centre of the circle to the start that is farthest from it, m. */
   Real FarthestStart = 0.0;
 
@@ -60,7 +85,7 @@ struct SRayLayout : SRayBounds {
    */
   void AddSensorFan(const CVector3& center, Real radius, const CRadians& startAngle,
                     const CRadians& endAngle, Real range, UInt32 num, UInt32 anchor = 0);
-  /** Recomputes the bounds, and the farthest start. */
+  /** Recomputes everything from Rays. */
   void ComputeBounds();
 };
 

@@ -333,6 +333,8 @@ void CBodyIndex::SortSmall(CThreadPool* pool) {
   m_entries.resize(numShapes);
   ReserveInHugePages(m_shapes, numShapes);
   m_shapes.resize(numShapes);
+  ReserveInHugePages(m_discs, numShapes);
+  m_discs.resize(numShapes);
   ForRange(pool, numBodies, [this](size_t begin, size_t end) {
     for (size_t b = begin; b < end; ++b) {
       if (m_sort.IsLeftOut(b)) {
@@ -363,8 +365,13 @@ void CBodyIndex::PackSmall(CThreadPool* pool) {
         LoadAhead(m_poses[later]);
         LoadAhead(m_bodies[later]);
       }
-      m_shapes[k] = Pack(m_entries[k].Body, m_entries[k].Shape);
-      heights.Include(m_shapes[k].ZMin, m_shapes[k].ZMax);
+      const SIndexedShape shape = Pack(m_entries[k].Body, m_entries[k].Shape);
+      m_shapes[k] = shape;
+      m_discs[k] = {shape.X, shape.Y, shape.Radius, shape.Body,
+                    shape.Kind == SIndexedShape::EKind::Disc
+                        ? SIndexedDisc::SHeights::Inside(shape.ZMin, shape.ZMax)
+                        : SIndexedDisc::SHeights::None()};
+      heights.Include(shape.ZMin, shape.ZMax);
     }
     ReplaceIf(lowest, heights.Min, std::less<>());
     ReplaceIf(highest, heights.Max, std::greater<>());

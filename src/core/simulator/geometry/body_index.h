@@ -3,6 +3,7 @@
 
 #include <argos3/core/simulator/geometry/body_description.h>
 #include <argos3/core/simulator/geometry/body_pose.h>
+#include <argos3/core/simulator/geometry/disc_list.h>
 #include <argos3/core/simulator/geometry/indexed_shape.h>
 #include <argos3/core/simulator/geometry/ray_hit.h>
 #include <argos3/core/utility/errors/argos_exception.h>
@@ -91,6 +92,15 @@ class CBodyIndex {
    */
   template <typename VISIT>
   void ForShapesNear(Real x, Real y, Real reach, VISIT&& visit) const;
+  /**
+   * The same, but solids that are upright discs and span the heights of @p query are mostly added to
+   * @p discs instead, without those that are out of reach and of the ignored body. Others may
+   * be visited that are out of reach, or of that body.
+   * @param takeDiscs  void(): called when @p discs is full; empties it.
+   */
+  template <typename VISIT, typename TAKE_DISCS>
+  void ListDiscsNear(const SDiscQuery& query, SDiscList& discs, TAKE_DISCS&& takeDiscs,
+                     VISIT&& visit) const;
   /**
    * Calls visit(const SIndexedShape&) for every solid whose footprint touches @p area, and perhaps
    * for others. Each solid once. Vertical position is ignored.
@@ -234,7 +244,12 @@ class CBodyIndex {
   template <typename VISIT>
   void VisitNear(const SCellRange& small, const SCellRange& wide, VISIT&& visit) const;
   template <typename VISIT>
+  void VisitUnsorted(const SCellRange& small, const SCellRange& wide, VISIT&& visit) const;
+  template <typename VISIT>
   void VisitSmall(const SCellRange& cells, VISIT&& visit) const;
+  template <typename VISIT, typename TAKE_DISCS>
+  void ListSmall(const SCellRange& cells, const SDiscQuery& query, SDiscList& discs,
+                 TAKE_DISCS&& takeDiscs, VISIT&& visit) const;
   template <typename VISIT>
   void VisitBody(UInt32 body, VISIT&& visit) const;
   template <typename VISIT>
@@ -264,6 +279,7 @@ class CBodyIndex {
   CCountingSort m_sort;  // of small bodies by cell
   std::vector<SEntry> m_entries;  // (solids of small bodies) in cell order
   std::vector<SIndexedShape> m_shapes;  // of small bodies, in cell order
+  std::vector<SIndexedDisc> m_discs;  // the same solids
   SHeights m_smallHeights;  // of m_shapes
   std::vector<SWideShape> m_wide;  // of all other bodies
   SHeights m_wideHeights;  // of m_wide

@@ -53,12 +53,59 @@ void CBodyIndex::VisitOverlayWide(const SCellRange& cells, VISIT&& visit) const 
 
 template <typename VISIT>
 void CBodyIndex::VisitWide(const SCellRange& cells, VISIT&& visit) const {
-  m_grid.ForCells(cells, [&](UInt32 cell) {
-    for (const UInt32 number : m_wideCells.Get(cell)) {
-      const SWideShape& wide = m_wide[number];
-      if (CountsInCell(cell, wide, cells) && !IsStale(wide.Shape.Body)) {
-        visit(wide.Shape);
+  m_grid.ForRows(cells, [&](UInt32 first, UInt32 last) {
+    if (m_wideCells.Get(first, last).IsEmpty()) {
+      return;
+    }
+    for (UInt32 cell = first; cell <= last; ++cell) {
+      for (const UInt32 number : m_wideCells.Get(cell)) {
+        const SWideShape& wide = m_wide[number];
+        if (CountsInCell(cell, wide, cells) && !IsStale(wide.Shape.Body)) {
+          visit(wide.Shape);
+        }
       }
+    }
+  });
+}
+
+// as VisitSmall(), but adds discs to a list
+template <typename VISIT, typename TAKE_DISCS>
+void CBodyIndex::ListSmall(const SCellRange& cells, const SDiscQuery& query, SDiscList& discs,
+                           TAKE_DISCS&& takeDiscs, VISIT&& visit) const {
+  const auto heights = SIndexedDisc::SHeights::Around(query.MinZ, query.MaxZ);
+  m_grid.ForRows(cells, [&](UInt32 first, UInt32 last) {
+    const UInt32 end = m_sort.End(last);
+    for (UInt32 begin = m_sort.Begin(first); begin != end;) {
+      if (discs.Size == SDiscList::kCapacity) {
+        takeDiscs();
+      }
+      const UInt32 room = static_cast<UInt32>(SDiscList::kCapacity - discs.Size);
+      const UInt32 chunkEnd = std::min(end, begin + room);
+      size_t size = discs.Size;
+      size_t numOthers = 0;
+      // without branches, which could not be predicted
+      for (UInt32 place = begin; place != chunkEnd; ++place) {
+        const SIndexedDisc& disc = m_discs[place];
+        const Real dx = disc.X - query.X;
+        const Real dy = disc.Y - query.Y;
+        const Real far = query.Reach + disc.Radius;
+        const size_t isDisc = disc.Spanned.Span(heights) ? 1 : 0;
+        const size_t isNear = dx * dx + dy * dy <= far * far ? 1 : 0;
+        const size_t isIgnored = disc.Body == query.IgnoredBody ? 1 : 0;
+        discs.X[size] = disc.X;
+        discs.Y[size] = disc.Y;
+        discs.Radius[size] = disc.Radius;
+        size += isDisc & isNear & ~isIgnored;
+        numOthers += isDisc ^ 1;
+      }
+      discs.Size = size;
+      for (UInt32 place = begin; numOthers > 0; ++place) {
+        if (!m_discs[place].Spanned.Span(heights)) {
+          visit(m_shapes[place]);
+          --numOthers;
+        }
+      }
+      begin = chunkEnd;
     }
   });
 }
@@ -69,6 +116,12 @@ void CBodyIndex::VisitNear(const SCellRange& small, const SCellRange& wide, VISI
   if (!m_shapes.empty()) {
     VisitSmall(small, visit);
   }
+  VisitUnsorted(small, wide, visit);
+}
+
+template <typename VISIT>
+void CBodyIndex::VisitUnsorted(const SCellRange& small, const SCellRange& wide,
+                               VISIT&& visit) const {
   if (!m_overlay.IsEmpty()) {
     VisitOverlay(small, visit);
   }
@@ -91,6 +144,18 @@ void CBodyIndex::ForShapesNear(Real x, Real y, Real reach, VISIT&& visit) const 
                 visit(shape);
               }
             });
+}
+
+template <typename VISIT, typename TAKE_DISCS>
+void CBodyIndex::ListDiscsNear(const SDiscQuery& query, SDiscList& discs, TAKE_DISCS&& takeDiscs,
+                               VISIT&& visit) const {
+  const SCellRange small = m_grid.CellsAround(query.X, query.Y, query.Reach + SmallReach());
+  if (m_numStale > 0) {
+    VisitSmall(small, visit);
+  } else if (!m_shapes.empty()) {
+    ListSmall(small, query, discs, takeDiscs, visit);
+  }
+  VisitUnsorted(small, m_grid.CellsAround(query.X, query.Y, query.Reach), visit);
 }
 
 template <typename VISIT>

@@ -127,8 +127,8 @@ void CLookAhead::LoadAround(const SRobot& robot, const CBodyIndex& index, bool l
   index.m_grid.ForRows(cells, [&index, lists](UInt32 first, UInt32 last) {
     if (lists) {
       const UInt32 begin = index.m_sort.Begin(first);
-      LoadAhead(index.m_shapes.data() + begin,
-                (index.m_sort.End(last) - begin) * sizeof(SIndexedShape));
+      LoadAhead(index.m_discs.data() + begin,
+                (index.m_sort.End(last) - begin) * sizeof(SIndexedDisc));
       return;
     }
     LoadBetween(index.m_sort.GetStartAddress(first), index.m_sort.GetStartAddress(last + 2));

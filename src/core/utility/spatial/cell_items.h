@@ -21,6 +21,7 @@ class CCellItems {
     CRun(const UInt32* begin, const UInt32* end) : m_begin(begin), m_end(end) {}
     const UInt32* begin() const { return m_begin; }
     const UInt32* end() const { return m_end; }
+    bool IsEmpty() const { return m_begin == m_end; }
 
    private:
     const UInt32* m_begin;

@@ -24,6 +24,8 @@ constexpr UInt32 kFirstGhost = 3U << 30;
 constexpr Real kArrived = 1e-12;
 // smallest share of its path that a robot tries if there are too many obstacles near the whole path
 constexpr Real kLeastShare = 1e-3;
+constexpr UInt8 kNoRound = 255;
+static_assert(kMaxRounds < kNoRound);
 
 Real SquaredLength(const SStep& step) {
   return step.X * step.X + step.Y * step.Y;
@@ -96,7 +98,10 @@ void CDiscSwarm::Step(CThreadPool& pool, const CCellLists& walls, const CCellLis
   m_targets.resize(GetSize());
   m_done.resize(GetSize());
   m_next.resize(GetSize());
-  m_activeDiscs.resize(GetSize());
+  for (std::vector<UInt8>& rounds : m_movedIn) {
+    rounds.resize(GetSize());
+  }
+  ReserveActive(GetSize());
   m_numActive.store(0, std::memory_order_relaxed);
   const UInt32 stride = m_grid.GetStride();
   // without the border of empty cells
@@ -107,8 +112,8 @@ void CDiscSwarm::Step(CThreadPool& pool, const CCellLists& walls, const CCellLis
   // discs at their targets are moved behind the remaining ones
   size_t numLeft = m_numActive.load(std::memory_order_relaxed);
   bool hasProgress = true;
-  for (UInt32 round = 0; round < kMaxRounds && numLeft > 0 && hasProgress; ++round) {
-    hasProgress = StepRound(pool, numLeft, walls, solids);
+  for (UInt8 round = 0; round < kMaxRounds && numLeft > 0 && hasProgress; ++round) {
+    hasProgress = StepRound(pool, round, numLeft, walls, solids);
     numLeft = DropArrived(numLeft);
   }
   pool.ParallelFor(numLeft, kActiveGrain, [this](size_t begin, size_t end, UInt32) {
@@ -119,13 +124,19 @@ void CDiscSwarm::Step(CThreadPool& pool, const CCellLists& walls, const CCellLis
 }
 
 // Advances active discs [0, numLeft). @return true if any of them moved.
-bool CDiscSwarm::StepRound(CThreadPool& pool, size_t numLeft, const CCellLists& walls,
+bool CDiscSwarm::StepRound(CThreadPool& pool, UInt8 round, size_t numLeft, const CCellLists& walls,
                            const CCellLists& solids) {
   std::atomic<bool> hasProgress{false};
   pool.ParallelFor(numLeft, kActiveGrain, [&](size_t begin, size_t end, UInt32) {
     bool moved = false;
     for (size_t i = begin; i < end; ++i) {
-      moved = StepOne(m_activeDiscs[i], walls, solids, m_done, m_next) || moved;
+      SActiveDisc& active = m_activeDiscs[i];
+      if (!MayMove(active, round)) {
+        m_next[active.Place] = m_done[active.Place];
+      } else if (StepOne(active, walls, solids, m_done, m_next)) {
+        m_movedIn[round % 2][active.Place] = round;
+        moved = true;
+      }
     }
     if (moved) {
       hasProgress.store(true, std::memory_order_relaxed);
@@ -139,19 +150,26 @@ bool CDiscSwarm::StepRound(CThreadPool& pool, size_t numLeft, const CCellLists& 
 // of the others.
 size_t CDiscSwarm::DropArrived(size_t numLeft) {
   for (size_t i = 0; i < numLeft;) {
-    const UInt32 place = m_activeDiscs[i].Place;
-    const STarget& target = m_targets[place];
-    const SStep missing = {target.X - m_done[place].X, target.Y - m_done[place].Y};
-    if (target.Depth == 0.0 &&
-        SquaredLength(missing) <=
-            kArrived * kArrived * (target.X * target.X + target.Y * target.Y)) {
-      m_next[place] = m_done[place];
-      std::swap(m_activeDiscs[i], m_activeDiscs[--numLeft]);
+    SActiveDisc& active = m_activeDiscs[i];
+    if (active.HasArrived) {
+      m_next[active.Place] = m_done[active.Place];
+      std::swap(active, m_activeDiscs[--numLeft]);
     } else {
       ++i;
     }
   }
   return numLeft;
+}
+
+// A disc that did not move in the last round, like all discs that it may touch, would not move now.
+bool CDiscSwarm::MayMove(const SActiveDisc& active, UInt8 round) const {
+  if (round == 0) {
+    return true;
+  }
+  const UInt8 last = round - 1;
+  const std::vector<UInt8>& movedIn = m_movedIn[last % 2];
+  return movedIn[active.Place] == last ||
+         ForPlacesNear(active, [&](UInt32 other) { return movedIn[other] == last; });
 }
 
 // Calls visit(place) for the discs in a cell and its neighbours until it returns true. @return true
@@ -170,20 +188,40 @@ bool CDiscSwarm::ForPlacesAround(UInt32 cell, VISIT&& visit) const {
   return false;
 }
 
-bool CDiscSwarm::MayTouchAny(UInt32 place, UInt32 cell, const CCellLists& walls,
-                             const CCellLists& solids) const {
-  const SPlace& disc = m_places[place];
-  const Real reach = static_cast<Real>(disc.Reach);
-  const bool touchesDisc = ForPlacesAround(cell, [&](UInt32 other) {
-    const SPlace& neighbour = m_places[other];
-    const Real dx = neighbour.X - disc.X;
-    const Real dy = neighbour.Y - disc.Y;
-    const Real near = reach + static_cast<Real>(neighbour.Reach);
-    return dx * dx + dy * dy <= near * near && other != place;
+// The same for the discs that an active one may touch in this tick, without itself.
+template <typename VISIT>
+bool CDiscSwarm::ForPlacesNear(const SActiveDisc& active, VISIT&& visit) const {
+  if (active.NumNear <= SActiveDisc::kMaxNear) {
+    return std::any_of(active.Near, active.Near + active.NumNear, visit);
+  }
+  const SPlace& disc = PlaceOf(active);
+  return ForPlacesAround(active.Cell, [&](UInt32 other) {
+    return other != active.Place && MayTouch(disc, m_places[other]) && visit(other);
   });
-  return touchesDisc || m_ghostLines.Has(disc.Slot) ||
-         IsWithinReach(walls, cell, disc.X, disc.Y, reach) ||
-         IsWithinReach(solids, cell, disc.X, disc.Y, reach);
+}
+
+void CDiscSwarm::FindNear(SActiveDisc& active) const {
+  const SPlace& disc = m_places[active.Place];
+  active.NumNear = 0;
+  ForPlacesAround(active.Cell, [&](UInt32 other) {
+    if (MayTouch(disc, m_places[other]) && other != active.Place) {
+      if (active.NumNear == SActiveDisc::kMaxNear) {
+        ++active.NumNear;
+        return true;
+      }
+      active.Near[active.NumNear++] = other;
+    }
+    return false;
+  });
+}
+
+bool CDiscSwarm::MayTouchAny(const SActiveDisc& active, const CCellLists& walls,
+                             const CCellLists& solids) const {
+  const SPlace& disc = m_places[active.Place];
+  const Real reach = static_cast<Real>(disc.Reach);
+  return active.NumNear > 0 || m_ghostLines.Has(disc.Slot) ||
+         IsWithinReach(walls, active.Cell, disc.X, disc.Y, reach) ||
+         IsWithinReach(solids, active.Cell, disc.X, disc.Y, reach);
 }
 
 void CDiscSwarm::FindActive(size_t beginCell, size_t endCell, const CCellLists& walls,
@@ -192,13 +230,18 @@ void CDiscSwarm::FindActive(size_t beginCell, size_t endCell, const CCellLists& 
   UInt32 numFound = 0;
   const auto flush = [&] {
     const UInt32 first = m_numActive.fetch_add(numFound, std::memory_order_relaxed);
-    std::copy_n(found.begin(), numFound, m_activeDiscs.begin() + first);
+    std::copy_n(found.begin(), numFound, m_activeDiscs.get() + first);
     numFound = 0;
   };
   for (size_t i = beginCell; i < endCell; ++i) {
     const UInt32 cell = static_cast<UInt32>(i);
     for (UInt32 place = m_sort.Begin(cell); place < m_sort.End(cell); ++place) {
-      if (!MayTouchAny(place, cell, walls, solids)) {
+      SActiveDisc& active = found[numFound];
+      active.Place = place;
+      active.Cell = cell;
+      active.HasArrived = false;
+      FindNear(active);
+      if (!MayTouchAny(active, walls, solids)) {
         continue;
       }
       const SPlace& disc = m_places[place];
@@ -206,8 +249,8 @@ void CDiscSwarm::FindActive(size_t beginCell, size_t endCell, const CCellLists& 
       m_targets[place] = {m_stepX[slot], m_stepY[slot], m_radius[slot],
                           static_cast<Real>(disc.Reach) - m_radius[slot], 0.0};
       m_done[place] = SStep();
-      found[numFound++] = {place, cell};
-      if (numFound == found.size()) {
+      m_movedIn[0][place] = m_movedIn[1][place] = kNoRound;
+      if (++numFound == found.size()) {
         flush();
       }
     }
@@ -216,7 +259,7 @@ void CDiscSwarm::FindActive(size_t beginCell, size_t endCell, const CCellLists& 
 }
 
 // Computes one round's step of a robot. @return true if it moves.
-bool CDiscSwarm::StepOne(const SActiveDisc& active, const CCellLists& walls,
+bool CDiscSwarm::StepOne(SActiveDisc& active, const CCellLists& walls,
                          const CCellLists& solids, const std::vector<SStep>& done,
                          std::vector<SStep>& next) {
   STarget& target = m_targets[active.Place];
@@ -257,6 +300,10 @@ bool CDiscSwarm::StepOne(const SActiveDisc& active, const CCellLists& walls,
     step = {step.X * scale, step.Y * scale};
   }
   next[active.Place] = {here.X + step.X, here.Y + step.Y};
+  const SStep left = {target.X - next[active.Place].X, target.Y - next[active.Place].Y};
+  active.HasArrived = target.Depth == 0.0 &&
+                      SquaredLength(left) <= kArrived * kArrived *
+                                                 (target.X * target.X + target.Y * target.Y);
   return stepLength > kNegligibleStep * target.Radius;
 }
 
@@ -266,14 +313,10 @@ bool CDiscSwarm::LimitByDiscs(const SActiveDisc& active, const std::vector<SStep
   const SPlace& disc = PlaceOf(active);
   const SStep& here = done[active.Place];
   const SStep missing = {target.X - here.X, target.Y - here.Y};
-  return !ForPlacesAround(active.Cell, [&](UInt32 other) {
+  return !ForPlacesNear(active, [&](UInt32 other) {
     const SPlace& neighbour = m_places[other];
     const Real dx = neighbour.X - disc.X;
     const Real dy = neighbour.Y - disc.Y;
-    const Real near = static_cast<Real>(disc.Reach) + static_cast<Real>(neighbour.Reach);
-    if (other == active.Place || dx * dx + dy * dy > near * near) {
-      return false;
-    }
     const STarget& otherTarget = m_targets[other];
     const SStep& there = done[other];
     const SStep missingThere = {otherTarget.X - there.X, otherTarget.Y - there.Y};

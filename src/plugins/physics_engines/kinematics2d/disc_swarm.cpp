@@ -139,7 +139,18 @@ void CDiscSwarm::Reserve(size_t discs) {
   m_targets.reserve(discs);
   m_done.reserve(discs);
   m_next.reserve(discs);
-  m_activeDiscs.reserve(discs);
+  for (std::vector<UInt8>& rounds : m_movedIn) {
+    rounds.reserve(discs);
+  }
+  ReserveActive(discs);
+}
+
+// Their contents are lost.
+void CDiscSwarm::ReserveActive(size_t discs) {
+  if (discs > m_activeCapacity) {
+    m_activeDiscs = std::make_unique_for_overwrite<SActiveDisc[]>(discs);
+    m_activeCapacity = discs;
+  }
 }
 
 void CDiscSwarm::Add(const SKinematicOwner& owner, const SBodyDescription& description,

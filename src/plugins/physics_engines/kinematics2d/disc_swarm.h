@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <atomic>
 #include <limits>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -112,7 +113,12 @@ class CDiscSwarm {
   };
   /** A disc that may touch something in this tick. */
   struct SActiveDisc {
+    static constexpr UInt32 kMaxNear = 9;
+
     UInt32 Place, Cell;
+    UInt16 NumNear;  // more than kMaxNear: the discs around the cell are searched instead
+    bool HasArrived;
+    UInt32 Near[kMaxNear];  // places of the discs that it may touch, in their order
   };
   /** The target of an active disc, and its limits. */
   struct STarget {
@@ -151,12 +157,15 @@ class CDiscSwarm {
   void Sort(CThreadPool& pool);
   void FindActive(size_t beginCell, size_t endCell, const CCellLists& walls,
                   const CCellLists& solids);
-  bool MayTouchAny(UInt32 place, UInt32 cell, const CCellLists& walls,
+  void ReserveActive(size_t discs);
+  void FindNear(SActiveDisc& active) const;
+  bool MayTouchAny(const SActiveDisc& active, const CCellLists& walls,
                    const CCellLists& solids) const;
-  bool StepRound(CThreadPool& pool, size_t numLeft, const CCellLists& walls,
+  bool StepRound(CThreadPool& pool, UInt8 round, size_t numLeft, const CCellLists& walls,
                  const CCellLists& solids);
   size_t DropArrived(size_t numLeft);
-  bool StepOne(const SActiveDisc& active, const CCellLists& walls, const CCellLists& solids,
+  bool MayMove(const SActiveDisc& active, UInt8 round) const;
+  bool StepOne(SActiveDisc& active, const CCellLists& walls, const CCellLists& solids,
                const std::vector<SStep>& done, std::vector<SStep>& next);
   bool LimitByDiscs(const SActiveDisc& active, const std::vector<SStep>& done, Real bound,
                     CHalfPlanes& planes);
@@ -166,6 +175,14 @@ class CDiscSwarm {
   void Finish(const SActiveDisc& active);
   template <typename VISIT>
   bool ForPlacesAround(UInt32 cell, VISIT&& visit) const;
+  template <typename VISIT>
+  bool ForPlacesNear(const SActiveDisc& active, VISIT&& visit) const;
+  bool MayTouch(const SPlace& disc, const SPlace& other) const {
+    const Real dx = other.X - disc.X;
+    const Real dy = other.Y - disc.Y;
+    const Real near = static_cast<Real>(disc.Reach) + static_cast<Real>(other.Reach);
+    return dx * dx + dy * dy <= near * near;
+  }
 
   // by slot; state
   std::vector<Real> m_x, m_y, m_halfCos, m_halfSin;  // m; of half the heading
@@ -198,7 +215,11 @@ class CDiscSwarm {
   // by place, for active discs only
   std::vector<STarget> m_targets;
   std::vector<SStep> m_done, m_next;  // m; steps made before and after a round
-  std::vector<SActiveDisc> m_activeDiscs;  // in any order
+  // the last even and the last odd round in which the disc moved, or kNoRound
+  std::vector<UInt8> m_movedIn[2];
+  // in any order; not a vector, which would fill what no tick has needed yet
+  std::unique_ptr<SActiveDisc[]> m_activeDiscs;
+  size_t m_activeCapacity = 0;
   std::atomic<UInt32> m_numActive{0};
   CGhostLines m_ghostLines;  // of this tick
 };

@@ -1,8 +1,10 @@
+#include <argos3/core/simulator/geometry/indexed_shape.h>
 #include <argos3/plugins/robots/generic/simulator/disc_entries.h>
 
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 #include <vector>
 
@@ -10,7 +12,7 @@ using namespace argos;
 
 namespace {
 
-constexpr size_t kMaxRays = 8;
+constexpr size_t kMaxRays = SRayBlock::kSize;
 
 SIndexedShape Disc(Real x, Real y, Real radius) {
   SIndexedShape shape{};
@@ -23,32 +25,52 @@ SIndexedShape Disc(Real x, Real y, Real radius) {
   return shape;
 }
 
-// nearest entry of one ray into any disc, one after the other
-Real FindEntry(const SPlanarRays<kMaxRays>& rays, size_t ray,
-               const std::vector<SIndexedShape>& discs) {
-  Real fraction = kNoHit;
-  for (const SIndexedShape& disc : discs) {
-    fraction = std::min(fraction, IntersectHorizontalRay(disc, rays.X[ray], rays.Y[ray], 0.5,
-                                                         rays.DX[ray], rays.DY[ray]));
-  }
-  return fraction;
-}
+// rays in the frame of an anchor, and the anchor's pose
+struct SRays {
+  std::vector<SSensorRay> Rays;
+  SUprightPose Pose{0.0, 0.0, 1.0, 0.0};
 
-size_t CompareWithSingleRays(const SPlanarRays<kMaxRays>& rays, size_t count,
-                             const std::vector<SIndexedShape>& discs) {
-  Real fractions[kMaxRays];
-  std::fill_n(fractions, count, kNoHit);
-  CDiscEntries<kMaxRays> entries(rays);
-  entries.Start(count);
-  for (const SIndexedShape& disc : discs) {
-    entries.Enter(disc);
+  void Add(Real x, Real y, Real dx, Real dy) {
+    SSensorRay ray;
+    ray.Offset = CVector3(x, y, 0.0);
+    ray.Direction = CVector3(dx, dy, 0.0);
+    Rays.push_back(ray);
   }
-  entries.Take(fractions);
+  // nearest entry of one ray into any disc, one after the other
+  Real FindEntry(size_t ray, const std::vector<SIndexedShape>& discs) const {
+    const CVector3& offset = Rays[ray].Offset;
+    const CVector3& direction = Rays[ray].Direction;
+    const Real x = Pose.X + Pose.Cos * offset.GetX() - Pose.Sin * offset.GetY();
+    const Real y = Pose.Y + Pose.Sin * offset.GetX() + Pose.Cos * offset.GetY();
+    const Real dx = Pose.Cos * direction.GetX() - Pose.Sin * direction.GetY();
+    const Real dy = Pose.Sin * direction.GetX() + Pose.Cos * direction.GetY();
+    Real fraction = kNoHit;
+    for (const SIndexedShape& disc : discs) {
+      fraction = std::min(fraction, IntersectHorizontalRay(disc, x, y, 0.5, dx, dy));
+    }
+    return fraction;
+  }
+};
+
+// @return number of rays that hit a disc
+size_t CompareWithSingleRays(const SRays& rays, const std::vector<SIndexedShape>& discs) {
+  Real fractions[kMaxRays];
+  std::fill_n(fractions, kMaxRays, kNoHit);
+  SRayBlock block;
+  FillBlocks(rays.Rays.data(), rays.Rays.size(), &block);
+  SDiscList list;
+  for (const SIndexedShape& disc : discs) {
+    list.X[list.Size] = disc.X;
+    list.Y[list.Size] = disc.Y;
+    list.Radius[list.Size++] = disc.Radius;
+  }
+  EnterDiscs(block, rays.Pose, list, fractions);
   size_t hits = 0;
-  for (size_t i = 0; i < count; ++i) {
+  for (size_t i = 0; i < kMaxRays; ++i) {
     CAPTURE(i);
-    CHECK(fractions[i] == FindEntry(rays, i, discs));
-    hits += fractions[i] <= 1.0 ? 1 : 0;
+    // the last ray fills the block
+    CHECK(fractions[i] == rays.FindEntry(std::min(i, rays.Rays.size() - 1), discs));
+    hits += i < rays.Rays.size() && fractions[i] <= 1.0 ? 1 : 0;
   }
   return hits;
 }
@@ -62,16 +84,18 @@ TEST_CASE("rays among discs: entries equal those of each ray into each disc", "[
   size_t rayCount = 0;
   for (int scene = 0; scene < 2000; ++scene) {
     CAPTURE(scene);
-    SPlanarRays<kMaxRays> rays;
+    SRays rays;
+    const Real yaw = 20.0 * place(random);
+    rays.Pose = {0.2 * place(random), 0.2 * place(random), std::cos(yaw), std::sin(yaw)};
     const size_t count = 1 + static_cast<size_t>(scene) % kMaxRays;
     for (size_t i = 0; i < count; ++i) {
-      rays.Set(i, place(random), place(random), place(random), place(random));
+      rays.Add(place(random), place(random), place(random), place(random));
     }
     std::vector<SIndexedShape> discs;
     for (int i = 0; i < scene % 12; ++i) {
       discs.push_back(Disc(place(random), place(random), 0.01 + 0.2 * std::abs(place(random))));
     }
-    hits += CompareWithSingleRays(rays, count, discs);
+    hits += CompareWithSingleRays(rays, discs);
     rayCount += count;
   }
   // the scenes have both
@@ -84,16 +108,16 @@ TEST_CASE("rays among discs: touched borders, ends on borders, and starts on the
   const Real shift = GENERATE(0.0, 1e-16, -1e-16, 1e-9, -1e-9);  // m
   const Real origin = GENERATE(0.0, 17.3);
   CAPTURE(radius, shift, origin);
-  SPlanarRays<kMaxRays> rays;
+  SRays rays;
   const Real border = origin + radius + shift;
-  rays.Set(0, border, origin, 0.1, 0.0);  // starts there, leads away
-  rays.Set(1, border, origin, -0.1, 0.0);  // starts there, leads inside
-  rays.Set(2, border + 0.1, origin, -0.1, 0.0);  // ends there
-  rays.Set(3, origin - 2.0, border, 4.0, 0.0);  // touches it
-  rays.Set(4, origin, origin, 0.1, 0.1);  // starts at the centre
-  rays.Set(5, border, origin - 1.0, 0.0, 1.0);  // ends where it would touch
-  rays.Set(6, border, origin, 0.0, 1.0);  // starts where it touches
-  CompareWithSingleRays(rays, 7, {Disc(origin, origin, radius)});
+  rays.Add(border, origin, 0.1, 0.0);  // starts there, leads away
+  rays.Add(border, origin, -0.1, 0.0);  // starts there, leads inside
+  rays.Add(border + 0.1, origin, -0.1, 0.0);  // ends there
+  rays.Add(origin - 2.0, border, 4.0, 0.0);  // touches it
+  rays.Add(origin, origin, 0.1, 0.1);  // starts at the centre
+  rays.Add(border, origin - 1.0, 0.0, 1.0);  // ends where it would touch
+  rays.Add(border, origin, 0.0, 1.0);  // starts where it touches
+  CompareWithSingleRays(rays, {Disc(origin, origin, radius)});
   CompareWithSingleRays(
-      rays, 7, {Disc(origin, origin, radius), Disc(origin + 2.0 * radius, origin, radius)});
+      rays, {Disc(origin, origin, radius), Disc(origin + 2.0 * radius, origin, radius)});
 }

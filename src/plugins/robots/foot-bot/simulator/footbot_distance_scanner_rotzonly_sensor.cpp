@@ -98,8 +98,13 @@ void CFootBotDistanceScannerRotZOnlySensor::Cast() {
   }
   SRayBounds bounds;
   bounds.Reach = mount.Radius + footbot::kDistanceScannerLongMax;
+  for (size_t i = 0; i < count; ++i) {
+    bounds.Include(beams[i], i == 0);
+  }
+  SRayBlock blocks[SRayBlock::GetNumBlocks(kMaxBeams)];
+  FillBlocks(beams, count, blocks);
   const SAnchor* const origin = &m_caster.GetBody().GetOriginAnchor();
-  const SRayBundle bundle{beams, count, bounds, &origin, *origin};
+  const SRayBundle bundle{beams, blocks, count, bounds, &origin, *origin};
   Real fractions[kMaxBeams];
   m_caster.Cast(bundle, fractions);
   if (m_showRays) {

@@ -33,7 +33,9 @@ void CProximityRays::Cast(size_t first, size_t count, Real* fractions) {
     m_anchor = anchors[layout.Rays.front().Anchor];
   }
   const SRayBounds bounds = ComputeBounds(layout);
-  const SRayBundle bundle{&layout.Rays[first], count, bounds, anchors, *m_anchor};
+  static_assert(CRayCaster::kMaxRays % SRayBlock::kSize == 0);
+  const SRayBundle bundle{&layout.Rays[first], &layout.Blocks[first / SRayBlock::kSize], count,
+                          bounds,              anchors, *m_anchor};
   m_caster.Cast(bundle, fractions);
   if (m_showRays) {
     m_caster.Show(bundle, fractions);

@@ -74,9 +74,9 @@ class CProximityRays {
       const size_t count = std::min(CRayCaster::kMaxRays, num - first);
       Real fractions[CRayCaster::kMaxRays];
       Cast(first, count, fractions);
+      const Real* const lengths = m_sensors->GetLayout().Lengths.data() + first;
       for (size_t i = 0; i < count; ++i) {
-        const Real reading =
-            fractions[i] <= 1.0 ? calculate(fractions[i] * ComputeLength(first + i)) : 0.0;
+        const Real reading = fractions[i] <= 1.0 ? calculate(fractions[i] * lengths[i]) : 0.0;
         store(first + i, std::clamp(addNoise(m_noise.Apply(0, reading)), 0.0, 1.0));
       }
     }
@@ -87,10 +87,6 @@ class CProximityRays {
   void Cast(size_t first, size_t count, Real* fractions);
   /** Of the parts of all rays that are within the range. */
   SRayBounds ComputeBounds(const SRayLayout& layout) const;
-  /** Of a ray, m. */
-  Real ComputeLength(size_t ray) const {
-    return m_sensors->GetLayout().Rays[ray].Direction.Length();
-  }
 
   CProximitySensorEquippedEntity* m_sensors = nullptr;  // of the robot
   const SAnchor* m_anchor = nullptr;  // of the first ray, which keeps it; null until the first tick

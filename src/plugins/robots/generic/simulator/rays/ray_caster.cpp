@@ -31,98 +31,115 @@ void CRayCaster::Cast(const SRayBundle& bundle, Real* fractions) const {
   }
 }
 
-// horizontal rays, m, world frame; nothing is initialised before Set()
-struct CRayCaster::SWorldRays : SPlanarRays<kMaxRays> {
-  Real Z[kMaxRays];
-  Real MinZ, MaxZ;
-  bool HaveLengths;
+// Casts the rays of one robot, whose anchor stands upright.
+class CRayCaster::CUprightCast {
+ public:
+  CUprightCast(const SRayBundle& bundle, const CBodyIndex& index, UInt32 ownBody, Real* fractions)
+      : m_bundle(bundle), m_index(index), m_ownBody(ownBody), m_fractions(fractions) {
+    const SAnchor& anchor = bundle.FirstAnchor;
+    // the quaternion is (cos(yaw/2), 0, 0, sin(yaw/2))
+    const Real w = anchor.Orientation.GetW();
+    const Real z = anchor.Orientation.GetZ();
+    m_pose = {anchor.Position.GetX(), anchor.Position.GetY(), w * w - z * z, 2.0 * w * z};
+    m_z = anchor.Position.GetZ();
+    m_minZ = m_z + bundle.Bounds.MinZ;
+    m_maxZ = m_z + bundle.Bounds.MaxZ;
+  }
 
-  void Set(const SRayBundle& bundle, const CVector3& position, Real cosine, Real sine) {
-    SetCenter(position.GetX(), position.GetY());
-    MinZ = HUGE_VAL;
-    MaxZ = -HUGE_VAL;
-    HaveLengths = true;
-    for (size_t i = 0; i < bundle.Count; ++i) {
-      const CVector3& offset = bundle.Rays[i].Offset;
-      const CVector3& direction = bundle.Rays[i].Direction;
-      SPlanarRays::Set(i, position.GetX() + cosine * offset.GetX() - sine * offset.GetY(),
-                       position.GetY() + sine * offset.GetX() + cosine * offset.GetY(),
-                       cosine * direction.GetX() - sine * direction.GetY(),
-                       sine * direction.GetX() + cosine * direction.GetY());
-      Z[i] = position.GetZ() + offset.GetZ();
-      MinZ = std::min(MinZ, Z[i]);
-      MaxZ = std::max(MaxZ, Z[i]);
-      HaveLengths = HaveLengths && SquareLength[i] > 0.0;
+  void Run() {
+    const SRayBounds& bounds = m_bundle.Bounds;
+    const Real x = m_pose.X + m_pose.Cos * bounds.CenterX - m_pose.Sin * bounds.CenterY;
+    const Real y = m_pose.Y + m_pose.Sin * bounds.CenterX + m_pose.Cos * bounds.CenterY;
+    const Real reach = bounds.Reach;
+    const auto meet = [this, x, y, reach](const SIndexedShape& shape) {
+      const Real dx = shape.X - x;
+      const Real dy = shape.Y - y;
+      const Real far = reach + shape.Radius;
+      if (dx * dx + dy * dy <= far * far && shape.Body != m_ownBody) {
+        Meet(shape);
+      }
+    };
+    if (bounds.HaveLengths) {
+      m_index.ListDiscsNear({x, y, reach, m_minZ, m_maxZ, m_ownBody}, m_discs,
+                            [this] { EnterListedDiscs(); }, meet);
+      EnterListedDiscs();
+    } else {
+      m_index.ForShapesNear(x, y, reach, meet);
     }
   }
 
-  bool ReachHeightOf(const SIndexedShape& shape) const {
-    return shape.ZMin <= MaxZ && shape.ZMax >= MinZ;
-  }
-  // true if CDiscEntries can test the solid
-  bool CanEnter(const SIndexedShape& shape) const {
-    return shape.Kind == SIndexedShape::EKind::Disc && shape.ZMin <= MinZ && shape.ZMax >= MaxZ &&
-           HaveLengths;
+ private:
+  void EnterListedDiscs() {
+    if (m_discs.Size > 0) {
+      const SRayBlock* block = m_bundle.Blocks;
+      size_t first = 0;
+      for (; first + SRayBlock::kSize <= m_bundle.Count; first += SRayBlock::kSize) {
+        EnterDiscs(*block++, m_pose, m_discs, m_fractions + first);
+      }
+      if (first < m_bundle.Count) {
+        Real last[SRayBlock::kSize] = {};
+        std::copy(m_fractions + first, m_fractions + m_bundle.Count, last);
+        EnterDiscs(*block, m_pose, m_discs, last);
+        std::copy_n(last, m_bundle.Count - first, m_fractions + first);
+      }
+      m_discs.Size = 0;
+    }
   }
 
   // tests the rays one by one
-  void Meet(const SIndexedShape& shape, size_t count, const CBodyIndex& index,
-            Real* fractions) const {
-    if (!ReachHeightOf(shape)) {
+  void Meet(const SIndexedShape& shape) {
+    if (shape.ZMin > m_maxZ || shape.ZMax < m_minZ) {
       return;
     }
+    if (!m_areRaysSet) {
+      SetRays();
+    }
+    const SPlanarRays<kMaxRays>& rays = m_rays;
     float near[kMaxRays];
-    ComputeNearness(shape, count, near);
-    for (size_t i = 0; i < count; ++i) {
+    rays.ComputeNearness(shape, m_bundle.Count, near);
+    for (size_t i = 0; i < m_bundle.Count; ++i) {
       if (near[i] < 0.0F) {
         continue;
       }
+      const Real z = m_z + m_bundle.Rays[i].Offset.GetZ();
       const Real fraction =
           shape.Kind == SIndexedShape::EKind::Bounds
-              ? index.Intersect(shape, CRay3(CVector3(X[i], Y[i], Z[i]),
-                                             CVector3(X[i] + DX[i], Y[i] + DY[i], Z[i])))
-              : IntersectHorizontalRay(shape, X[i], Y[i], Z[i], DX[i], DY[i]);
-      fractions[i] = std::min(fractions[i], fraction);
+              ? m_index.Intersect(shape, CRay3(CVector3(rays.X[i], rays.Y[i], z),
+                                               CVector3(rays.X[i] + rays.DX[i],
+                                                        rays.Y[i] + rays.DY[i], z)))
+              : IntersectHorizontalRay(shape, rays.X[i], rays.Y[i], z, rays.DX[i], rays.DY[i]);
+      m_fractions[i] = std::min(m_fractions[i], fraction);
     }
   }
+
+  void SetRays() {
+    m_rays.SetCenter(m_pose.X, m_pose.Y);
+    for (size_t i = 0; i < m_bundle.Count; ++i) {
+      const CVector3& offset = m_bundle.Rays[i].Offset;
+      const CVector3& direction = m_bundle.Rays[i].Direction;
+      m_rays.Set(i, m_pose.X + m_pose.Cos * offset.GetX() - m_pose.Sin * offset.GetY(),
+                 m_pose.Y + m_pose.Sin * offset.GetX() + m_pose.Cos * offset.GetY(),
+                 m_pose.Cos * direction.GetX() - m_pose.Sin * direction.GetY(),
+                 m_pose.Sin * direction.GetX() + m_pose.Cos * direction.GetY());
+    }
+    m_areRaysSet = true;
+  }
+
+  const SRayBundle& m_bundle;
+  const CBodyIndex& m_index;
+  UInt32 m_ownBody;
+  Real* m_fractions;
+  SUprightPose m_pose;  // of the anchor
+  Real m_z;  // m, of the anchor
+  Real m_minZ, m_maxZ;  // m, world frame, of the rays
+  SDiscList m_discs;  // to be tested
+  // for solids of other kinds
+  SPlanarRays<kMaxRays> m_rays;
+  bool m_areRaysSet = false;
 };
 
 void CRayCaster::CastUpright(const SRayBundle& bundle, Real* fractions) const {
-  const SAnchor& anchor = bundle.FirstAnchor;
-  const CVector3& position = anchor.Position;
-  // cosine and sine of the yaw: the quaternion is (cos(yaw/2), 0, 0, sin(yaw/2))
-  const Real w = anchor.Orientation.GetW();
-  const Real z = anchor.Orientation.GetZ();
-  const Real cosine = w * w - z * z;
-  const Real sine = 2.0 * w * z;
-  const CBodyIndex& index = m_space->GetBodyIndex();
-  const UInt32 ownBody = m_body->GetBodyNumber();
-  // computed for the first solid; no std::optional, which g++ 12 fills with zeros
-  SWorldRays rays;
-  CDiscEntries<kMaxRays> discs(rays);
-  bool isSet = false;
-  const auto test = [&](const SIndexedShape& shape) {
-    if (shape.Body == ownBody) {
-      return;
-    }
-    if (!isSet) {
-      rays.Set(bundle, position, cosine, sine);
-      discs.Start(bundle.Count);
-      isSet = true;
-    }
-    if (rays.CanEnter(shape)) {
-      discs.Enter(shape);
-    } else {
-      rays.Meet(shape, bundle.Count, index, fractions);
-    }
-  };
-  const SRayBounds& bounds = bundle.Bounds;
-  index.ForShapesNear(position.GetX() + cosine * bounds.CenterX - sine * bounds.CenterY,
-                      position.GetY() + sine * bounds.CenterX + cosine * bounds.CenterY,
-                      bounds.Reach, test);
-  if (isSet) {
-    discs.Take(fractions);
-  }
+  CUprightCast(bundle, m_space->GetBodyIndex(), m_body->GetBodyNumber(), fractions).Run();
 }
 
 void CRayCaster::CastOneByOne(const SRayBundle& bundle, Real* fractions) const {

@@ -17,6 +17,7 @@ struct SAnchor;
 /** Rays fixed to a robot; owns nothing. */
 struct SRayBundle {
   const SSensorRay* Rays;
+  const SRayBlock* Blocks; /**< the same rays */
   size_t Count; /**< at most CRayCaster::kMaxRays */
   const SRayBounds& Bounds;
   const SAnchor* const* Anchors; /**< indexed by SSensorRay::Anchor */
@@ -59,7 +60,7 @@ class CRayCaster {
   bool AreBodiesOutsideIndex() const;
 
  private:
-  struct SWorldRays;
+  class CUprightCast;
 
   void CastUpright(const SRayBundle& bundle, Real* fractions) const;
   void CastOneByOne(const SRayBundle& bundle, Real* fractions) const;

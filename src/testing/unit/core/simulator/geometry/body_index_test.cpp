@@ -16,6 +16,7 @@
 #include <memory>
 #include <random>
 #include <set>
+#include <tuple>
 #include <vector>
 
 using namespace argos;
@@ -253,6 +254,50 @@ class CBodies {
     }
   }
 
+  // ListDiscsNear() lists or visits each solid that ForShapesNear() visits, and lists no others
+  void CheckListedDiscs() {
+    const CVector3 centre = m_random.Point(m_spread);
+    const Real reach = m_random.In(0.0, m_random.Below(3) == 0 ? 5.0 : 0.3);
+    const Real minZ = m_random.In(-0.2, 0.4);
+    const UInt32 ignored = m_bodies.empty()
+                               ? CBodyIndex::kNoBody
+                               : m_bodies[m_random.Below(m_bodies.size())]->GetBodyNumber();
+    const SDiscQuery query{centre.GetX(), centre.GetY(), reach, minZ, minZ + 0.01, ignored};
+    std::multiset<std::tuple<Real, Real, Real>> listed;
+    std::multiset<std::pair<UInt32, UInt16>> visited;
+    SDiscList discs;
+    const auto take = [&] {
+      CHECK(discs.Size <= SDiscList::kCapacity);
+      for (size_t i = 0; i < discs.Size; ++i) {
+        listed.insert({discs.X[i], discs.Y[i], discs.Radius[i]});
+      }
+      discs.Size = 0;
+    };
+    m_index.ListDiscsNear(query, discs, take, [&](const SIndexedShape& shape) {
+      visited.insert({shape.Body, shape.Shape});
+    });
+    take();
+    m_index.ForShapesNear(query.X, query.Y, reach, [&](const SIndexedShape& shape) {
+      if (visited.count({shape.Body, shape.Shape}) > 0) {
+        CHECK(visited.count({shape.Body, shape.Shape}) == 1);
+        return;
+      }
+      const auto disc = listed.find({shape.X, shape.Y, shape.Radius});
+      if (shape.Body == ignored) {
+        CHECK(disc == listed.end());
+        return;
+      }
+      CAPTURE(shape.X, shape.Y, shape.Radius, shape.ZMin, shape.ZMax, minZ);
+      REQUIRE(disc != listed.end());
+      CHECK(shape.Kind == SIndexedShape::EKind::Disc);
+      CHECK(shape.ZMin <= query.MinZ);
+      CHECK(shape.ZMax >= query.MaxZ);
+      listed.erase(disc);
+      ++m_numListed;
+    });
+    CHECK(listed.empty());
+  }
+
   void CheckOverlap() {
     const SKind kind = RandomKind(m_random);
     const CVector3 position = m_random.Point(m_spread);
@@ -289,12 +334,14 @@ class CBodies {
     for (int i = 0; i < 6; ++i) {
       CheckRay(RandomRay());
       CheckNeighbourhood();
+      CheckListedDiscs();
       CheckOverlap();
     }
   }
 
   CBodyIndex& GetIndex() { return m_index; }
   size_t GetNumBodies() const { return m_bodies.size(); }
+  size_t GetNumListedDiscs() const { return m_numListed; }
 
  private:
   void CheckClosest(const CRay3& ray, const CEmbodiedEntity* ignored,
@@ -318,6 +365,7 @@ class CBodies {
   CBodyIndex m_index;
   std::vector<std::unique_ptr<CEmbodiedEntity>> m_bodies;
   std::map<const CEmbodiedEntity*, bool> m_tilts;
+  size_t m_numListed = 0;  // discs that ListDiscsNear() has listed
 };
 
 }  // namespace
@@ -340,6 +388,11 @@ TEST_CASE("body index: results equal those of brute force, for any area and afte
     bodies.Change();
     bodies.CheckAll();
   }
+  bodies.Rebuild();
+  for (int query = 0; query < 20; ++query) {
+    bodies.CheckAll();
+  }
+  CHECK(bodies.GetNumListedDiscs() > 100);
 }
 
 TEST_CASE("body index: bodies may be added, removed and moved in any number between two ticks",
