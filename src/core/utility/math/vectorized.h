@@ -18,8 +18,8 @@
 #endif
 
 /**
- * Precedes a loop with a small constant number of iterations, which g++ would unroll before it looks
- * for loops to vectorize.
+ * Precedes a loop with a small constant number of iterations, which g++ would unroll before it
+ * looks for loops to vectorize.
  */
 #if defined(__GNUC__) && !defined(__clang__)
 #define ARGOS_VECTOR_LOOP _Pragma("GCC unroll 1")

@@ -259,9 +259,8 @@ void CDiscSwarm::FindActive(size_t beginCell, size_t endCell, const CCellLists& 
 }
 
 // Computes one round's step of a robot. @return true if it moves.
-bool CDiscSwarm::StepOne(SActiveDisc& active, const CCellLists& walls,
-                         const CCellLists& solids, const std::vector<SStep>& done,
-                         std::vector<SStep>& next) {
+bool CDiscSwarm::StepOne(SActiveDisc& active, const CCellLists& walls, const CCellLists& solids,
+                         const std::vector<SStep>& done, std::vector<SStep>& next) {
   STarget& target = m_targets[active.Place];
   const SStep& here = done[active.Place];
   const SStep missing = {target.X - here.X, target.Y - here.Y};
@@ -301,9 +300,9 @@ bool CDiscSwarm::StepOne(SActiveDisc& active, const CCellLists& walls,
   }
   next[active.Place] = {here.X + step.X, here.Y + step.Y};
   const SStep left = {target.X - next[active.Place].X, target.Y - next[active.Place].Y};
-  active.HasArrived = target.Depth == 0.0 &&
-                      SquaredLength(left) <= kArrived * kArrived *
-                                                 (target.X * target.X + target.Y * target.Y);
+  active.HasArrived =
+      target.Depth == 0.0 &&
+      SquaredLength(left) <= kArrived * kArrived * (target.X * target.X + target.Y * target.Y);
   return stepLength > kNegligibleStep * target.Radius;
 }
 

@@ -34,8 +34,12 @@ void CProximityRays::Cast(size_t first, size_t count, Real* fractions) {
   }
   const SRayBounds bounds = ComputeBounds(layout);
   static_assert(CRayCaster::kMaxRays % SRayBlock::kSize == 0);
-  const SRayBundle bundle{&layout.Rays[first], &layout.Blocks[first / SRayBlock::kSize], count,
-                          bounds,              anchors, *m_anchor};
+  const SRayBundle bundle{&layout.Rays[first],
+                          &layout.Blocks[first / SRayBlock::kSize],
+                          count,
+                          bounds,
+                          anchors,
+                          *m_anchor};
   m_caster.Cast(bundle, fractions);
   if (m_showRays) {
     m_caster.Show(bundle, fractions);

@@ -60,8 +60,8 @@ class CRayCaster::CUprightCast {
       }
     };
     if (bounds.HaveLengths) {
-      m_index.ListDiscsNear({x, y, reach, m_minZ, m_maxZ, m_ownBody}, m_discs,
-                            [this] { EnterListedDiscs(); }, meet);
+      m_index.ListDiscsNear(
+          {x, y, reach, m_minZ, m_maxZ, m_ownBody}, m_discs, [this] { EnterListedDiscs(); }, meet);
       EnterListedDiscs();
     } else {
       m_index.ForShapesNear(x, y, reach, meet);
@@ -104,9 +104,9 @@ class CRayCaster::CUprightCast {
       const Real z = m_z + m_bundle.Rays[i].Offset.GetZ();
       const Real fraction =
           shape.Kind == SIndexedShape::EKind::Bounds
-              ? m_index.Intersect(shape, CRay3(CVector3(rays.X[i], rays.Y[i], z),
-                                               CVector3(rays.X[i] + rays.DX[i],
-                                                        rays.Y[i] + rays.DY[i], z)))
+              ? m_index.Intersect(
+                    shape, CRay3(CVector3(rays.X[i], rays.Y[i], z),
+                                 CVector3(rays.X[i] + rays.DX[i], rays.Y[i] + rays.DY[i], z)))
               : IntersectHorizontalRay(shape, rays.X[i], rays.Y[i], z, rays.DX[i], rays.DY[i]);
       m_fractions[i] = std::min(m_fractions[i], fraction);
     }
