@@ -41,7 +41,7 @@ void MountOnAnchor(SAnchor& anchor, const CEntity& user) {
   }
 }
 
-UInt32 NumberOfAnchor(std::vector<SAnchor*>& anchors, SAnchor& anchor, const CEntity& user) {
+UInt32 NumberOfAnchor(TAnchorsInUse& anchors, SAnchor& anchor, const CEntity& user) {
   const auto known = std::find(anchors.begin(), anchors.end(), &anchor);
   if (known != anchors.end()) {
     return static_cast<UInt32>(known - anchors.begin());

@@ -2,6 +2,7 @@
 #define ARGOS3_PLUGINS_ENTITIES_ANCHOR_USE_H
 
 #include <argos3/core/simulator/physics_engine/physics_model.h>
+#include <argos3/core/utility/memory/object_slabs.h>
 
 #include <vector>
 
@@ -28,11 +29,14 @@ void CountFollower(CEntity& component, bool enabled);
 void SetFollowerEnabled(CEntity& component, bool enabled);
 /** Registers a mount of @p user, which may be enabled already, on an anchor permanently. */
 void MountOnAnchor(SAnchor& anchor, const CEntity& user);
+/** The anchors on which a component is mounted, most often one; not owned. */
+typedef std::vector<SAnchor*, CSlabAllocator<SAnchor*>> TAnchorsInUse;
+
 /**
  * Returns the index of an anchor in the list of anchors that @p user is mounted on; appends a new
  * one.
  */
-UInt32 NumberOfAnchor(std::vector<SAnchor*>& anchors, SAnchor& anchor, const CEntity& user);
+UInt32 NumberOfAnchor(TAnchorsInUse& anchors, SAnchor& anchor, const CEntity& user);
 
 }  // namespace argos
 

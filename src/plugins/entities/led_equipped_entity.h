@@ -5,6 +5,7 @@
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/entity/lazy_components.h>
 #include <argos3/core/utility/math/angles.h>
+#include <argos3/plugins/simulator/entities/anchor_use.h>
 #include <argos3/plugins/simulator/entities/led_entity.h>
 
 #include <memory>
@@ -131,7 +132,7 @@ class CLEDEquippedEntity : public CComposableEntity, private CLazyComponents {
 
   // shared by all robots of a type; adding LEDs replaces it by a modified copy
   std::shared_ptr<const SLayout> m_layout;
-  std::vector<SAnchor*> m_anchors;  // referred to by the layout; not owned
+  TAnchorsInUse m_anchors;  // referred to by the layout
   std::vector<CColor> m_colors;  // (LEDs); empty if the LEDs are entities
   std::unique_ptr<SEntities> m_entities;  // null until needed
   CLEDEntity::CRegistry* m_medium = nullptr;

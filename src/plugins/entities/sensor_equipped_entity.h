@@ -135,7 +135,7 @@ class CSensorEquippedEntity : public CEntity {
   // shared by all robots of a type; adding sensors replaces it by a modified copy
   std::shared_ptr<const LAYOUT> m_layout;
   std::unique_ptr<SSensors> m_sensors;  // null until the first request
-  std::vector<SAnchor*> m_anchors;  // referred to by the layout; not owned
+  TAnchorsInUse m_anchors;  // referred to by the layout
 };
 
 }  // namespace argos

@@ -15,7 +15,7 @@ CWheeledEntity::CWheeledEntity(CComposableEntity* parent, size_t numWheels)
 
 CWheeledEntity::CWheeledEntity(CComposableEntity* parent, const std::string& id, size_t numWheels)
     : CEntity(parent, id),
-      m_positions(std::make_unique<CVector3[]>(numWheels)),
+      m_positions(numWheels),
       m_radiiAndVelocities(2 * numWheels) {
   if (numWheels == 0) {
     THROW_ARGOSEXCEPTION("wheels \"" << GetContext() << id

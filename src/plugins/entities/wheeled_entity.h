@@ -43,7 +43,7 @@ class CWheeledEntity : public CEntity {
   Real GetWheelVelocity(size_t index) const;
 
   /** Arrays of GetNumWheels() elements; the pointers stay valid as long as the entity. */
-  const CVector3* GetWheelPositions() const { return m_positions.get(); }
+  const CVector3* GetWheelPositions() const { return m_positions.data(); }
   const Real* GetWheelRadia() const { return m_radiiAndVelocities.data(); }
   const Real* GetWheelVelocities() const { return m_radiiAndVelocities.data() + GetNumWheels(); }
   /** The speeds that the encoders of the motors read: without drift those over the ground, m/s. */
@@ -76,7 +76,8 @@ class CWheeledEntity : public CEntity {
   void CheckIndex(size_t index) const;
   void RequireFinite(const Real* velocities) const;
 
-  std::unique_ptr<CVector3[]> m_positions;  // frame of the origin anchor, m, (wheels)
+  // frame of the origin anchor, m, (wheels)
+  std::vector<CVector3, CSlabAllocator<CVector3>> m_positions;
   // radii, m, (wheels), then speeds, m/s, (wheels), which engines read in every tick
   std::vector<Real, CSlabAllocator<Real>> m_radiiAndVelocities;
   std::unique_ptr<Real[]> m_ordered;  // m/s, (wheels); null: those over the ground

@@ -349,7 +349,12 @@ void CControllableEntity::CreateController(const SControllerSetup& setup,
                                            TConfigurationNode& params) {
   const std::string robot = GetRootEntity().GetId();
   TConfigurationNode& node = *setup.Node;
-  m_randomOwner.SetId(GetContext() + GetId());
+  m_randomOwner.SetId(
+      [](const void* owner) {
+        const auto& entity = *static_cast<const CControllableEntity*>(owner);
+        return entity.GetContext() + entity.GetId();
+      },
+      this);
   const CRandom::COwner::CScope scope(&m_randomOwner, GetBirth());
   m_setup = &setup;
   const CRunningCodeScope running({"Init()", &CControllableEntity::Describe, this, nullptr});

@@ -186,7 +186,8 @@ class CEmbodiedEntity : public CEntity {
   std::vector<SAnchor*> m_vecEnabledAnchors;
 
  private:
-  std::vector<std::unique_ptr<SAnchor>> m_anchors;  // by index
+  std::vector<std::unique_ptr<SAnchor>, CSlabAllocator<std::unique_ptr<SAnchor>>>
+      m_anchors;  // by index
 };
 
 }  // namespace argos

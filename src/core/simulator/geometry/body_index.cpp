@@ -131,6 +131,9 @@ void CBodyIndex::Describe(UInt32 number) {
   m_poses[number].Small = small;
   if (small) {
     m_maxSmallReach = std::max(m_maxSmallReach, body.Reach);
+    for (const SShapeDescription& solid : body.Description->Shapes) {
+      m_hasSmallBoxes = m_hasSmallBoxes || solid.Kind == SShapeDescription::EKind::Box;
+    }
   } else {
     m_wideDirty = true;
   }
@@ -333,8 +336,10 @@ void CBodyIndex::SortSmall(CThreadPool* pool) {
   m_entries.resize(numShapes);
   ReserveInHugePages(m_shapes, numShapes);
   m_shapes.resize(numShapes);
-  ReserveInHugePages(m_discs, numShapes);
-  m_discs.resize(numShapes);
+  if (m_hasSmallBoxes) {
+    ReserveInHugePages(m_sides, numShapes);
+    m_sides.resize(numShapes);
+  }
   ForRange(pool, numBodies, [this](size_t begin, size_t end) {
     for (size_t b = begin; b < end; ++b) {
       if (m_sort.IsLeftOut(b)) {
@@ -366,11 +371,11 @@ void CBodyIndex::PackSmall(CThreadPool* pool) {
         LoadAhead(m_bodies[later]);
       }
       const SIndexedShape shape = Pack(m_entries[k].Body, m_entries[k].Shape);
-      m_shapes[k] = shape;
-      m_discs[k] = {shape.X, shape.Y, shape.Radius, shape.Body,
-                    shape.Kind == SIndexedShape::EKind::Disc
-                        ? SIndexedDisc::SHeights::Inside(shape.ZMin, shape.ZMax)
-                        : SIndexedDisc::SHeights::None()};
+      m_shapes[k] = {shape.X,    shape.Y,    shape.Radius, shape.ZMin,
+                     shape.ZMax, shape.Body, shape.Shape,  shape.Kind};
+      if (shape.Kind == SIndexedShape::EKind::Box) {
+        m_sides[k] = {shape.Cos, shape.Sin, shape.HalfX, shape.HalfY};
+      }
       heights.Include(shape.ZMin, shape.ZMax);
     }
     ReplaceIf(lowest, heights.Min, std::less<>());

@@ -217,6 +217,16 @@ class CBodyIndex {
   static SIndexedShape Pack(const SShapeDescription& shape, const SPose& pose,
                             const CQuaternion& orientation);
   SIndexedShape Pack(UInt32 body, UInt16 shape) const;
+  // a solid in the order of the cells
+  SIndexedShape Unpack(size_t place) const {
+    const SPackedShape& packed = m_shapes[place];
+    SBoxSides sides{1.0, 0.0, packed.Radius, packed.Radius};
+    if (packed.Kind == SIndexedShape::EKind::Box) {
+      sides = m_sides[place];
+    }
+    return {packed.X,      packed.Y,    sides.Cos,   sides.Sin,    sides.HalfX, sides.HalfY,
+            packed.Radius, packed.ZMin, packed.ZMax, packed.Body, packed.Shape, packed.Kind};
+  }
   // pose of the body frame, moved along with the link of a solid
   static SBodyPose PoseOf(const SBody& body, const SShapeDescription& solid) {
     return body.Links != nullptr ? Compose(*body.Origin, body.Links[solid.Link]) : *body.Origin;
@@ -279,8 +289,9 @@ class CBodyIndex {
   // written by Rebuild()
   CCountingSort m_sort;  // of small bodies by cell
   std::vector<SEntry> m_entries;  // (solids of small bodies) in cell order
-  std::vector<SIndexedShape> m_shapes;  // of small bodies, in cell order
-  std::vector<SIndexedDisc> m_discs;  // the same solids
+  std::vector<SPackedShape> m_shapes;  // of small bodies, in cell order
+  std::vector<SBoxSides> m_sides;  // of the same solids; empty unless m_hasSmallBoxes
+  bool m_hasSmallBoxes = false;  // some small body had a solid that is a box
   SHeights m_smallHeights;  // of m_shapes
   std::vector<SWideShape> m_wide;  // of all other bodies
   SHeights m_wideHeights;  // of m_wide

@@ -11,11 +11,10 @@ namespace argos {
 template <typename VISIT>
 void CBodyIndex::VisitSmall(const SCellRange& cells, VISIT&& visit) const {
   m_grid.ForRows(cells, [&](UInt32 first, UInt32 last) {
-    const SIndexedShape* shape = m_shapes.data() + m_sort.Begin(first);
-    const SIndexedShape* const end = m_shapes.data() + m_sort.End(last);
-    for (; shape != end; ++shape) {
-      if (!IsStale(shape->Body)) {
-        visit(*shape);
+    const UInt32 end = m_sort.End(last);
+    for (UInt32 place = m_sort.Begin(first); place < end; ++place) {
+      if (!IsStale(m_shapes[place].Body)) {
+        visit(Unpack(place));
       }
     }
   });
@@ -72,7 +71,12 @@ void CBodyIndex::VisitWide(const SCellRange& cells, VISIT&& visit) const {
 template <typename VISIT, typename TAKE_DISCS>
 void CBodyIndex::ListSmall(const SCellRange& cells, const SDiscQuery& query, SDiscList& discs,
                            TAKE_DISCS&& takeDiscs, VISIT&& visit) const {
-  const auto heights = SIndexedDisc::SHeights::Around(query.MinZ, query.MaxZ);
+  const auto isDisc = [&query](const SPackedShape& shape) {
+    // without a branch
+    return static_cast<size_t>(shape.Kind == SIndexedShape::EKind::Disc) &
+           static_cast<size_t>(shape.ZMin <= query.MinZ) &
+           static_cast<size_t>(shape.ZMax >= query.MaxZ);
+  };
   m_grid.ForRows(cells, [&](UInt32 first, UInt32 last) {
     const UInt32 end = m_sort.End(last);
     for (UInt32 begin = m_sort.Begin(first); begin != end;) {
@@ -85,23 +89,23 @@ void CBodyIndex::ListSmall(const SCellRange& cells, const SDiscQuery& query, SDi
       size_t numOthers = 0;
       // without branches, which could not be predicted
       for (UInt32 place = begin; place != chunkEnd; ++place) {
-        const SIndexedDisc& disc = m_discs[place];
-        const Real dx = disc.X - query.X;
-        const Real dy = disc.Y - query.Y;
-        const Real far = query.Reach + disc.Radius;
-        const size_t isDisc = disc.Spanned.Span(heights) ? 1 : 0;
-        const size_t isNear = dx * dx + dy * dy <= far * far ? 1 : 0;
-        const size_t isIgnored = disc.Body == query.IgnoredBody ? 1 : 0;
-        discs.X[size] = disc.X;
-        discs.Y[size] = disc.Y;
-        discs.Radius[size] = disc.Radius;
-        size += isDisc & isNear & ~isIgnored;
-        numOthers += isDisc ^ 1;
+        const SPackedShape& shape = m_shapes[place];
+        const Real dx = shape.X - query.X;
+        const Real dy = shape.Y - query.Y;
+        const Real far = query.Reach + shape.Radius;
+        const auto isNear = static_cast<size_t>(dx * dx + dy * dy <= far * far);
+        const auto counts = static_cast<size_t>(shape.Body != query.IgnoredBody);
+        const size_t isListed = isDisc(shape);
+        discs.X[size] = shape.X;
+        discs.Y[size] = shape.Y;
+        discs.Radius[size] = shape.Radius;
+        size += isListed & isNear & counts;
+        numOthers += isListed ^ 1;
       }
       discs.Size = size;
       for (UInt32 place = begin; numOthers > 0; ++place) {
-        if (!m_discs[place].Spanned.Span(heights)) {
-          visit(m_shapes[place]);
+        if (isDisc(m_shapes[place]) == 0) {
+          visit(Unpack(place));
           --numOthers;
         }
       }

@@ -29,6 +29,24 @@ struct SIndexedShape {
 };
 
 /**
+ * A solid as the index stores it: all data of a disc, in less memory than an SIndexedShape; boxes
+ * have their sides elsewhere.
+ */
+struct SPackedShape {
+  Real X, Y, Radius, ZMin, ZMax; /**< as of SIndexedShape */
+  UInt32 Body;
+  UInt16 Shape;
+  SIndexedShape::EKind Kind;
+};
+static_assert(sizeof(SPackedShape) == 48, "four of them are three cache lines");
+
+/** The rest of a solid of Kind Box, as of SIndexedShape. */
+struct SBoxSides {
+  Real Cos = 1.0, Sin = 0.0;
+  Real HalfX = 0.0, HalfY = 0.0;
+};
+
+/**
  * The part of the line (ox, oy) + t (dx, dy) over the footprint of an upright solid.
  * @param ox, oy  start of the ray, m, world frame.
  * @param dx, dy  from start to end, m.

@@ -76,22 +76,6 @@ bool IsOutside(const CEmbodiedEntity& body, const CRange<CVector3>& limits) {
   return false;
 }
 
-// calls visit(const CEmbodiedEntity&) for each body
-template <typename VISIT>
-void ForEachBody(const SSimulationContext& context, VISIT&& visit) {
-  for (const CEntity* const root : context.Space->GetRootEntityVector()) {
-    const auto* const composable = dynamic_cast<const CComposableEntity*>(root);
-    if (composable == nullptr) {
-      continue;
-    }
-    for (const CEntity* const component : composable->GetExistingComponents()) {
-      if (const auto* const body = dynamic_cast<const CEmbodiedEntity*>(component)) {
-        visit(*body);
-      }
-    }
-  }
-}
-
 // <distribute> has checked the bodies that it places
 bool IsPlacedByHand(const CEmbodiedEntity& body) {
   CEntity& root = const_cast<CEmbodiedEntity&>(body).GetRootEntity();
@@ -100,52 +84,84 @@ bool IsPlacedByHand(const CEmbodiedEntity& body) {
   return parent != nullptr && parent->Value() == "arena";
 }
 
-// bodies that begin inside a wall are pushed out of it, perhaps on the wrong side
-void CheckOverlaps(const SSimulationContext& context, TLines& lines) {
-  const CBodyIndex& index = context.Space->GetBodyIndex();
-  size_t number = 0;
-  std::string first;
-  ForEachBody(context, [&](const CEmbodiedEntity& body) {
-    const SBodyDescription* const description = body.GetBodyDescription();
-    if (!body.IsMovable() || description == nullptr || description->Articulation != nullptr ||
-        body.GetBodyNumber() == CBodyIndex::kNoBody || !IsPlacedByHand(body)) {
-      return;
+// Bodies with a common fault: how many, and the first in the order of the roots.
+struct SFaultyBodies {
+  size_t Number = 0;
+  size_t PlaceOfFirst = 0;
+  const CEmbodiedEntity* First = nullptr;
+
+  void Add(size_t place, const CEmbodiedEntity& body) {
+    ++Number;
+    if (First == nullptr || place < PlaceOfFirst) {
+      PlaceOfFirst = place;
+      First = &body;
     }
-    const SAnchor& origin = body.GetOriginAnchor();
-    const UInt32 other =
-        index.FindOverlap(*description, origin.Position, origin.Orientation, body.GetBodyNumber());
-    // robots that overlap each other are pushed apart
-    if (other != CBodyIndex::kNoBody && !index.GetBody(other).IsMovable() && number++ == 0) {
-      CTextOutput text;
-      text << '"' << body.GetRootEntity().GetId() << "\" at (" << origin.Position << ") overlaps \""
-           << index.GetBody(other).GetRootEntity().GetId() << '"';
-      first = text.str();
-    }
-  });
-  if (number > 0) {
-    lines.push_back(first + " at the start" +
-                    (number == 1 ? "" : ", and " + std::to_string(number - 1) + " more"));
   }
+};
+
+// The immovable body in which a body begins that is placed by hand, or null. Robots that overlap
+// each other are pushed apart.
+const CEmbodiedEntity* FindWallAround(const CBodyIndex& index, const CEmbodiedEntity& body) {
+  const SBodyDescription* const description = body.GetBodyDescription();
+  if (!body.IsMovable() || description == nullptr || description->Articulation != nullptr ||
+      body.GetBodyNumber() == CBodyIndex::kNoBody || !IsPlacedByHand(body)) {
+    return nullptr;
+  }
+  const SAnchor& origin = body.GetOriginAnchor();
+  const UInt32 other =
+      index.FindOverlap(*description, origin.Position, origin.Orientation, body.GetBodyNumber());
+  return other != CBodyIndex::kNoBody && !index.GetBody(other).IsMovable() ? &index.GetBody(other)
+                                                                           : nullptr;
 }
 
-void CheckPlaces(const SSimulationContext& context, TLines& lines) {
-  size_t number = 0;
-  const CEmbodiedEntity* first = nullptr;
-  ForEachBody(context, [&](const CEmbodiedEntity& body) {
-    if (IsOutside(body, context.Arena.Limits)) {
-      ++number;
-      first = first == nullptr ? &body : first;
+std::string DescribeOutside(const SFaultyBodies& bodies, const CRange<CVector3>& limits) {
+  CTextOutput line;
+  line << bodies.Number << (bodies.Number == 1 ? " body is" : " bodies are")
+       << " outside of the arena, from (" << limits.GetMin() << ") to (" << limits.GetMax()
+       << "): "" << bodies.First->GetRootEntity().GetId() << "" at ("
+       << bodies.First->GetOriginAnchor().Position << ")" << (bodies.Number == 1 ? "" : ", ...");
+  return line.str();
+}
+
+std::string DescribeInWalls(const SFaultyBodies& bodies, const CBodyIndex& index) {
+  CTextOutput line;
+  line << '"' << bodies.First->GetRootEntity().GetId() << "\" at ("
+       << bodies.First->GetOriginAnchor().Position << ") overlaps \""
+       << FindWallAround(index, *bodies.First)->GetRootEntity().GetId() << "\" at the start";
+  if (bodies.Number > 1) {
+    line << ", and " << bodies.Number - 1 << " more";
+  }
+  return line.str();
+}
+
+void CheckBodies(const SSimulationContext& context, TLines& lines) {
+  const CBodyIndex& index = context.Space->GetBodyIndex();
+  SFaultyBodies outside;
+  SFaultyBodies inWalls;  // they are pushed out, perhaps on the wrong side
+  context.Space->ForRootsAsCreated([&](CEntity& root, size_t place) {
+    const auto* const composable = dynamic_cast<const CComposableEntity*>(&root);
+    if (composable == nullptr) {
+      return;
+    }
+    for (const CEntity* const component : composable->GetExistingComponents()) {
+      const auto* const body = dynamic_cast<const CEmbodiedEntity*>(component);
+      if (body == nullptr) {
+        continue;
+      }
+      if (IsOutside(*body, context.Arena.Limits)) {
+        outside.Add(place, *body);
+      }
+      if (FindWallAround(index, *body) != nullptr) {
+        inWalls.Add(place, *body);
+      }
     }
   });
-  if (first == nullptr) {
-    return;
+  if (outside.Number > 0) {
+    lines.push_back(DescribeOutside(outside, context.Arena.Limits));
   }
-  CTextOutput line;
-  line << number << (number == 1 ? " body is" : " bodies are") << " outside of the arena, from ("
-       << context.Arena.Limits.GetMin() << ") to (" << context.Arena.Limits.GetMax() << "): \""
-       << first->GetRootEntity().GetId() << "\" at (" << first->GetOriginAnchor().Position << ")"
-       << (number == 1 ? "" : ", ...");
-  lines.push_back(line.str());
+  if (inWalls.Number > 0) {
+    lines.push_back(DescribeInWalls(inWalls, index));
+  }
 }
 
 }  // namespace
@@ -164,8 +180,7 @@ std::vector<std::string> FindLoadWarnings(CConfigurationDocument& document,
   if (NodeExists(root, "controllers")) {
     CheckControllers(GetNode(root, "controllers"), lines);
   }
-  CheckPlaces(context, lines);
-  CheckOverlaps(context, lines);
+  CheckBodies(context, lines);
   lines.insert(lines.end(), unread.begin(), unread.end());
   return lines;
 }

@@ -210,6 +210,33 @@ void CSpace::OrderRoots(const std::vector<ssize_t>& indices) {
   m_views->NoticeOrder();
 }
 
+void CSpace::ReserveRoots(size_t number) {
+  const size_t size = m_roots.size() + number;
+  m_roots.reserve(size);
+  m_robots.reserve(size);
+  m_rootById.reserve(size);
+}
+
+void CSpace::ForRootsAsCreated(const std::function<void(CEntity&, size_t)>& visit) const {
+  struct SRoot {
+    ssize_t Index;
+    size_t Place;
+    CEntity* Entity;
+  };
+  std::vector<SRoot> roots;
+  roots.reserve(m_roots.size());
+  for (CEntity* root : m_roots) {
+    roots.push_back({root->GetIndex(), roots.size(), root});
+  }
+  const auto isBefore = [](const SRoot& a, const SRoot& b) { return a.Index < b.Index; };
+  if (!std::is_sorted(roots.begin(), roots.end(), isBefore)) {
+    std::sort(roots.begin(), roots.end(), isBefore);
+  }
+  for (const SRoot& root : roots) {
+    visit(*root.Entity, root.Place);
+  }
+}
+
 void CSpace::InsertEntity(CEntity& entity) {
   if (!entity.HasParent()) {
     CheckMayChange();
@@ -258,9 +285,7 @@ void CSpace::EraseEntity(CEntity& entity) {
 }
 
 void CSpace::MarkStart() {
-  for (CEntity* root : m_roots) {
-    root->MarkStart();
-  }
+  ForRootsAsCreated([](CEntity& root, size_t) { root.MarkStart(); });
 }
 
 void CSpace::Reset() {

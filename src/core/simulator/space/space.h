@@ -12,6 +12,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <typeindex>
 #include <unordered_map>
 #include <vector>
@@ -68,6 +69,11 @@ class CSpace : public CBaseConfigurableResource {
   /** Each root entity is followed by its components. */
   CEntity::TVector& GetEntityVector();
   CEntity::TVector& GetRootEntityVector() { return m_roots; }
+  /**
+   * Calls visit(root, its place in GetRootEntityVector()) for all roots in the order of their
+   * creation, which is that of memory.
+   */
+  void ForRootsAsCreated(const std::function<void(CEntity&, size_t)>& visit) const;
   /** By qualified id ("fb0", "fb0.leds_0.led_3"). @throws with the nearest ids if unknown. */
   CEntity& GetEntity(const std::string& id);
   /** Appends the entities whose id matches the POSIX extended regular expression. */
@@ -210,6 +216,8 @@ class CSpace : public CBaseConfigurableResource {
    * visits robots.
    */
   void OrderRoots(const std::vector<ssize_t>& indices);
+  /** Allocates what the space itself needs for so many more root entities. */
+  void ReserveRoots(size_t number);
   /** Creates the entity without its controller, and destroys it. @throws as CreateEntity() */
   void TryEntity(TConfigurationNode& node);
   /** 64-bit digest of the state of every entity and medium, in order. */
@@ -251,7 +259,8 @@ class CSpace : public CBaseConfigurableResource {
 
   std::map<std::string, std::unique_ptr<CEntityType>> m_entityTypes;  // by tag; outlive entities
   CEntity::TVector m_roots;  // in order of addition, or as OrderRoots() says
-  std::unordered_map<std::string, std::unique_ptr<CEntity>> m_rootById;  // never iterated
+  // by the ids in the entities themselves; never iterated
+  std::unordered_map<std::string_view, std::unique_ptr<CEntity>> m_rootById;
   std::vector<CControllableEntity*> m_robots;  // in the order of m_roots
   UInt64 m_robotsVersion = 0;
   ssize_t m_nextIndex = 0;

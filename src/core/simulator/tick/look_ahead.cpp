@@ -48,20 +48,23 @@ void CLookAhead::SetVisits(const std::vector<SRobotVisit>& visits) {
   }
   m_robots.reserve(visits.size());
   m_arrays.reserve(visits.size());
+  std::vector<CArraySensor::SArray> arrays;  // of a robot
   for (const SRobotVisit& visit : visits) {
     CControllableEntity* const robot = visit.Robot;
+    arrays.clear();
     for (const auto& sensor : robot->m_sensors) {
       if (const auto* const withArray = dynamic_cast<const CArraySensor*>(sensor.Simulated)) {
-        m_arrays.push_back(withArray->GetReadingsArray());
-        withArray->ListInputs(m_arrays);
+        arrays.push_back(withArray->GetReadingsArray());
+        withArray->ListInputs(arrays);
       }
     }
-    if (const CEmbodiedEntity* const body = FindBody(*robot)) {
-      m_arrays.push_back({&body->m_bodyNumber, sizeof(UInt32)});
-      m_robots.push_back({&body->GetOriginAnchor(), static_cast<UInt32>(m_arrays.size())});
-    } else {
-      m_robots.push_back({nullptr, static_cast<UInt32>(m_arrays.size())});
+    const CEmbodiedEntity* const body = FindBody(*robot);
+    if (body != nullptr) {
+      arrays.push_back({&body->m_bodyNumber, sizeof(UInt32)});
     }
+    m_arrays.insert(m_arrays.end(), arrays.begin(), arrays.end());
+    m_robots.push_back({body != nullptr ? &body->GetOriginAnchor() : nullptr,
+                        static_cast<UInt32>(m_arrays.size())});
   }
 }
 
@@ -111,7 +114,7 @@ void CLookAhead::BeforeSense(size_t visit, const CBodyIndex& index) const {
   LoadAround(m_robots[visit + kStep], index, true);
   const UInt32 endOfArrays = m_robots[visit + kStep].EndOfArrays;
   for (UInt32 i = m_robots[visit + kStep - 1].EndOfArrays; i < endOfArrays; ++i) {
-    LoadAhead(m_arrays[i].Start, m_arrays[i].Bytes);
+    m_arrays[i].Load();
   }
 }
 
@@ -127,8 +130,8 @@ void CLookAhead::LoadAround(const SRobot& robot, const CBodyIndex& index, bool l
   index.m_grid.ForRows(cells, [&index, lists](UInt32 first, UInt32 last) {
     if (lists) {
       const UInt32 begin = index.m_sort.Begin(first);
-      LoadAhead(index.m_discs.data() + begin,
-                (index.m_sort.End(last) - begin) * sizeof(SIndexedDisc));
+      LoadAhead(index.m_shapes.data() + begin,
+                (index.m_sort.End(last) - begin) * sizeof(SPackedShape));
       return;
     }
     LoadBetween(index.m_sort.GetStartAddress(first), index.m_sort.GetStartAddress(last + 2));

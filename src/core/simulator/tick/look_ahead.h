@@ -2,7 +2,9 @@
 #define ARGOS3_CORE_SIMULATOR_TICK_LOOK_AHEAD_H
 
 #include <argos3/core/simulator/entity/array_sensor.h>
+#include <argos3/core/utility/memory/load_ahead.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -45,6 +47,22 @@ class CLookAhead {
     const SAnchor* Origin;  // of its body; null if it has none
     UInt32 EndOfArrays;  // in m_arrays; they begin where those of the robot before end
   };
+  // The place of an array in one word: there are several for each robot. A place that does not fit
+  // is not prefetched correctly, which costs time only.
+  class CPlace {
+   public:
+    CPlace(const CArraySensor::SArray& array)
+        : m_start(reinterpret_cast<UInt64>(array.Start)),
+          m_bytes(std::min<size_t>(array.Bytes, (1U << 16) - 1)) {}
+    void Load() const {
+      LoadAhead(reinterpret_cast<const void*>(static_cast<UInt64>(m_start)), m_bytes);
+    }
+
+   private:
+    UInt64 m_start : 48;
+    UInt64 m_bytes : 16;
+  };
+
   static void LoadHead(const CControllableEntity& robot);
   void LoadAround(const SRobot& robot, const CBodyIndex& index, bool lists) const;
 
@@ -52,7 +70,7 @@ class CLookAhead {
 
   const std::vector<SRobotVisit>* m_visits = nullptr;
   std::vector<SRobot> m_robots;  // in the same order; empty if there are few
-  std::vector<CArraySensor::SArray> m_arrays;  // that the robots' sensors read and write
+  std::vector<CPlace> m_arrays;  // that the robots' sensors read and write
 };
 
 }  // namespace argos

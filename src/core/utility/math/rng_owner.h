@@ -31,9 +31,18 @@ class CRandom::COwner {
   COwner(const COwner&) = delete;
   COwner& operator=(const COwner&) = delete;
 
-  /** @param id  the same after a reset as before, and of one owner at a time. */
-  void SetId(const std::string& id) { m_id = id; }
-  const std::string& GetId() const { return m_id; }
+  /** Returns the id of an owner, given what SetId() was. */
+  typedef std::string (*TGetId)(const void* subject);
+  /**
+   * Sets where the id comes from, because most owners never need it.
+   * @param getId  called with @p subject, as long as this exists: the same id after a reset as
+   *               before, and of one owner at a time.
+   */
+  void SetId(TGetId getId, const void* subject) {
+    m_getId = getId;
+    m_subject = subject;
+  }
+  std::string GetId() const { return m_getId != nullptr ? m_getId(m_subject) : std::string(); }
 
   void DestroyGenerators();
   size_t GetNumRNGs() const { return m_generators.size(); }
@@ -49,7 +58,8 @@ class CRandom::COwner {
   UInt32 CountOf(const CCategory& category) const;
   void Forget(const CCategory& category);
 
-  std::string m_id;
+  TGetId m_getId = nullptr;
+  const void* m_subject = nullptr;  // not owned
   std::vector<SReference> m_generators;
 };
 

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <mutex>
+#include <utility>
 #include <vector>
 
 namespace argos {
@@ -23,7 +24,8 @@ constexpr bool kUseSlabs = !__has_feature(address_sanitizer);
 constexpr bool kUseSlabs = true;
 #endif
 
-constexpr std::size_t kAlignment = 16;
+// sizes differ by this many bytes
+constexpr std::size_t kAlignment = 8;
 constexpr std::size_t kNumSizes = CObjectSlabs::kLargestObject / kAlignment + 1;
 // bytes; a slab holds objects of one size. Slabs are aligned to their size, so the address of an
 // object gives that of its slab
@@ -58,6 +60,54 @@ struct SFreeRegion {
 };
 using TRegion = std::unique_ptr<std::byte[], SFreeRegion>;
 
+// regions that ReserveAhead() has mapped together
+class CArea {
+ public:
+  // @param bytes  a multiple of kRegion
+  explicit CArea(std::size_t bytes) : m_bytes(bytes) {
+#ifdef __linux__
+    // larger, so that an aligned part of it is large enough
+    const std::size_t mapped = bytes + kRegion;
+    void* const start = mmap(nullptr, mapped, PROT_READ | PROT_WRITE,
+                             MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    if (start == MAP_FAILED) {
+      return;
+    }
+    auto* const first = static_cast<std::byte*>(start);
+    const auto address = reinterpret_cast<std::uintptr_t>(first);
+    const std::size_t before = (kRegion - address % kRegion) % kRegion;
+    m_start = first + before;
+    if (before > 0) {
+      munmap(first, before);
+    }
+    if (before < kRegion) {
+      munmap(m_start + bytes, kRegion - before);
+    }
+#ifdef MADV_HUGEPAGE
+    // a refusal costs speed only, so it is not an error
+    madvise(m_start, bytes, MADV_HUGEPAGE);
+#endif
+#endif
+  }
+  ~CArea() {
+#ifdef __linux__
+    if (m_start != nullptr) {
+      munmap(m_start, m_bytes);
+    }
+#endif
+  }
+  CArea(CArea&& other) noexcept
+      : m_start(std::exchange(other.m_start, nullptr)), m_bytes(other.m_bytes) {}
+  CArea& operator=(CArea&&) = delete;
+
+  // null if the system has no such memory
+  std::byte* GetStart() const { return m_start; }
+
+ private:
+  std::byte* m_start = nullptr;
+  std::size_t m_bytes;
+};
+
 thread_local CObjectSlabs* currentSlabs = nullptr;
 
 }  // namespace
@@ -66,8 +116,11 @@ struct CObjectSlabs::SState {
   mutable std::mutex Mutex;
   std::array<SSizeClass, kNumSizes> Sizes;  // by size / kAlignment
   std::vector<TRegion> Regions;
-  std::size_t NumSlabsInLastRegion = 0;
+  std::vector<CArea> Areas;
+  std::byte* NextSlab = nullptr;  // in a region or an area
+  std::byte* EndOfSlabs = nullptr;
   std::size_t NumObjects = 0;
+  std::size_t NumBytes = 0;
   bool IsAbandoned = false;
 
   std::byte* TakeSlab();
@@ -75,7 +128,7 @@ struct CObjectSlabs::SState {
 };
 
 std::byte* CObjectSlabs::SState::TakeSlab() {
-  if (Regions.empty() || NumSlabsInLastRegion == kRegion / kSlab) {
+  if (NextSlab == EndOfSlabs) {
     TRegion region(static_cast<std::byte*>(std::aligned_alloc(kRegion, kRegion)));
     if (region == nullptr) {
       throw std::bad_alloc();
@@ -87,16 +140,18 @@ std::byte* CObjectSlabs::SState::TakeSlab() {
     }
 #endif
     Regions.push_back(std::move(region));
-    NumSlabsInLastRegion = 0;
+    NextSlab = Regions.back().get();
+    EndOfSlabs = NextSlab + kRegion;
   }
-  return Regions.back().get() + kSlab * NumSlabsInLastRegion++;
+  return std::exchange(NextSlab, NextSlab + kSlab);
 }
 
 // to be called when no object is left
 void CObjectSlabs::SState::ReleaseAll() {
   Sizes.fill(SSizeClass());
   Regions.clear();
-  NumSlabsInLastRegion = 0;
+  Areas.clear();
+  NextSlab = EndOfSlabs = nullptr;
 }
 
 CObjectSlabs::CObjectSlabs() : m_state(std::make_unique<SState>()) {}
@@ -141,6 +196,7 @@ void* CObjectSlabs::Allocate(std::size_t bytes) {
     size.Next += rounded;
   }
   ++state.NumObjects;
+  state.NumBytes += number * kAlignment;
   return place;
 }
 
@@ -158,8 +214,10 @@ void CObjectSlabs::Free(void* object, std::size_t bytes) noexcept {
   bool isLast = false;
   {
     const std::lock_guard<std::mutex> lock(state.Mutex);
-    SSizeClass& size = state.Sizes[(bytes + kAlignment - 1) / kAlignment];
+    const std::size_t number = (bytes + kAlignment - 1) / kAlignment;
+    SSizeClass& size = state.Sizes[number];
     size.Free = new (object) SFreePlace{size.Free};
+    state.NumBytes -= number * kAlignment;
     if (--state.NumObjects == 0) {
       state.ReleaseAll();
       isLast = state.IsAbandoned;
@@ -173,6 +231,30 @@ void CObjectSlabs::Free(void* object, std::size_t bytes) noexcept {
 std::size_t CObjectSlabs::GetNumObjects() const {
   const std::lock_guard<std::mutex> lock(m_state->Mutex);
   return m_state->NumObjects;
+}
+
+std::size_t CObjectSlabs::GetNumBytes() const {
+  const std::lock_guard<std::mutex> lock(m_state->Mutex);
+  return m_state->NumBytes;
+}
+
+CObjectSlabs::SBlock CObjectSlabs::ReserveAhead(std::size_t bytes) {
+  const std::size_t rounded = (bytes + kRegion - 1) / kRegion * kRegion;
+  const std::lock_guard<std::mutex> lock(m_state->Mutex);
+  // without an object nothing would release the block
+  if (!kUseSlabs || rounded == 0 || m_state->NumObjects == 0) {
+    return {};
+  }
+  m_state->Areas.reserve(m_state->Areas.size() + 1);
+  CArea area(rounded);
+  if (area.GetStart() == nullptr) {
+    return {};
+  }
+  // what is left of the present region is not used
+  m_state->NextSlab = area.GetStart();
+  m_state->EndOfSlabs = area.GetStart() + rounded;
+  m_state->Areas.push_back(std::move(area));
+  return {m_state->NextSlab, rounded};
 }
 
 CObjectSlabs& CObjectSlabs::GetCurrent() {

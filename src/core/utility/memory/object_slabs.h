@@ -32,7 +32,8 @@ class CObjectSlabs {
   CObjectSlabs& operator=(const CObjectSlabs&) = delete;
 
   /**
-   * Memory for an object, aligned to 16 bytes.
+   * Memory for an object, aligned to 16 bytes if its size is a multiple of that, else to 8, which is
+   * enough: the size of an object is a multiple of its alignment.
    * @throws std::bad_alloc
    */
   void* Allocate(std::size_t bytes);
@@ -41,6 +42,20 @@ class CObjectSlabs {
 
   /** Number of objects that have not been freed; those larger than kLargestObject do not count. */
   std::size_t GetNumObjects() const;
+  /** Of these objects. */
+  std::size_t GetNumBytes() const;
+
+  /** Memory that nothing has written yet. */
+  struct SBlock {
+    void* Start = nullptr;
+    std::size_t Bytes = 0;
+  };
+  /**
+   * Reserves memory for objects to come, in one block; they are allocated from its beginning on.
+   * @return the block, to be prepared by CPagePreparer; valid as long as an object exists. Empty if
+   *         the system has none, or if it has no such blocks.
+   */
+  SBlock ReserveAhead(std::size_t bytes);
 
   /** The slabs that the calling thread allocates from; those of the process by default. */
   static CObjectSlabs& GetCurrent();

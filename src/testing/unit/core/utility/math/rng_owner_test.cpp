@@ -16,7 +16,9 @@ using TScope = CRandom::COwner::CScope;
 
 std::unique_ptr<CRandom::COwner> MakeOwner(const std::string& id) {
   auto owner = std::make_unique<CRandom::COwner>();
-  owner->SetId(id);
+  static std::set<std::string> ids;  // to which the owners refer
+  owner->SetId([](const void* subject) { return *static_cast<const std::string*>(subject); },
+               &*ids.insert(id).first);
   return owner;
 }
 
