@@ -164,7 +164,7 @@ void CLEDEquippedEntity::Materialize() {
   if (m_entities != nullptr) {
     return;
   }
-  const std::vector<CColor> colors = std::move(m_colors);
+  const TLazyColors colors = std::move(m_colors);
   m_colors = {};
   m_entities = std::make_unique<SEntities>();
   for (size_t i = 0; i < colors.size(); ++i) {

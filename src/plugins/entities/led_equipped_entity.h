@@ -27,6 +27,8 @@ class CLEDEquippedEntity : public CComposableEntity, private CLazyComponents {
  public:
   ENABLE_VTABLE();
 
+  typedef std::vector<CColor, CSlabAllocator<CColor>> TLazyColors;
+
   /** An LED and its place. */
   struct SActuator {
     CLEDEntity& LED;
@@ -92,7 +94,7 @@ class CLEDEquippedEntity : public CComposableEntity, private CLazyComponents {
   const CColor& GetLEDColor(size_t index) const;
   /** All colours while the LEDs are no entities, empty otherwise: for those who read all of them.
    */
-  const std::vector<CColor>& GetLazyColors() const { return m_colors; }
+  const TLazyColors& GetLazyColors() const { return m_colors; }
   CLEDEntity& GetLED(UInt32 index);
   /** One element per LED, owned by this entity. */
   SActuator::TList& GetLEDs();
@@ -133,7 +135,7 @@ class CLEDEquippedEntity : public CComposableEntity, private CLazyComponents {
   // shared by all robots of a type; adding LEDs replaces it by a modified copy
   std::shared_ptr<const SLayout> m_layout;
   TAnchorsInUse m_anchors;  // referred to by the layout
-  std::vector<CColor> m_colors;  // (LEDs); empty if the LEDs are entities
+  TLazyColors m_colors;  // (LEDs); empty if the LEDs are entities
   std::unique_ptr<SEntities> m_entities;  // null until needed
   CLEDEntity::CRegistry* m_medium = nullptr;
 };

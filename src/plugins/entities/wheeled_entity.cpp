@@ -14,9 +14,7 @@ CWheeledEntity::CWheeledEntity(CComposableEntity* parent, size_t numWheels)
     : CWheeledEntity(parent, std::string(), numWheels) {}
 
 CWheeledEntity::CWheeledEntity(CComposableEntity* parent, const std::string& id, size_t numWheels)
-    : CEntity(parent, id),
-      m_positions(numWheels),
-      m_radiiAndVelocities(2 * numWheels) {
+    : CEntity(parent, id), m_positions(numWheels), m_radiiAndVelocities(2 * numWheels) {
   if (numWheels == 0) {
     THROW_ARGOSEXCEPTION("wheels \"" << GetContext() << id
                                      << "\": needs at least one wheel, got 0");

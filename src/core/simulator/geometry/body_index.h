@@ -224,7 +224,7 @@ class CBodyIndex {
     if (packed.Kind == SIndexedShape::EKind::Box) {
       sides = m_sides[place];
     }
-    return {packed.X,      packed.Y,    sides.Cos,   sides.Sin,    sides.HalfX, sides.HalfY,
+    return {packed.X,      packed.Y,    sides.Cos,   sides.Sin,   sides.HalfX,  sides.HalfY,
             packed.Radius, packed.ZMin, packed.ZMax, packed.Body, packed.Shape, packed.Kind};
   }
   // pose of the body frame, moved along with the link of a solid

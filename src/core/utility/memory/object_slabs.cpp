@@ -101,7 +101,9 @@ class CArea {
   CArea& operator=(CArea&&) = delete;
 
   // null if the system has no such memory
-  std::byte* GetStart() const { return m_start; }
+  std::byte* GetStart() const {
+    return m_start;
+  }
 
  private:
   std::byte* m_start = nullptr;

@@ -32,8 +32,8 @@ class CObjectSlabs {
   CObjectSlabs& operator=(const CObjectSlabs&) = delete;
 
   /**
-   * Memory for an object, aligned to 16 bytes if its size is a multiple of that, else to 8, which is
-   * enough: the size of an object is a multiple of its alignment.
+   * Memory for an object, aligned to 16 bytes if its size is a multiple of that, else to 8, which
+   * is enough: the size of an object is a multiple of its alignment.
    * @throws std::bad_alloc
    */
   void* Allocate(std::size_t bytes);

@@ -130,7 +130,7 @@ void CTrackedEntity::PrepareRead() const {
 
 void CTrackedEntity::PrepareColors() const {
   if (m_leds != nullptr) {
-    const std::vector<CColor>& colors = m_leds->GetLazyColors();
+    const auto& colors = m_leds->GetLazyColors();
     LoadAhead(colors.data(), colors.size() * sizeof(CColor));
   }
 }
@@ -150,7 +150,7 @@ void CTrackedEntity::AppendWords(std::vector<UInt32>& words) const {
   const bool isQuarantined = m_robot != nullptr && m_robot->IsQuarantined();
   words.push_back(isQuarantined ? UInt32(ENTITY_IS_QUARANTINED) : 0);
   if (m_leds != nullptr && !m_leds->GetLazyColors().empty()) {
-    const std::vector<CColor>& colors = m_leds->GetLazyColors();
+    const auto& colors = m_leds->GetLazyColors();
     const size_t start = words.size();
     words.resize(start + colors.size());
     std::transform(colors.begin(), colors.end(), words.begin() + static_cast<std::ptrdiff_t>(start),

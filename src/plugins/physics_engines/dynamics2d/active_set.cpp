@@ -31,9 +31,9 @@ void CActiveSet::Activate(UInt32 slot, const SBodyDescription* description) {
   if (body.IsDisc) {
     AddDisc(box2dBody, body.BoundingRadius, unitsPerMetre, kMovableFriction);
     b2MassData mass;
-    mass.mass = static_cast<float>(body.Mass);
+    mass.mass = static_cast<float>(body.Kind->Mass);
     mass.center.SetZero();
-    mass.I = m_store.ToUnits(body.Inertia * unitsPerMetre);
+    mass.I = m_store.ToUnits(body.Kind->Inertia * unitsPerMetre);
     box2dBody.SetMassData(&mass);
   } else {
     AddFixtures(box2dBody, *description, unitsPerMetre, kMovableFriction);
@@ -161,7 +161,7 @@ float CActiveSet::ComputeNeededSubsteps() const {
     const float planned = b2Vec2(active.StepX, active.StepY).Length();
     const float coasting = active.Body->GetLinearVelocity().Length() * tick;
     const float longest = std::max(planned, coasting);
-    const float half = m_store.ToUnits(body.NarrowestHalf);
+    const float half = m_store.ToUnits(body.Kind->NarrowestHalf);
     needed =
         std::max({needed, longest / (stepShare * half), std::abs(active.StepAngle) / stepTurn});
   }
@@ -173,8 +173,8 @@ Real CActiveSet::ComputeWeakestDrive() const {
   Real weakest = HUGE_VAL;
   for (const SActiveBody& active : m_bodies) {
     const SDrivenBody& body = GetRobot(active);
-    const Real force = body.Mass * body.MaxSpeedChange * perTick;
-    weakest = std::min(weakest, force * body.NarrowestHalf * body.Mass);
+    const Real force = body.Kind->Mass * body.Kind->MaxSpeedChange * perTick;
+    weakest = std::min(weakest, force * body.Kind->NarrowestHalf * body.Kind->Mass);
   }
   return weakest;
 }
@@ -195,10 +195,10 @@ void CActiveSet::SetMotor(SActiveBody& active, UInt32 substep, UInt32 substeps) 
   const float perSubstep = perTick * static_cast<float>(substeps);
   const SDrivenBody& body = GetRobot(active);
   b2Body& box2dBody = *active.Body;
-  const float mass = static_cast<float>(body.Mass);  // including that of its turret
+  const float mass = static_cast<float>(body.Kind->Mass);  // including that of its turret
   const float inertia = box2dBody.GetInertia();
-  const float inTick = mass * m_store.ToUnits(body.MaxSpeedChange);
-  const float angularInTick = inertia * static_cast<float>(body.MaxYawRateChange);
+  const float inTick = mass * m_store.ToUnits(body.Kind->MaxSpeedChange);
+  const float angularInTick = inertia * static_cast<float>(body.Kind->MaxYawRateChange);
   float impulse = elapsed * inTick - active.SpentImpulse;
   float angularImpulse = elapsed * angularInTick - active.SpentAngularImpulse;
   if (body.NumGrips == 0 && !IsTouching(box2dBody)) {

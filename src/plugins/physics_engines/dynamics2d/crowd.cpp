@@ -70,8 +70,8 @@ void CCrowd::FillIn(size_t begin, size_t end) {
     disc.VX = static_cast<float>(body.Velocity.X);
     disc.VY = static_cast<float>(body.Velocity.Y);
     disc.W = static_cast<float>(body.Velocity.W);
-    disc.InverseMass = static_cast<float>(1.0 / body.Mass);
-    disc.InverseInertia = static_cast<float>(1.0 / body.Inertia);
+    disc.InverseMass = static_cast<float>(1.0 / body.Kind->Mass);
+    disc.InverseInertia = static_cast<float>(1.0 / body.Kind->Inertia);
     disc.Radius = static_cast<float>(body.BoundingRadius);
     SCrowdDrive& drive = m_solver.GetDrive(member);
     drive = SCrowdDrive();
@@ -84,8 +84,8 @@ void CCrowd::FillIn(size_t begin, size_t end) {
     drive.TargetX = static_cast<float>(target.X);
     drive.TargetY = static_cast<float>(target.Y);
     drive.TargetW = static_cast<float>(target.W);
-    drive.InTick = static_cast<float>(body.Mass * body.MaxSpeedChange);
-    drive.AngularInTick = static_cast<float>(body.Inertia * body.MaxYawRateChange);
+    drive.InTick = static_cast<float>(body.Kind->Mass * body.Kind->MaxSpeedChange);
+    drive.AngularInTick = static_cast<float>(body.Kind->Inertia * body.Kind->MaxYawRateChange);
   }
 }
 

@@ -16,7 +16,7 @@ inline SDriveCommand ReadCommand(const SDrivenBody& body, Real tick) {
   }
   const Real maxYawRate = kMaxSubsteps * kMaxStepTurn / tick;
   command.YawRate = std::clamp(command.YawRate, -maxYawRate, maxYawRate);
-  return command.Limited(body.MaxSpeed);
+  return command.Limited(body.Kind->MaxSpeed);
 }
 
 }  // namespace argos

@@ -44,6 +44,18 @@ struct SPassiveBody {
   UInt8 NumGrips = 0;  // that hold it
 };
 
+/** Constants of robots of one description. */
+struct SDrivenKind {
+  Real MaxSpeedChange = 0.0;  // m/s in a tick: limited by the drive's force
+  Real MaxYawRateChange = 0.0;  // rad/s in a tick: limited by the drive's torque
+  Real MaxSpeed = 0.0;  // m/s: limited by the number of substeps
+  Real NarrowestHalf = 0.0;  // half of its narrowest side, m
+  Real Mass = 0.0;  // kg
+  Real Inertia = 0.0;  // about the origin, kg m^2
+
+  friend bool operator==(const SDrivenKind&, const SDrivenKind&) = default;
+};
+
 /**
  * A robot with a drive.
  *
@@ -65,13 +77,8 @@ struct SDrivenBody {
 
   // constant
   CDriveSource Drive;
-  Real MaxSpeedChange = 0.0;  // m/s in a tick: limited by the drive's force
-  Real MaxYawRateChange = 0.0;  // rad/s in a tick: limited by the drive's torque
-  Real MaxSpeed = 0.0;  // m/s: limited by the number of substeps
+  const SDrivenKind* Kind = nullptr;  // shared by many; owned by the store
   Real BoundingRadius = 0.0;  // around the origin, m
-  Real NarrowestHalf = 0.0;  // half of its narrowest side, m
-  Real Mass = 0.0;  // kg
-  Real Inertia = 0.0;  // about the origin, kg m^2
   bool IsDisc = false;  // one disc around the origin
   bool IsGrippable = false;
   bool HasManipulator = false;

@@ -217,8 +217,8 @@ void CPlanarGrips::Attach(SManipulator& manipulator, const SPlanarOwner& held,
   }
   definition.stiffness = static_cast<float>(m_store.GetSettings().GrippingRigidity);
   definition.damping = static_cast<float>(ComputeCriticalDamping(
-      m_store.GetSettings().GrippingRigidity, m_store.GetDriven(*manipulator.Owner.Handle).Mass,
-      definition.bodyB->GetMass()));
+      m_store.GetSettings().GrippingRigidity,
+      m_store.GetDriven(*manipulator.Owner.Handle).Kind->Mass, definition.bodyB->GetMass()));
   manipulator.Hold = static_cast<b2WheelJoint*>(m_store.GetWorld().CreateJoint(&definition));
   definition.bodyB->SetAwake(true);
   ++m_store.GetNumGrips(*manipulator.Owner.Handle);

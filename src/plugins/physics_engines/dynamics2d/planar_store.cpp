@@ -152,6 +152,12 @@ void CPlanarStore::AddGroundFriction(b2Body& body, const SBodyDescription& descr
   }
 }
 
+const SDrivenKind& CPlanarStore::GetOrAddKind(const SDrivenKind& kind) {
+  // the kind added last is most often the next one, too
+  const auto found = std::find(m_drivenKinds.rbegin(), m_drivenKinds.rend(), kind);
+  return found != m_drivenKinds.rend() ? *found : m_drivenKinds.emplace_back(kind);
+}
+
 void CPlanarStore::AddDriven(const SPlanarOwner& owner, const SBodyDescription& description,
                              const SPlanarPose& pose, const CDriveSource& drive) {
   const SPlanarDriveDescription limits = description.GetDriveLimits();
@@ -160,15 +166,17 @@ void CPlanarStore::AddDriven(const SPlanarOwner& owner, const SBodyDescription& 
   body.Owner = owner;
   body.Pose = body.NextPose = pose;
   body.Drive = drive;
-  body.Mass = description.Mass;
-  body.Inertia =
+  SDrivenKind kind;
+  kind.Mass = description.Mass;
+  kind.Inertia =
       description.PlanarInertia ? *description.PlanarInertia : description.ComputePlanarInertia();
-  body.MaxSpeedChange = limits.MaxForce * m_settings.Tick / body.Mass;
-  body.MaxYawRateChange = limits.MaxTorque * m_settings.Tick / body.Inertia;
+  kind.MaxSpeedChange = limits.MaxForce * m_settings.Tick / kind.Mass;
+  kind.MaxYawRateChange = limits.MaxTorque * m_settings.Tick / kind.Inertia;
+  kind.NarrowestHalf = ComputeNarrowestHalf(description);
+  kind.MaxSpeed = kMaxSubsteps * kMaxStepShare * kind.NarrowestHalf / m_settings.Tick;
+  body.Kind = &GetOrAddKind(kind);
   body.BoundingRadius = description.ComputeBoundingRadius();
   m_widestMovable = std::max(m_widestMovable, body.BoundingRadius);
-  body.NarrowestHalf = ComputeNarrowestHalf(description);
-  body.MaxSpeed = kMaxSubsteps * kMaxStepShare * body.NarrowestHalf / m_settings.Tick;
   body.IsDisc = IsCentredDisc(description);
   body.IsGrippable = description.Grippable;
 }
@@ -217,7 +225,7 @@ Real CPlanarStore::GetBoundingRadius(const SPlanarHandle& handle) const {
 }
 
 Real CPlanarStore::GetNarrowestHalf(const SPlanarHandle& handle) const {
-  return handle.Kind == EPlanarKind::Driven ? GetDriven(handle).NarrowestHalf
+  return handle.Kind == EPlanarKind::Driven ? GetDriven(handle).Kind->NarrowestHalf
                                             : ToMetres(GetPassive(handle).Extent);
 }
 

@@ -8,6 +8,7 @@
 #include <box2d/box2d.h>
 
 #include <array>
+#include <deque>
 #include <vector>
 
 namespace argos {
@@ -112,6 +113,7 @@ class CPlanarStore {
   Real ToMetres(float units) const { return static_cast<Real>(units) * m_metresPerUnit; }
 
  private:
+  const SDrivenKind& GetOrAddKind(const SDrivenKind& kind);
   /** What has the number of a Box2D body. */
   enum class EUser : UInt8 { None, Robot, Other };
 
@@ -139,6 +141,7 @@ class CPlanarStore {
   std::vector<SImmovableBody> m_immovable;
   std::vector<SPassiveBody> m_passive;
   std::vector<SDrivenBody> m_driven;
+  std::deque<SDrivenKind> m_drivenKinds;  // to which robots refer; all different
   std::array<CSlotGenerations, 3> m_generations;  // by kind
   bool m_obstaclesChanged = false;
   Real m_widestMovable = 0.0;  // m

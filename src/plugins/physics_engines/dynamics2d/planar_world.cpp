@@ -182,8 +182,9 @@ Real CPlanarWorld::Plan(SDrivenBody& body, UInt32 slot) {
 
   // the torque bounds the change of the yaw rate, the force that of the velocity
   Real yawRate = command.YawRate + lag * (last.YawRate - command.YawRate);  // in the mean
-  if (std::abs(yawRate - body.Velocity.W) > body.MaxYawRateChange) {
-    yawRate = body.Velocity.W + std::copysign(body.MaxYawRateChange, yawRate - body.Velocity.W);
+  if (std::abs(yawRate - body.Velocity.W) > body.Kind->MaxYawRateChange) {
+    yawRate =
+        body.Velocity.W + std::copysign(body.Kind->MaxYawRateChange, yawRate - body.Velocity.W);
     command.YawRate = last.YawRate = yawRate;
     body.IsLimited = true;
   }
@@ -195,8 +196,8 @@ Real CPlanarWorld::Plan(SDrivenBody& body, UInt32 slot) {
   const Real changeX = velocityX - body.Velocity.X;
   const Real changeY = velocityY - body.Velocity.Y;
   const Real squaredChange = changeX * changeX + changeY * changeY;
-  if (squaredChange > body.MaxSpeedChange * body.MaxSpeedChange) {
-    const Real share = body.MaxSpeedChange / std::sqrt(squaredChange);
+  if (squaredChange > body.Kind->MaxSpeedChange * body.Kind->MaxSpeedChange) {
+    const Real share = body.Kind->MaxSpeedChange / std::sqrt(squaredChange);
     velocityX = body.Velocity.X + share * changeX;
     velocityY = body.Velocity.Y + share * changeY;
     path = std::sqrt(velocityX * velocityX + velocityY * velocityY) * tick;

@@ -246,8 +246,7 @@ void CDiscSwarm::FindActive(size_t beginCell, size_t endCell, const CCellLists& 
       }
       const SPlace& disc = m_places[place];
       const UInt32 slot = disc.Slot;
-      m_targets[place] = {m_stepX[slot], m_stepY[slot], m_radius[slot],
-                          static_cast<Real>(disc.Reach) - m_radius[slot], 0.0};
+      m_targets[place] = {m_stepX[slot], m_stepY[slot], m_radius[slot], 0.0};
       m_done[place] = SStep();
       m_movedIn[0][place] = m_movedIn[1][place] = kNoRound;
       if (++numFound == found.size()) {
@@ -265,14 +264,14 @@ bool CDiscSwarm::StepOne(SActiveDisc& active, const CCellLists& walls, const CCe
   const SStep& here = done[active.Place];
   const SStep missing = {target.X - here.X, target.Y - here.Y};
   const Real length = std::sqrt(SquaredLength(missing));
-  const bool mayBePushed =
-      target.Path > std::sqrt(target.X * target.X + target.Y * target.Y) + 1e-6;
+  const Real path = PathOf(PlaceOf(active), target);
+  const bool mayBePushed = path > std::sqrt(target.X * target.X + target.Y * target.Y) + 1e-6;
   CHalfPlanes planes;
   SStep goal;
   Real share = 1.0;
   // obstacles beyond the path are left out; if there are too many, the path is shortened
   for (bool fits = false; !fits && share > kLeastShare; share *= 0.25) {
-    const Real bound = share * (length + (mayBePushed ? target.Path : 0.0));
+    const Real bound = share * (length + (mayBePushed ? path : 0.0));
     planes.Clear();
     target.Depth = 0.0;
     fits = LimitByDiscs(active, done, bound, planes) &&
@@ -291,10 +290,10 @@ bool CDiscSwarm::StepOne(SActiveDisc& active, const CCellLists& walls, const CCe
   }
   SStep step = planes.FindNearest(goal);
   // obstacles were only considered within the path
-  const Real room = target.Path - std::sqrt(SquaredLength(here));
+  const Real room = path - std::sqrt(SquaredLength(here));
   const Real stepLength = std::sqrt(SquaredLength(step));
   const SStep there = {here.X + step.X, here.Y + step.Y};
-  if (SquaredLength(there) > target.Path * target.Path && stepLength > 0.0) {
+  if (SquaredLength(there) > path * path && stepLength > 0.0) {
     const Real scale = std::max(0.0, room / stepLength);
     step = {step.X * scale, step.Y * scale};
   }

@@ -2,6 +2,7 @@
 
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/disc_swarm.h>
 
+#include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/geometry/body_description.h>
 #include <argos3/core/utility/memory/huge_pages.h>
 #include <argos3/core/utility/threads/thread_pool.h>
@@ -124,9 +125,9 @@ class CLateArcs {
 }  // namespace
 
 void CDiscSwarm::Reserve(size_t discs) {
-  for (auto* values : {&m_x, &m_y, &m_halfCos, &m_halfSin, &m_allowance, &m_lastSpeed, &m_lastLeft,
-                       &m_lastYawRate, &m_radius, &m_maxForce, &m_stepX, &m_stepY, &m_nextX,
-                       &m_nextY, &m_nextHalfCos, &m_nextHalfSin}) {
+  for (auto* values :
+       {&m_x, &m_y, &m_halfCos, &m_halfSin, &m_allowance, &m_lastSpeed, &m_lastLeft, &m_lastYawRate,
+        &m_radius, &m_stepX, &m_stepY, &m_nextX, &m_nextY, &m_nextHalfCos, &m_nextHalfSin}) {
     ReserveInHugePages(*values, discs);
   }
   m_drives.reserve(discs);
@@ -165,7 +166,6 @@ void CDiscSwarm::Add(const SKinematicOwner& owner, const SBodyDescription& descr
   m_reach.push_back(0.0F);
   m_drives.push_back(drive);
   m_radius.push_back(description.Shapes.front().Radius);
-  m_maxForce.push_back(description.GetDriveLimits().MaxForce);
   m_owner.push_back(owner);
   m_maxRadius = std::max(m_maxRadius, m_radius.back());
   PutAt(slot, pose);
@@ -174,9 +174,9 @@ void CDiscSwarm::Add(const SKinematicOwner& owner, const SBodyDescription& descr
 void CDiscSwarm::Remove(const SKinematicHandle& handle) {
   m_generations.Check(handle);
   const UInt32 slot = handle.Slot;
-  for (auto* values : {&m_x, &m_y, &m_halfCos, &m_halfSin, &m_allowance, &m_lastSpeed, &m_lastLeft,
-                       &m_lastYawRate, &m_radius, &m_maxForce, &m_stepX, &m_stepY, &m_nextX,
-                       &m_nextY, &m_nextHalfCos, &m_nextHalfSin}) {
+  for (auto* values :
+       {&m_x, &m_y, &m_halfCos, &m_halfSin, &m_allowance, &m_lastSpeed, &m_lastLeft, &m_lastYawRate,
+        &m_radius, &m_stepX, &m_stepY, &m_nextX, &m_nextY, &m_nextHalfCos, &m_nextHalfSin}) {
     TakeLast(*values, slot);
   }
   *m_owner[slot].Handle = SKinematicHandle();
@@ -188,6 +188,11 @@ void CDiscSwarm::Remove(const SKinematicHandle& handle) {
     m_owner[slot].Handle->Slot = slot;
     m_owner[slot].Handle->Generation = generation;
   }
+}
+
+// few discs push anything, so it is not stored for each
+Real CDiscSwarm::GetMaxForce(UInt32 slot) const {
+  return GetOwner(slot).Body->GetBodyDescription()->GetDriveLimits().MaxForce;
 }
 
 void CDiscSwarm::SetPose(const SKinematicHandle& handle, const SPlanarPose& pose) {

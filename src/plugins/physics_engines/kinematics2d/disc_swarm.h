@@ -89,10 +89,7 @@ class CDiscSwarm {
     return {m_stepX[slot], m_stepY[slot]};
   }
   /** Its greatest pushing force, N. */
-  Real GetMaxForce(UInt32 slot) const {
-    CheckSlot(slot);
-    return m_maxForce[slot];
-  }
+  Real GetMaxForce(UInt32 slot) const;
   const SKinematicOwner& GetOwner(UInt32 slot) const {
     CheckSlot(slot);
     return m_owner[slot];
@@ -124,7 +121,6 @@ class CDiscSwarm {
   struct STarget {
     Real X, Y;  // m, relative to the start of the tick
     Real Radius;  // m
-    Real Path;  // m; greatest distance from the start
     Real Depth;  // m, of the deepest overlap
   };
   void CheckSlot([[maybe_unused]] UInt32 slot) const {
@@ -177,6 +173,10 @@ class CDiscSwarm {
   bool ForPlacesAround(UInt32 cell, VISIT&& visit) const;
   template <typename VISIT>
   bool ForPlacesNear(const SActiveDisc& active, VISIT&& visit) const;
+  // the greatest distance of an active disc from its start, m
+  static Real PathOf(const SPlace& disc, const STarget& target) {
+    return static_cast<Real>(disc.Reach) - target.Radius;
+  }
   bool MayTouch(const SPlace& disc, const SPlace& other) const {
     const Real dx = other.X - disc.X;
     const Real dy = other.Y - disc.Y;
@@ -194,7 +194,6 @@ class CDiscSwarm {
   // fixed
   std::vector<CDriveSource> m_drives;
   std::vector<Real> m_radius;  // m
-  std::vector<Real> m_maxForce;  // N
   std::vector<SKinematicOwner> m_owner;
   CSlotGenerations m_generations;
   // written by Plan()

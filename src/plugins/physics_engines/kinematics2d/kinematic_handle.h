@@ -8,7 +8,6 @@
 namespace argos {
 
 class CEmbodiedEntity;
-class CEntity;
 class CKinematics2DModel;
 
 /** What kind of body; each kind has its own dense arrays. */
@@ -34,9 +33,8 @@ struct SKinematicHandle {
 struct SKinematicOwner {
   CKinematics2DModel* Model = nullptr;
   SKinematicHandle* Handle = nullptr;
-  // of the model; here, too, so that a tick does not read the model for them
+  // of the model; here, too, so that a tick does not read the model for it
   CEmbodiedEntity* Body = nullptr;
-  CEntity* Root = nullptr;
 };
 
 }  // namespace argos

@@ -169,7 +169,7 @@ void CKinematics2DEngine::AddToWorld(CKinematics2DModel& model) {
   const CEmbodiedEntity& body = model.GetEmbodiedEntity();
   const SBodyDescription& description = *body.GetBodyDescription();
   const SPlanarPose pose = ReadPose(body);
-  const SKinematicOwner owner{&model, &model.m_handle, &model.GetEmbodiedEntity(), &model.m_root};
+  const SKinematicOwner owner{&model, &model.m_handle, &model.GetEmbodiedEntity()};
   if (!body.IsMovable()) {
     m_world->AddImmovable(owner, description, pose);
     return;
@@ -259,7 +259,7 @@ void CKinematics2DEngine::WriteBackDiscs(size_t begin, size_t end) {
     }
     MoveDiscBounds(model.m_sBoundingBox, pose, radius);
     if (body.HasFollowers()) {
-      discs.GetOwner(slot).Root->Update();
+      body.GetRootEntity().Update();
     }
     m_hasLeft[i] = HasLeft(body) ? 1 : 0;
   }
