@@ -12,7 +12,9 @@ struct SHalfPlane {
   Real NormalX, NormalY;  // of unit length
   Real Limit;  // m, >= 0: a step of length 0 is always allowed
   UInt32 Id;  // determines the order of processing
-  Real Push = 0.0;  // m; requested step against the normal, because of an overlap
+  // m; requested step against the normal, because of an overlap; without a default, so that an
+  // array of half planes costs nothing until they are added
+  Real Push;
 };
 
 /** The steps that several half planes allow. */

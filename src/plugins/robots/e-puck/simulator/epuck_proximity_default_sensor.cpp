@@ -15,21 +15,32 @@ constexpr Real kA = 298.701;  // 1/m^2
 constexpr Real kB = -36.8961;  // 1/m
 constexpr Real kC = 1.08212;
 
+inline Real ComputeResponse(Real distance) {
+  const Real response = std::clamp((kA * distance + kB) * distance + kC, 0.0, 1.0);
+  return distance > kReach ? 0.0 : response;
+}
+
 }  // namespace
 
 void CEPuckProximityDefaultSensor::Init(TConfigurationNode& tree) {
   CAngularProximitySensor::Init(tree);
-  // a derived class may have another response
-  if (typeid(*this) == typeid(CEPuckProximityDefaultSensor)) {
+  m_isDerived = typeid(*this) != typeid(CEPuckProximityDefaultSensor);
+  if (!m_isDerived) {
     m_reader.SetRange(kReach);
   }
 }
 
-Real CEPuckProximityDefaultSensor::CalculateReading(Real distance) {
-  if (distance > kReach) {
-    return 0.0;
+void CEPuckProximityDefaultSensor::Update() {
+  if (m_isDerived) {
+    CAngularProximitySensor::Update();
+  } else {
+    // inline, not a virtual call for each ray
+    Read([](Real distance) { return ComputeResponse(distance); });
   }
-  return std::clamp((kA * distance + kB) * distance + kC, 0.0, 1.0);
+}
+
+Real CEPuckProximityDefaultSensor::CalculateReading(Real distance) {
+  return ComputeResponse(distance);
 }
 
 REGISTER_SENSOR(

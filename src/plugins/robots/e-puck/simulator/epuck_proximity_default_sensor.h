@@ -10,8 +10,12 @@ namespace argos {
 class CEPuckProximityDefaultSensor : public CAngularProximitySensor<CCI_EPuckProximitySensor> {
  public:
   void Init(TConfigurationNode& tree) override;
+  void Update() override;
   /** Response of the real sensors: a parabola up to 5 cm, then 0. */
   Real CalculateReading(Real distance) override;
+
+ private:
+  bool m_isDerived = true;  // a derived class may have another response
 };
 
 }  // namespace argos

@@ -18,9 +18,7 @@ template <class INTERFACE>
 class CAngularProximitySensor : public CPlacedReadingsSensor<INTERFACE, CProximityRays> {
  public:
   void Update() override {
-    this->m_reader.Read(
-        [this](Real distance) { return CalculateReading(distance); },
-        [this](size_t ray, Real reading) { this->m_tReadings[ray].Value = reading; });
+    Read([this](Real distance) { return CalculateReading(distance); });
   }
 
   /**
@@ -28,6 +26,15 @@ class CAngularProximitySensor : public CPlacedReadingsSensor<INTERFACE, CProximi
    * @param distance  from the start of the ray to the body that it hits, m, >= 0.
    */
   virtual Real CalculateReading(Real distance) = 0;
+
+ protected:
+  /** Sets all readings. @param calculate  Real(Real distance), as CalculateReading(). */
+  template <typename CALCULATE>
+  void Read(CALCULATE&& calculate) {
+    auto* const readings = this->m_tReadings.data();
+    this->m_reader.Read(calculate,
+                        [readings](size_t ray, Real reading) { readings[ray].Value = reading; });
+  }
 };
 
 }  // namespace argos

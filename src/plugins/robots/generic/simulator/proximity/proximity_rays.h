@@ -75,9 +75,18 @@ class CProximityRays {
       Real fractions[CRayCaster::kMaxRays];
       Cast(first, count, fractions);
       const Real* const lengths = m_sensors->GetLayout().Lengths.data() + first;
-      for (size_t i = 0; i < count; ++i) {
-        const Real reading = fractions[i] <= 1.0 ? calculate(fractions[i] * lengths[i]) : 0.0;
-        store(first + i, std::clamp(addNoise(m_noise.Apply(0, reading)), 0.0, 1.0));
+      const auto read = [&](size_t i) {
+        return fractions[i] <= 1.0 ? calculate(fractions[i] * lengths[i]) : 0.0;
+      };
+      // the usual case apart, whose loop is short
+      if (!m_noise.IsOn()) {
+        for (size_t i = 0; i < count; ++i) {
+          store(first + i, std::clamp(addNoise(read(i)), 0.0, 1.0));
+        }
+      } else {
+        for (size_t i = 0; i < count; ++i) {
+          store(first + i, std::clamp(addNoise(m_noise.Apply(0, read(i))), 0.0, 1.0));
+        }
       }
     }
   }

@@ -88,6 +88,16 @@ TEST_CASE("distribute: many robots are created by their places, and listed by th
     }
   }
   CHECK(place == space.GetEntityVector().size());
+  // in the order of creation each root comes with its place in that list
+  ssize_t last = -1;
+  size_t visited = 0;
+  space.ForRootsAsCreated([&](CEntity& root, size_t placeOfRoot) {
+    CHECK(root.GetIndex() > last);
+    last = root.GetIndex();
+    CHECK(space.GetRootEntityVector()[placeOfRoot] == &root);
+    ++visited;
+  });
+  CHECK(visited == kMany);
   // neighbours are created one after the other: random places are 20 m apart on average
   CHECK(LengthOfPath(many) < 3.0 * kMany);
   CHECK(LengthOfPath(few) > 15.0 * kFew);

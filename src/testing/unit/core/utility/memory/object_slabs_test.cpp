@@ -1,8 +1,15 @@
 #include <argos3/core/utility/memory/object_slabs.h>
+#include <argos3/core/utility/memory/page_preparer.h>
 #include <argos3/testing/support/sanitizers.h>
 
 #include <catch2/catch.hpp>
 
+#ifdef __linux__
+#include <sys/mman.h>
+#include <unistd.h>
+#endif
+
+#include <chrono>
 #include <cstdint>
 #include <cstring>
 #include <memory>
@@ -84,14 +91,16 @@ TEST_CASE("object slabs: objects of one size lie side by side in order of creati
 TEST_CASE("object slabs: places are aligned, apart from each other, and used again",
           "[core][memory]") {
   const CObjectSlabs::TOwner slabs = CObjectSlabs::Make();
-  const std::size_t bytes = GENERATE(1U, 16U, 17U, 500U, 4096U, 8192U, 8193U, 100000U);
+  const std::size_t bytes =
+      GENERATE(1U, 8U, 16U, 17U, 24U, 48U, 500U, 4096U, 8192U, 8193U, 100000U);
   CAPTURE(bytes);
   constexpr int kObjects = 300;
   std::vector<unsigned char*> places;
   for (int round = 0; round < 3; ++round) {
     for (int i = 0; i < kObjects; ++i) {
       auto* const place = static_cast<unsigned char*>(slabs->Allocate(bytes));
-      REQUIRE(reinterpret_cast<std::uintptr_t>(place) % 16 == 0);
+      // as an object of that size may need
+      REQUIRE(reinterpret_cast<std::uintptr_t>(place) % (bytes % 16 == 0 ? 16 : 8) == 0);
       std::memset(place, i % 251, bytes);
       places.push_back(place);
     }
@@ -122,6 +131,86 @@ TEST_CASE("object slabs: places are aligned, apart from each other, and used aga
     places.clear();
   }
 }
+
+TEST_CASE("object slabs: a block that is reserved ahead holds the next objects, prepared or not",
+          "[core][memory]") {
+  if (!kAreSlabsUsed) {
+    return;
+  }
+  constexpr std::size_t kBytes = 40;
+  constexpr std::size_t kObjects = 200000;
+  const CObjectSlabs::TOwner slabs = CObjectSlabs::Make();
+  // without an object nothing would release it
+  CHECK(slabs->ReserveAhead(1000).Bytes == 0);
+  std::vector<void*> places = {slabs->Allocate(kBytes)};
+  CHECK(slabs->GetNumBytes() == kBytes);
+  const CObjectSlabs::SBlock block = slabs->ReserveAhead(kObjects * kBytes);
+  REQUIRE(block.Bytes >= kObjects * kBytes);
+  std::size_t numInBlock = 0;
+  {
+    const CPagePreparer preparer(block.Start, block.Bytes);
+    // while the other thread works on the same pages; more than fit into the block
+    for (std::size_t i = 0; i < 2 * kObjects; ++i) {
+      void* const place = slabs->Allocate(kBytes);
+      std::memset(place, static_cast<int>(i % 251), kBytes);
+      places.push_back(place);
+      const std::intptr_t offset = Distance(block.Start, place);
+      numInBlock += offset >= 0 && offset < static_cast<std::intptr_t>(block.Bytes) ? 1 : 0;
+    }
+  }
+  // headers of slabs, and the rest of the first slab, take the place of some
+  CHECK(numInBlock > kObjects * 99 / 100);
+  CHECK(numInBlock < kObjects * 2);
+  CHECK(std::set<void*>(places.begin(), places.end()).size() == places.size());
+  bool areKept = true;
+  for (std::size_t i = 0; i < 2 * kObjects; ++i) {
+    areKept = areKept && *static_cast<unsigned char*>(places[i + 1]) == i % 251;
+  }
+  CHECK(areKept);
+  CHECK(slabs->GetNumBytes() == places.size() * kBytes);
+  for (void* place : places) {
+    CObjectSlabs::Free(place, kBytes);
+  }
+  CHECK(slabs->GetNumBytes() == 0);
+  // after its release the slabs work as before
+  CObjectSlabs::Free(slabs->Allocate(kBytes), kBytes);
+}
+
+#ifdef __linux__
+TEST_CASE("page preparer: its pages are in memory before they are written", "[core][memory]") {
+  const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+  const std::size_t bytes = 600 * page;
+  void* const start =
+      mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  REQUIRE(start != MAP_FAILED);
+  const auto countPages = [&] {
+    std::vector<unsigned char> isPresent(bytes / page);
+    REQUIRE(mincore(start, bytes, isPresent.data()) == 0);
+    std::size_t present = 0;
+    for (const unsigned char each : isPresent) {
+      present += each & 1U;
+    }
+    return present;
+  };
+  CHECK(countPages() == 0);
+#ifdef MADV_POPULATE_WRITE
+  // kernels before 5.14 do not know it
+  const bool isKnown = madvise(start, page, MADV_POPULATE_WRITE) == 0;
+  {
+    const CPagePreparer preparer(start, bytes);
+    for (int wait = 0; isKnown && countPages() < bytes / page && wait < 10000; ++wait) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+  }
+  CHECK(countPages() == (isKnown ? bytes / page : 0));
+#endif
+  {
+    // ends before its work is done
+    const CPagePreparer stopped(start, bytes);
+  }
+  munmap(start, bytes);
+}
+#endif
 
 TEST_CASE("object slabs: new and delete of derived classes", "[core][memory]") {
   const CObjectSlabs::TOwner slabs = CObjectSlabs::Make();

@@ -7,6 +7,7 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <deque>
 
 namespace argos {
 
@@ -16,16 +17,25 @@ constexpr Real kPath = 0.05;  // m, longest of a tick
 
 /** Robots of 0.5 kg and radius 5 cm, with drives of 1 N and 1 N m unless they are weakened. */
 struct SCrowdScene : CPlanarScene {
+  std::deque<SDrivenKind> Kinds;
+
+  /** Gives a robot constants of its own, to be changed. */
+  SDrivenKind& MakeKind(SDrivenBody& body) {
+    SDrivenKind& kind = Kinds.emplace_back(*body.Kind);
+    body.Kind = &kind;
+    return kind;
+  }
   /** Robots without a drive. */
   void DisableDrives() {
     for (SDrivenBody& body : Store.GetDriven()) {
-      body.MaxSpeedChange = body.MaxYawRateChange = 0.0;
+      SDrivenKind& kind = MakeKind(body);
+      kind.MaxSpeedChange = kind.MaxYawRateChange = 0.0;
     }
   }
   void Tick() {
     for (SDrivenBody& body : Store.GetDriven()) {
       Plan(body);
-      if (body.MaxSpeedChange == 0.0) {
+      if (body.Kind->MaxSpeedChange == 0.0) {
         // without a drive
         body.NextVelocity = body.Velocity;
         body.NextPose = body.Pose;
@@ -48,19 +58,19 @@ struct SCrowdScene : CPlanarScene {
   SPlanarVelocity SumMomentum() {
     SPlanarVelocity sum;
     for (const SDrivenBody& body : Store.GetDriven()) {
-      sum.X += body.Mass * body.Velocity.X;
-      sum.Y += body.Mass * body.Velocity.Y;
-      sum.W += body.Inertia * body.Velocity.W +
-               body.Mass * (body.Pose.X * body.Velocity.Y - body.Pose.Y * body.Velocity.X);
+      sum.X += body.Kind->Mass * body.Velocity.X;
+      sum.Y += body.Kind->Mass * body.Velocity.Y;
+      sum.W += body.Kind->Inertia * body.Velocity.W +
+               body.Kind->Mass * (body.Pose.X * body.Velocity.Y - body.Pose.Y * body.Velocity.X);
     }
     return sum;
   }
   Real SumEnergy() {
     Real sum = 0.0;
     for (const SDrivenBody& body : Store.GetDriven()) {
-      sum += 0.5 * body.Mass *
+      sum += 0.5 * body.Kind->Mass *
                  (body.Velocity.X * body.Velocity.X + body.Velocity.Y * body.Velocity.Y) +
-             0.5 * body.Inertia * body.Velocity.W * body.Velocity.W;
+             0.5 * body.Kind->Inertia * body.Velocity.W * body.Velocity.W;
     }
     return sum;
   }
@@ -133,7 +143,7 @@ TEST_CASE("crowd: a stronger robot pushes a weaker one at the speed of its wheel
   SCrowdScene scene;
   scene.AddRobot(0.0, 0.0, 0.1, 0.1);
   scene.AddRobot(0.11, 0.0);  // brakes
-  scene.GetDriven(scene.Bodies[1]).MaxSpeedChange *= 0.5;
+  scene.MakeKind(scene.GetDriven(scene.Bodies[1])).MaxSpeedChange *= 0.5;
   for (int tick = 0; tick < 30; ++tick) {
     scene.Tick();
   }
@@ -141,7 +151,7 @@ TEST_CASE("crowd: a stronger robot pushes a weaker one at the speed of its wheel
   CHECK(scene.GetDriven(scene.Bodies[1]).Velocity.X == Approx(0.1).margin(1e-3));
 
   // and not a robot whose brake is stronger than the drive
-  scene.GetDriven(scene.Bodies[1]).MaxSpeedChange *= 2.5;
+  scene.MakeKind(scene.GetDriven(scene.Bodies[1])).MaxSpeedChange *= 2.5;
   const Real x = scene.GetDriven(scene.Bodies[1]).Pose.X;
   for (int tick = 0; tick < 30; ++tick) {
     scene.Tick();
@@ -180,7 +190,7 @@ TEST_CASE("crowd: friction at a wall is 0.07 of the pressing force", "[dynamics2
     scene.AddBox(0.0, 0.1 * i, false);
   }
   scene.GetDriven(robot).Pose.SetYaw(0.25 * ARGOS_PI);
-  scene.GetDriven(robot).MaxYawRateChange = 1e3;  // keeps its heading
+  scene.MakeKind(scene.GetDriven(robot)).MaxYawRateChange = 1e3;  // keeps its heading
   for (int tick = 0; tick < 20; ++tick) {
     scene.Tick();
   }

@@ -64,7 +64,7 @@ TEST_CASE("half planes: the step found is the nearest one that all planes allow"
       const Real angle = random.Uniform(-std::numbers::pi, std::numbers::pi);
       // in a third of the scenes the bodies touch already
       const Real limit = scene % 3 == 0 ? 0.0 : random.Uniform(0.0, 1.0);
-      planes.push_back({std::cos(angle), std::sin(angle), limit, static_cast<UInt32>(i)});
+      planes.push_back({std::cos(angle), std::sin(angle), limit, static_cast<UInt32>(i), 0.0});
       REQUIRE(solver.Add(planes.back()));
     }
     const SStep wanted = {random.Uniform(-2, 2), random.Uniform(-2, 2)};
@@ -81,7 +81,7 @@ TEST_CASE("half planes: the step found is the nearest one that all planes allow"
 TEST_CASE("half planes: after sorting, the result does not depend on the order of addition",
           "[unit][kinematics2d]") {
   const std::vector<SHalfPlane> planes = {
-      {0.6, 0.8, 0.1, 7}, {-0.6, 0.8, 0.2, 3}, {1.0, 0.0, 0.05, 5}};
+      {0.6, 0.8, 0.1, 7, 0.0}, {-0.6, 0.8, 0.2, 3, 0.0}, {1.0, 0.0, 0.05, 5, 0.0}};
   CHalfPlanes forwards;
   CHalfPlanes backwards;
   for (size_t i = 0; i < planes.size(); ++i) {
@@ -99,9 +99,9 @@ TEST_CASE("half planes: after sorting, the result does not depend on the order o
 TEST_CASE("half planes: the capacity is 64", "[unit][kinematics2d]") {
   CHalfPlanes planes;
   for (UInt32 i = 0; i < 64; ++i) {
-    REQUIRE(planes.Add({1.0, 0.0, 1.0, i}));
+    REQUIRE(planes.Add({1.0, 0.0, 1.0, i, 0.0}));
   }
-  CHECK_FALSE(planes.Add({1.0, 0.0, 1.0, 64}));
+  CHECK_FALSE(planes.Add({1.0, 0.0, 1.0, 64, 0.0}));
   planes.Clear();
   CHECK(planes.IsEmpty());
 }
