@@ -217,16 +217,7 @@ class CBodyIndex {
   static SIndexedShape Pack(const SShapeDescription& shape, const SPose& pose,
                             const CQuaternion& orientation);
   SIndexedShape Pack(UInt32 body, UInt16 shape) const;
-  // a solid in the order of the cells
-  SIndexedShape Unpack(size_t place) const {
-    const SPackedShape& packed = m_shapes[place];
-    SBoxSides sides{1.0, 0.0, packed.Radius, packed.Radius};
-    if (packed.Kind == SIndexedShape::EKind::Box) {
-      sides = m_sides[place];
-    }
-    return {packed.X,      packed.Y,    sides.Cos,   sides.Sin,   sides.HalfX,  sides.HalfY,
-            packed.Radius, packed.ZMin, packed.ZMax, packed.Body, packed.Shape, packed.Kind};
-  }
+  SIndexedShape Unpack(size_t place) const;  // a solid in the order of the cells
   // pose of the body frame, moved along with the link of a solid
   static SBodyPose PoseOf(const SBody& body, const SShapeDescription& solid) {
     return body.Links != nullptr ? Compose(*body.Origin, body.Links[solid.Link]) : *body.Origin;
@@ -247,11 +238,7 @@ class CBodyIndex {
   Real SmallReach() const { return std::max(m_maxSmallReach, m_tiltedReach); }
   bool IsStale(UInt32 body) const { return m_numStale > 0 && m_bodies[body].Stale; }
   // cells no farther than the margin, m, from an area
-  SCellRange CellsAround(const SPlanarArea& area, Real margin) const {
-    return m_grid.CellsAround(0.5 * (area.MinX + area.MaxX), 0.5 * (area.MinY + area.MaxY),
-                              0.5 * (area.MaxX - area.MinX) + margin,
-                              0.5 * (area.MaxY - area.MinY) + margin);
-  }
+  SCellRange CellsAround(const SPlanarArea& area, Real margin) const;
   template <typename VISIT>
   void VisitNear(const SCellRange& small, const SCellRange& wide, VISIT&& visit) const;
   template <typename VISIT>

@@ -7,6 +7,22 @@
 
 namespace argos {
 
+inline SIndexedShape CBodyIndex::Unpack(size_t place) const {
+  const SPackedShape& packed = m_shapes[place];
+  SBoxSides sides{1.0, 0.0, packed.Radius, packed.Radius};
+  if (packed.Kind == SIndexedShape::EKind::Box) {
+    sides = m_sides[place];
+  }
+  return {packed.X,      packed.Y,    sides.Cos,   sides.Sin,   sides.HalfX,  sides.HalfY,
+          packed.Radius, packed.ZMin, packed.ZMax, packed.Body, packed.Shape, packed.Kind};
+}
+
+inline SCellRange CBodyIndex::CellsAround(const SPlanarArea& area, Real margin) const {
+  return m_grid.CellsAround(0.5 * (area.MinX + area.MaxX), 0.5 * (area.MinY + area.MaxY),
+                            0.5 * (area.MaxX - area.MinX) + margin,
+                            0.5 * (area.MaxY - area.MinY) + margin);
+}
+
 // a row of cells is one run of the sorted solids
 template <typename VISIT>
 void CBodyIndex::VisitSmall(const SCellRange& cells, VISIT&& visit) const {

@@ -118,9 +118,7 @@ std::string DescribeOutside(const SFaultyBodies& bodies, const CRange<CVector3>&
   CTextOutput line;
   line << bodies.Number << (bodies.Number == 1 ? " body is" : " bodies are")
        << " outside of the arena, from (" << limits.GetMin() << ") to (" << limits.GetMax()
-       << "): "
-          " << bodies.First->GetRootEntity().GetId() << "
-          " at ("
+       << "): \"" << bodies.First->GetRootEntity().GetId() << "\" at ("
        << bodies.First->GetOriginAnchor().Position << ")" << (bodies.Number == 1 ? "" : ", ...");
   return line.str();
 }

@@ -72,13 +72,13 @@ TEST_CASE("object slabs: objects of one size lie side by side in order of creati
   std::vector<void*> small;
   std::vector<void*> large;
   for (int i = 0; i < 100; ++i) {
-    small.push_back(slabs->Allocate(40));
+    small.push_back(slabs->Allocate(36));
     large.push_back(slabs->Allocate(200));
   }
   for (int i = 1; i < 100; ++i) {
-    // rounded up to a multiple of 16
-    CHECK(Distance(small[i - 1], small[i]) == 48);
-    CHECK(Distance(large[i - 1], large[i]) == 208);
+    // rounded up to a multiple of 8
+    CHECK(Distance(small[i - 1], small[i]) == 40);
+    CHECK(Distance(large[i - 1], large[i]) == 200);
   }
   CHECK(slabs->GetNumObjects() == 200);
   for (int i = 0; i < 100; ++i) {
