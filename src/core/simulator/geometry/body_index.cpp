@@ -332,7 +332,17 @@ void CBodyIndex::SortSmall(CThreadPool* pool) {
   }
 
   // within a cell by body number, for any number of threads
-  const UInt32 numShapes = m_sort.Finish();
+  ListSorted(pool, m_sort.Finish());
+  if (!isAlone) {
+    m_sort.SortRuns(*pool, m_entries, [](const SEntry& entry) {
+      return (static_cast<UInt64>(entry.Body) << 16) | entry.Shape;
+    });
+  }
+  PackSmall(pool);
+}
+
+// The solids in the order of their cells, within a cell in any order.
+void CBodyIndex::ListSorted(CThreadPool* pool, UInt32 numShapes) {
   m_entries.resize(numShapes);
   ReserveInHugePages(m_shapes, numShapes);
   m_shapes.resize(numShapes);
@@ -340,7 +350,7 @@ void CBodyIndex::SortSmall(CThreadPool* pool) {
     ReserveInHugePages(m_sides, numShapes);
     m_sides.resize(numShapes);
   }
-  ForRange(pool, numBodies, [this](size_t begin, size_t end) {
+  ForRange(pool, m_bodies.size(), [this](size_t begin, size_t end) {
     for (size_t b = begin; b < end; ++b) {
       if (m_sort.IsLeftOut(b)) {
         continue;
@@ -351,12 +361,6 @@ void CBodyIndex::SortSmall(CThreadPool* pool) {
       }
     }
   });
-  if (!isAlone) {
-    m_sort.SortRuns(*pool, m_entries, [](const SEntry& entry) {
-      return (static_cast<UInt64>(entry.Body) << 16) | entry.Shape;
-    });
-  }
-  PackSmall(pool);
 }
 
 void CBodyIndex::PackSmall(CThreadPool* pool) {

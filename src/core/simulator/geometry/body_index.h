@@ -228,6 +228,7 @@ class CBodyIndex {
   void Rebuild(CThreadPool* pool);
   bool ChooseCells();
   void SortSmall(CThreadPool* pool);
+  void ListSorted(CThreadPool* pool, UInt32 numShapes);
   void PackSmall(CThreadPool* pool);
   void ListWide();
   void ClearOverlay();

@@ -76,7 +76,7 @@ void EnterDiscs(const SRayBlock& rays, const SUprightPose& pose, const SDiscList
       const Real nearer = entry < least[i] ? entry : least[i];
       const bool isAhead = root >= b[i];
       const bool isMet = key[i] >= 0.0;
-      least[i] = isMet & isAhead ? nearer : least[i];
+      least[i] = (isMet & isAhead) ? nearer : least[i];
     }
   }
   ARGOS_VECTOR_LOOP
