@@ -93,10 +93,9 @@ class CBodyIndex {
   template <typename VISIT>
   void ForShapesNear(Real x, Real y, Real reach, VISIT&& visit) const;
   /**
-   * The same, but solids that are upright discs and span the heights of @p query are mostly added
-   * to
-   * @p discs instead, without those that are out of reach and of the ignored body. Others may
-   * be visited that are out of reach, or of that body.
+   * The same, but upright discs that span the heights of @p query are mostly added to @p discs
+   * instead, unless they are out of reach or of the ignored body. Solids that are visited may be
+   * either.
    * @param takeDiscs  void(): called when @p discs is full; empties it.
    */
   template <typename VISIT, typename TAKE_DISCS>

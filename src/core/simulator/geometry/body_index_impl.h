@@ -170,10 +170,12 @@ template <typename VISIT, typename TAKE_DISCS>
 void CBodyIndex::ListDiscsNear(const SDiscQuery& query, SDiscList& discs, TAKE_DISCS&& takeDiscs,
                                VISIT&& visit) const {
   const SCellRange small = m_grid.CellsAround(query.X, query.Y, query.Reach + SmallReach());
-  if (m_numStale > 0) {
-    VisitSmall(small, visit);
-  } else if (!m_shapes.empty()) {
-    ListSmall(small, query, discs, takeDiscs, visit);
+  if (!m_shapes.empty()) {
+    if (m_numStale > 0) {
+      VisitSmall(small, visit);
+    } else {
+      ListSmall(small, query, discs, takeDiscs, visit);
+    }
   }
   VisitUnsorted(small, m_grid.CellsAround(query.X, query.Y, query.Reach), visit);
 }
