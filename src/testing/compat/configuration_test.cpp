@@ -11,6 +11,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace configuration_test {
+
 using namespace argos;
 
 class CResource : public CBaseConfigurableResource {
@@ -323,3 +325,5 @@ TEST_CASE("compat: members of an element are accessible", "[compat]") {
   tNode.Clear();
   CHECK(tNode.NoChildren());
 }
+
+}  // namespace configuration_test

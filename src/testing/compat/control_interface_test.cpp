@@ -16,6 +16,8 @@
 #include <sstream>
 #include <string>
 
+namespace control_interface_test {
+
 using namespace argos;
 
 class CTestActuator : public CCI_Actuator {
@@ -240,3 +242,5 @@ TEST_CASE("compat: device interfaces work as documented", "[compat]") {
   CStepProximity cStep;
   CHECK(cStep.CalculateReading(0.01) == 1.0);
 }
+
+}  // namespace control_interface_test

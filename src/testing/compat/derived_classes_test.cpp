@@ -18,6 +18,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace derived_classes_test {
+
 using namespace argos;
 using Catch::Matchers::WithinAbs;
 
@@ -386,3 +388,5 @@ TEST_CASE("compat: an algorithm of a camera tests points and records rays", "[co
   REQUIRE(cWorld.GetRobot("r").GetCheckedRays().size() == 2);
   CHECK(cWorld.GetRobot("r").GetCheckedRays()[1].second.GetEnd() == CVector3(2.0, 0.0, 0.1));
 }
+
+}  // namespace derived_classes_test

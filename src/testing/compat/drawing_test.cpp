@@ -9,6 +9,8 @@
 
 #include <filesystem>
 
+namespace compat_drawing_test {
+
 typedef std::vector<std::string> TEvents;
 
 static SExperiment MakeExperiment() {
@@ -154,3 +156,5 @@ TEST_CASE("compat: QFont, QString and QColor have what users call", "[compat]") 
   CHECK(QColor(Qt::darkGreen).green() == 128);
   CHECK(QColor(1, 2, 3).alpha() == 255);
 }
+
+}  // namespace compat_drawing_test

@@ -27,6 +27,8 @@
 #include <random>
 #include <sstream>
 
+namespace math_test {
+
 using namespace argos;
 using Catch::WithinAbs;
 
@@ -664,3 +666,5 @@ TEST_CASE("compat: matrices work as documented", "[compat]") {
   cT3d.SetTranslationVector(CVector3(9, 9, 9));
   CHECK((cT3d.GetRotationMatrix() * CVector3::X) == CVector3::X);
 }
+
+}  // namespace math_test

@@ -14,6 +14,8 @@
 #include <fstream>
 #include <string>
 
+namespace reference_file_test {
+
 using namespace argos;
 
 using Catch::Matchers::Contains;
@@ -304,3 +306,5 @@ TEST_CASE("compat: every element and attribute of a prototype loads without a wa
 </argos-configuration>)",
                           5);
 }
+
+}  // namespace reference_file_test

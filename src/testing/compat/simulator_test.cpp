@@ -35,6 +35,8 @@
 #include <cstdio>
 #include <fstream>
 
+namespace compat_simulator_test {
+
 using namespace argos;
 using Catch::WithinAbs;
 
@@ -866,3 +868,5 @@ TEST_CASE("compat: positional indices work as documented", "[compat]") {
   CHECK_FALSE(cDump.str().empty());
   cAbstract.RemoveElement(cA);
 }
+
+}  // namespace compat_simulator_test

@@ -12,6 +12,8 @@
 
 #include <cstdio>
 
+namespace ticpp_test {
+
 using namespace argos;
 
 static const char* MINIMAL = R"(<argos-configuration>
@@ -109,3 +111,5 @@ TEST_CASE("compat: errors of nodes are ticpp exceptions with details", "[compat]
   CHECK_THROWS_AS(tDocument.FirstChildElement()->GetAttribute("b", &nValue), ticpp::Exception);
   CHECK_THROWS_AS(tDocument.FirstChildElement()->FirstChildElement("c"), ticpp::Exception);
 }
+
+}  // namespace ticpp_test

@@ -24,6 +24,8 @@
 #include <memory>
 #include <thread>
 
+namespace utility_test {
+
 using namespace argos;
 using Catch::WithinAbs;
 
@@ -533,3 +535,5 @@ TEST_CASE("compat: command lines are parsed", "[compat]") {
   cLog.Flush();
   CHECK(cStream.str().find("--number") != std::string::npos);
 }
+
+}  // namespace utility_test

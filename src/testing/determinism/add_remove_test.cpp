@@ -13,6 +13,8 @@
 
 #include <set>
 
+namespace add_remove_test {
+
 using namespace argos;
 using Catch::Matchers::Contains;
 
@@ -269,3 +271,5 @@ TEST_CASE("add and remove: a hundred robots are removed and added in each tick",
   CHECK(std::set<UInt64>(alone.begin(), alone.end() - 10).size() == kTicks + 10);
   CHECK(run(4) == alone);
 }
+
+}  // namespace add_remove_test

@@ -13,6 +13,8 @@
 #include <set>
 #include <vector>
 
+namespace comms_test {
+
 using namespace argos;
 
 namespace {
@@ -113,3 +115,5 @@ TEST_CASE("no allocation: a tick of communicating robots in steady state allocat
   INFO("the first allocation was made by\n" << first);
   CHECK(counted == 0);
 }
+
+}  // namespace comms_test

@@ -10,6 +10,8 @@
 
 #include <vector>
 
+namespace crews_test {
+
 using namespace argos;
 
 namespace {
@@ -103,3 +105,5 @@ TEST_CASE("crews: a tick in steady state allocates nothing", "[determinism][sens
   world.Step(300);
   CheckAllocatesNothing([&] { world.Step(100); });
 }
+
+}  // namespace crews_test

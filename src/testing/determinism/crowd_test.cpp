@@ -16,6 +16,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace determinism_crowd_test {
+
 using namespace argos;
 using argos::testing::MeasureOverlaps;
 using argos::testing::SOverlaps;
@@ -130,3 +132,5 @@ TEST_CASE("no allocation: a tick of a crowd that presses allocates nothing",
   world.Step(200);
   CheckAllocatesNothing([&] { world.Step(100); });
 }
+
+}  // namespace determinism_crowd_test

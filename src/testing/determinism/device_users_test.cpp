@@ -14,6 +14,8 @@
 #include <map>
 #include <set>
 
+namespace device_users_test {
+
 using namespace argos;
 
 namespace {
@@ -120,3 +122,5 @@ TEST_CASE("all devices: a repeated run allocates nothing", "[determinism][alloca
   world.Step(50);
   CheckAllocatesNothing([&] { world.Step(100); });
 }
+
+}  // namespace device_users_test

@@ -8,6 +8,8 @@
 
 #include <vector>
 
+namespace feelers_test {
+
 using namespace argos;
 
 namespace {
@@ -71,3 +73,5 @@ TEST_CASE("feelers: a tick in steady state allocates nothing",
   world.Step(200);
   CheckAllocatesNothing([&] { world.Step(100); });
 }
+
+}  // namespace feelers_test

@@ -15,6 +15,8 @@
 #include <thread>
 #include <vector>
 
+namespace grain_test {
+
 using namespace argos;
 using Catch::Matchers::Contains;
 
@@ -165,3 +167,5 @@ TEST_CASE("grain: an invalid value is an error with its line", "[determinism][er
              Contains("test.argos:") && Contains("\"grain\" must be \"auto\" or a whole number") &&
                  Contains("\"" + grain + "\""));
 }
+
+}  // namespace grain_test

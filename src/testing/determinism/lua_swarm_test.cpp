@@ -18,6 +18,8 @@
 #include <thread>
 #include <vector>
 
+namespace lua_swarm_test {
+
 using namespace argos;
 
 namespace {
@@ -203,3 +205,5 @@ TEST_CASE("lua: two thousand robots run their scripts", "[determinism][lua]") {
   // Each robot is 0.17 m across and has 0.2 m^2, so a few are blocked, but most are not.
   CHECK(moved > 1800);
 }
+
+}  // namespace lua_swarm_test

@@ -22,6 +22,8 @@
 #include <thread>
 #include <vector>
 
+namespace determinism_metrics_test {
+
 using namespace argos;
 using Catch::Contains;
 
@@ -342,3 +344,5 @@ TEST_CASE("metrics: robots cannot set metrics", "[determinism][metrics]") {
                                            "must not be called while robots") &&
                                       Contains("CMetrics::Record()"));
 }
+
+}  // namespace determinism_metrics_test

@@ -13,6 +13,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace no_allocation_test {
+
 using namespace argos;
 
 namespace {
@@ -129,3 +131,5 @@ TEST_CASE("no allocation: a tick of moving robots with LEDs in a medium allocate
   }
   CHECK(moved > 900);
 }
+
+}  // namespace no_allocation_test

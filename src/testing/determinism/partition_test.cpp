@@ -11,6 +11,8 @@
 
 #include <map>
 
+namespace determinism_partition_test {
+
 using namespace argos;
 
 namespace {
@@ -181,3 +183,5 @@ TEST_CASE("determinism of partitions: the compared runs have crossings and ghost
     CHECK(Run(world).Digests != Reference(enginesPerSide, engine).Digests);
   }
 }
+
+}  // namespace determinism_partition_test

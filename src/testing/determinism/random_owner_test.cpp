@@ -12,6 +12,8 @@
 #include <string>
 #include <vector>
 
+namespace random_owner_test {
+
 using namespace argos;
 
 namespace {
@@ -169,3 +171,5 @@ TEST_CASE("random owners: the generators of removed robots and replaced controll
     REQUIRE(CountGenerators(world) == atStart - 1);
   }
 }
+
+}  // namespace random_owner_test

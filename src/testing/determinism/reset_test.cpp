@@ -11,6 +11,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace reset_test {
+
 using namespace argos;
 
 namespace {
@@ -204,3 +206,5 @@ TEST_CASE("reset: a robot added during the run starts in the state in which it w
             .at("footbot_proximity")
             ->IsEnabled());
 }
+
+}  // namespace reset_test

@@ -15,6 +15,8 @@
 #include <tuple>
 #include <vector>
 
+namespace swarm_test {
+
 using namespace argos;
 
 namespace {
@@ -173,3 +175,5 @@ TEST_CASE("determinism: simulators that run concurrently do not affect each othe
     CheckSame(run, size);
   }
 }
+
+}  // namespace swarm_test

@@ -7,6 +7,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace watchers_test {
+
 using namespace argos;
 
 namespace {
@@ -86,3 +88,5 @@ TEST_CASE("watchers: a tick in steady state allocates nothing",
   CHECK(CountSights(world).Tags > 15);
   CheckAllocatesNothing([&] { world.Step(100); });
 }
+
+}  // namespace watchers_test

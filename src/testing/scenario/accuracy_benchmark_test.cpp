@@ -12,7 +12,7 @@
 #include <map>
 #include <sstream>
 
-namespace argos {
+namespace argos::accuracy_benchmark_test {
 
 using testing::MeasureOverlaps;
 using testing::SOverlaps;
@@ -137,4 +137,4 @@ TEST_CASE("overlap: tilted robots are measured at their nearest ends", "[scenari
   CHECK(overlaps.Touching.size() == 2);
 }
 
-}  // namespace argos
+}  // namespace argos::accuracy_benchmark_test

@@ -12,6 +12,8 @@
 #include <regex>
 #include <sstream>
 
+namespace experiments_test {
+
 using namespace argos;
 namespace fs = std::filesystem;
 
@@ -142,3 +144,5 @@ TEST_CASE("experiments: robots that lay trails deliver at least twice the food",
     CHECK(without.Trail == 0.0);
   }
 }
+
+}  // namespace experiments_test

@@ -17,7 +17,7 @@
 #include <regex>
 #include <sstream>
 
-namespace argos {
+namespace argos::eyebot_experiments_test {
 
 namespace {
 
@@ -114,4 +114,4 @@ TEST_CASE("eye-bot experiments: a flock flies to a light and stays together", "[
   }
 }
 
-}  // namespace argos
+}  // namespace argos::eyebot_experiments_test

@@ -13,6 +13,8 @@
 #include <optional>
 #include <regex>
 
+namespace ode_load_order_test {
+
 using namespace argos;
 
 namespace {
@@ -89,3 +91,5 @@ TEST_CASE("dynamics3d: results do not depend on whether ODE was loaded before th
   CHECK(RunHeaps(folder, "0") == expected);
   CHECK(RunHeaps(folder, "2") == expected);
 }
+
+}  // namespace ode_load_order_test

@@ -14,7 +14,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace argos::testing {
+namespace argos::testing::rooms_test {
 
 TEST_CASE("rooms: 10,000 e-pucks stay out of the walls", "[scenario][dynamics2d]") {
   const std::string engine = GENERATE("dynamics2d", "kinematics2d");
@@ -53,4 +53,4 @@ TEST_CASE("rooms: 10,000 e-pucks stay out of the walls", "[scenario][dynamics2d]
   }
 }
 
-}  // namespace argos::testing
+}  // namespace argos::testing::rooms_test

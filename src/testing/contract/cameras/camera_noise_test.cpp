@@ -15,6 +15,8 @@
 #include <cmath>
 #include <functional>
 
+namespace camera_noise_test {
+
 using namespace argos;
 
 namespace {
@@ -222,3 +224,5 @@ TEST_CASE("camera noise: differs between robots and repeats after a reset with t
   world.GetSimulator().Reset(2);
   CHECK(Draw(world, "a", 10).Distances != a);
 }
+
+}  // namespace camera_noise_test

@@ -14,6 +14,8 @@
 
 #include <cmath>
 
+namespace directional_detectors_test {
+
 using namespace argos;
 using Catch::Matchers::WithinAbs;
 
@@ -249,3 +251,5 @@ TEST_CASE("tag detector: payloads of any length are read in steady state without
   }
   CheckAllocatesNothing([&] { world.Step(10); });
 }
+
+}  // namespace directional_detectors_test

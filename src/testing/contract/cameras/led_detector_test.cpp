@@ -18,6 +18,8 @@
 
 #include <cmath>
 
+namespace led_detector_test {
+
 using namespace argos;
 using Catch::Matchers::Contains;
 using Catch::Matchers::WithinAbs;
@@ -416,3 +418,5 @@ TEST_CASE("cameras: invalid experiments are refused with the reason",
     CHECK_THAT(error(good + good), Contains("camera id \"front\" is used twice"));
   }
 }
+
+}  // namespace led_detector_test

@@ -16,6 +16,8 @@
 
 #include <cmath>
 
+namespace omnidirectional_camera_test {
+
 using namespace argos;
 using Catch::Matchers::Contains;
 using Catch::Matchers::WithinAbs;
@@ -563,3 +565,5 @@ TEST_CASE("omnidirectional camera: invalid experiments are refused with the reas
     CHECK_THAT(LoadError(experiment), Contains("rot_z_only"));
   }
 }
+
+}  // namespace omnidirectional_camera_test

@@ -15,6 +15,8 @@
 #include <cmath>
 #include <limits>
 
+namespace pan_tilt_camera_test {
+
 using namespace argos;
 using Catch::Matchers::Contains;
 using Catch::Matchers::WithinAbs;
@@ -199,3 +201,5 @@ TEST_CASE("pan tilt camera: invalid orders and experiments are refused with the 
   CHECK_THAT(LoadError(noCamera),
              Contains("ep0") && Contains("no component \"perspective_camera\""));
 }
+
+}  // namespace pan_tilt_camera_test

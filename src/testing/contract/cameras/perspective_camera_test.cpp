@@ -17,6 +17,8 @@
 #include <cmath>
 #include <limits>
 
+namespace perspective_camera_test {
+
 using namespace argos;
 using Catch::Matchers::Contains;
 using Catch::Matchers::WithinAbs;
@@ -432,3 +434,5 @@ TEST_CASE("perspective camera: invalid experiments are refused with the reason",
                Contains("ep0") && Contains("no component \"perspective_camera\""));
   }
 }
+
+}  // namespace perspective_camera_test

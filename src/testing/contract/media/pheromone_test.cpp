@@ -16,6 +16,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace pheromone_test {
+
 using namespace argos;
 using Catch::Matchers::Contains;
 using Catch::Matchers::WithinAbs;
@@ -475,3 +477,5 @@ TEST_CASE("pheromone: a layer that does not exist is noticed", "[contract][media
   CheckCaught([&] { medium.Deposit(1, CVector3(), 1.0); }, "there is no layer 1");
   CheckCaught([&] { static_cast<void>(medium.GetConcentration(1, CVector3())); }, "no layer 1");
 }
+
+}  // namespace pheromone_test

@@ -16,6 +16,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace rab_medium_test {
+
 using namespace argos;
 using Catch::Matchers::Contains;
 using Catch::Matchers::WithinAbs;
@@ -349,3 +351,5 @@ TEST_CASE("rab medium: messages of different sizes are reported once, with the r
   world.Step(3);
   CHECK(TakeLogErr() == "");
 }
+
+}  // namespace rab_medium_test

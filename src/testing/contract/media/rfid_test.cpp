@@ -17,6 +17,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace rfid_test {
+
 using namespace argos;
 using Catch::Matchers::Contains;
 using Catch::Matchers::WithinAbs;
@@ -414,3 +416,5 @@ TEST_CASE("rfid: invalid experiments are refused with the reason", "[contract][m
                       Contains("16 bytes, got 3"));
   }
 }
+
+}  // namespace rfid_test

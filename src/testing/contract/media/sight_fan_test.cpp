@@ -18,6 +18,8 @@
 #include <string>
 #include <vector>
 
+namespace sight_fan_test {
+
 using namespace argos;
 
 namespace {
@@ -123,3 +125,5 @@ TEST_CASE("sight fan: sees what single lines of sight see", "[media]") {
   CHECK(numClear > numLines / 50);
   CHECK(numClear < numLines - numLines / 50);
 }
+
+}  // namespace sight_fan_test

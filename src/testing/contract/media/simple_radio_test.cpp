@@ -14,6 +14,8 @@
 
 #include <set>
 
+namespace simple_radio_test {
+
 using namespace argos;
 using Catch::Matchers::Contains;
 using Catch::Matchers::WithinAbs;
@@ -306,3 +308,5 @@ TEST_CASE("simple radio: a robot without radios is refused", "[contract][media][
   SRobotExperiment experiment = WithRadios(Robot("foot-bot", "a", "position=\"0,0,0\""));
   CHECK_THAT(LoadError(experiment), Contains("no component \"simple_radios\""));
 }
+
+}  // namespace simple_radio_test

@@ -14,7 +14,7 @@
 
 #include <cmath>
 
-namespace argos {
+namespace argos::articulated_test {
 
 using Catch::Matchers::Contains;
 using Catch::Matchers::WithinAbs;
@@ -382,4 +382,4 @@ TEST_CASE("prototype: a link that its joint puts elsewhere is warned of",
   CHECK_THAT(TakeLogErr(), Contains("the joints put link \"rod\" at \"0.5,0,0\""));
 }
 
-}  // namespace argos
+}  // namespace argos::articulated_test

@@ -15,7 +15,7 @@
 #include <cmath>
 #include <sstream>
 
-namespace argos {
+namespace argos::bodies_test {
 
 using Catch::Matchers::Contains;
 using Catch::Matchers::WithinAbs;
@@ -244,4 +244,4 @@ TEST_CASE("parameters: values out of range are refused", "[contract][engine]") {
                     Contains("\"box_linear_friction\" must be a number >= 0, found -1"));
 }
 
-}  // namespace argos
+}  // namespace argos::bodies_test

@@ -14,7 +14,7 @@
 
 #include <set>
 
-namespace argos {
+namespace argos::border_crowd_test {
 
 using testing::MeasureOverlaps;
 using testing::SOverlaps;
@@ -104,4 +104,4 @@ TEST_CASE("border crowd: robots that roam for a minute are neither lost nor dupl
   CHECK(RunCrowd(engine, 150, engines, 60) > 150);
 }
 
-}  // namespace argos
+}  // namespace argos::border_crowd_test

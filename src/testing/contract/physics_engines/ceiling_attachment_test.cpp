@@ -10,7 +10,7 @@
 
 #include <catch2/catch.hpp>
 
-namespace argos {
+namespace argos::ceiling_attachment_test {
 
 using Catch::Matchers::Contains;
 using Catch::Matchers::WithinAbs;
@@ -142,4 +142,4 @@ TEST_CASE("ceiling: a reset detaches, and the run repeats itself", "[contract][e
   CHECK(run() == first);
 }
 
-}  // namespace argos
+}  // namespace argos::ceiling_attachment_test

@@ -8,6 +8,8 @@
 
 #include <string>
 
+namespace collisions_metric_test {
+
 using namespace argos;
 using Catch::Matchers::WithinAbs;
 
@@ -91,3 +93,5 @@ TEST_CASE("collisions metric: what hooks move, add and remove counts in the same
   CHECK(world.GetSimulator().GetMetrics().Find("dispersion")->Count == 0);
   CHECK(Value(world, "collisions") == 0.0);
 }
+
+}  // namespace collisions_metric_test

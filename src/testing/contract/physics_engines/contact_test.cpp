@@ -13,7 +13,7 @@
 #include <numbers>
 #include <sstream>
 
-namespace argos {
+namespace argos::contact_test {
 
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
@@ -263,4 +263,4 @@ TEST_CASE("drive: a robot stalls at a wall and does not penetrate it", "[contrac
   CHECK_THAT(world.Position("r").GetX() + kEPuckRadius, WithinAbs(0.4, 0.1 * kEPuckRadius));
 }
 
-}  // namespace argos
+}  // namespace argos::contact_test

@@ -11,7 +11,7 @@
 
 #include <cmath>
 
-namespace argos {
+namespace argos::crowd_soak_test {
 
 using testing::MeasureOverlaps;
 using testing::SOverlaps;
@@ -42,4 +42,4 @@ TEST_CASE("crowd: none is lost or enters a wall while robots are added, removed 
   WARN("at most " << 100.0 * deepest << " % of a radius in a wall");
 }
 
-}  // namespace argos
+}  // namespace argos::crowd_soak_test

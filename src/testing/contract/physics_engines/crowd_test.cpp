@@ -15,7 +15,7 @@
 #include <sstream>
 #include <tuple>
 
-namespace argos {
+namespace argos::physics_engines_crowd_test {
 
 using Catch::Matchers::WithinAbs;
 using testing::MeasureOverlaps;
@@ -325,4 +325,4 @@ TEST_CASE("speed: a robot does not pass through a thin wall at any speed", "[con
   }
 }
 
-}  // namespace argos
+}  // namespace argos::physics_engines_crowd_test

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace argos {
+namespace argos::flat_worlds_test {
 
 using testing::IntegrateDifferentialDrive;
 using testing::SPose;
@@ -140,4 +140,4 @@ TEST_CASE("flat worlds: a free robot takes the same path in every engine", "[con
   }
 }
 
-}  // namespace argos
+}  // namespace argos::flat_worlds_test

@@ -12,7 +12,7 @@
 #include <complex>
 #include <numbers>
 
-namespace argos {
+namespace argos::flight_control_test {
 
 using Catch::Matchers::WithinAbs;
 using testing::ComputeStepResponse;
@@ -317,4 +317,4 @@ TEST_CASE("flight: orders are kept when switching between POSITION_CONTROL and S
   step(true, 30);
 }
 
-}  // namespace argos
+}  // namespace argos::flight_control_test

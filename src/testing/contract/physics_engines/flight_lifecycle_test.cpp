@@ -14,7 +14,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace argos {
+namespace argos::flight_lifecycle_test {
 
 using Catch::Matchers::Contains;
 using Catch::Matchers::WithinAbs;
@@ -327,4 +327,4 @@ TEST_CASE("flight: a tick in steady state allocates nothing", "[contract][flight
   });
 }
 
-}  // namespace argos
+}  // namespace argos::flight_lifecycle_test

@@ -14,7 +14,7 @@
 #include <functional>
 #include <limits>
 
-namespace argos {
+namespace argos::flight_limits_test {
 
 using Catch::Matchers::Contains;
 using Catch::Matchers::WithinAbs;
@@ -245,4 +245,4 @@ TEST_CASE("flight limits: a flying robot needs a quadrotor component",
   CHECK_THROWS_WITH(world.GetSpace().AddEntityToPhysicsEngine(body), Contains("\"quadrotor\""));
 }
 
-}  // namespace argos
+}  // namespace argos::flight_limits_test

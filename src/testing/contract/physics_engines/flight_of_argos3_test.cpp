@@ -12,7 +12,7 @@
 #include <numbers>
 #include <sstream>
 
-namespace argos {
+namespace argos::flight_of_argos3_test {
 
 using Catch::Matchers::Contains;
 using Catch::Matchers::WithinAbs;
@@ -165,4 +165,4 @@ TEST_CASE("flight of ARGoS 3: table", "[.table]") {
   }
 }
 
-}  // namespace argos
+}  // namespace argos::flight_of_argos3_test

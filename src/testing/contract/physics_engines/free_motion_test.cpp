@@ -9,7 +9,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace argos {
+namespace argos::free_motion_test {
 
 using testing::IntegrateDifferentialDrive;
 using testing::SPose;
@@ -149,4 +149,4 @@ TEST_CASE("free motion: the acceleration of wheels is limited by the force of th
   }
 }
 
-}  // namespace argos
+}  // namespace argos::free_motion_test

@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-namespace argos {
+namespace argos::gate_soak_test {
 
 using testing::SRoomsWorld;
 
@@ -152,4 +152,4 @@ TEST_CASE("gates: of a thousand robots roaming for ten minutes none is lost, dup
   }
 }
 
-}  // namespace argos
+}  // namespace argos::gate_soak_test

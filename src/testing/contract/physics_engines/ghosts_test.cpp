@@ -19,7 +19,7 @@
 
 #include <cmath>
 
-namespace argos {
+namespace argos::ghosts_test {
 
 using Catch::Matchers::WithinAbs;
 using testing::MeasureOverlaps;
@@ -364,4 +364,4 @@ TEST_CASE("ghosts: sensor readings do not depend on borders", "[contract][engine
   CHECK(look(make(Halves(engine))) == whole);
 }
 
-}  // namespace argos
+}  // namespace argos::ghosts_test

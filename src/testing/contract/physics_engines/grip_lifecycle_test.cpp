@@ -17,7 +17,7 @@
 #include <map>
 #include <memory>
 
-namespace argos {
+namespace argos::grip_lifecycle_test {
 
 using Catch::Matchers::Contains;
 using Catch::Matchers::WithinAbs;
@@ -386,4 +386,4 @@ TEST_CASE("grip lifecycle: opposed motors of 150 N m break grips only",
   CHECK(watch.Sideways <= 0.05);
 }
 
-}  // namespace argos
+}  // namespace argos::grip_lifecycle_test

@@ -14,7 +14,7 @@
 #include <cmath>
 #include <memory>
 
-namespace argos {
+namespace argos::gripping_test {
 
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
@@ -308,4 +308,4 @@ TEST_CASE("grip: a load held by several robots moves with all of them",
   CHECK_THAT(Speed(world, "roll"), WithinAbs(0.02, 1e-4));
 }
 
-}  // namespace argos
+}  // namespace argos::gripping_test

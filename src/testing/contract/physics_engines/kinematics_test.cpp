@@ -20,7 +20,7 @@
 #include <sstream>
 #include <tuple>
 
-namespace argos {
+namespace argos::kinematics_test {
 
 using Catch::Matchers::Contains;
 using Catch::Matchers::WithinAbs;
@@ -492,4 +492,4 @@ TEST_CASE("kinematics: bodies of other engines are transferred with their motion
   CHECK(world.Position("box").GetX() < -0.4);
 }
 
-}  // namespace argos
+}  // namespace argos::kinematics_test

@@ -12,7 +12,7 @@
 
 #include <cmath>
 
-namespace argos {
+namespace argos::lifecycle_test {
 
 using Catch::Matchers::Contains;
 using Catch::Matchers::WithinAbs;
@@ -302,4 +302,4 @@ TEST_CASE(
       Contains("\"b\" is too large or too far away"));
 }
 
-}  // namespace argos
+}  // namespace argos::lifecycle_test

@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace argos {
+namespace argos::physics_engines_partition_test {
 
 using Catch::Matchers::WithinAbs;
 
@@ -513,4 +513,4 @@ TEST_CASE("automatic partition: regions fill the arena and are as square as poss
   }
 }
 
-}  // namespace argos
+}  // namespace argos::physics_engines_partition_test

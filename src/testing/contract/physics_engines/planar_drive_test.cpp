@@ -13,7 +13,7 @@
 #include <limits>
 #include <numbers>
 
-namespace argos {
+namespace argos::planar_drive_test {
 
 using Catch::Matchers::Contains;
 using Catch::Matchers::WithinAbs;
@@ -284,4 +284,4 @@ TEST_CASE("planar drive: a command that is not finite is refused", "[contract][r
                     Contains("left = inf m/s"));
 }
 
-}  // namespace argos
+}  // namespace argos::planar_drive_test

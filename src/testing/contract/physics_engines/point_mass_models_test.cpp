@@ -10,7 +10,7 @@
 
 #include <cmath>
 
-namespace argos {
+namespace argos::point_mass_models_test {
 
 using Catch::Matchers::Contains;
 using Catch::Matchers::WithinAbs;
@@ -178,4 +178,4 @@ TEST_CASE("users' models: can be added, collide, be moved and be removed", "[con
   world.Step();
 }
 
-}  // namespace argos
+}  // namespace argos::point_mass_models_test

@@ -12,7 +12,7 @@
 #include <cmath>
 #include <limits>
 
-namespace argos {
+namespace argos::poses_test {
 
 using Catch::Matchers::Contains;
 using Catch::Matchers::WithinAbs;
@@ -96,4 +96,4 @@ TEST_CASE("poses: a place without a body must be a pose, too", "[contract][engin
   CHECK(light.GetPosition() == CVector3(0, 0, 1));
 }
 
-}  // namespace argos
+}  // namespace argos::poses_test

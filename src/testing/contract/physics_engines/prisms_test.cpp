@@ -15,7 +15,7 @@
 #include <cmath>
 #include <sstream>
 
-namespace argos {
+namespace argos::prisms_test {
 
 using Catch::Matchers::WithinAbs;
 using testing::IntegrateDifferentialDrive;
@@ -243,4 +243,4 @@ TEST_CASE("prisms: rays and placement respect their sides", "[contract][engine][
   CHECK_THAT(look(CVector3(0, 0, 0.2), CVector3(8, 0, 0.2)), WithinAbs(0.25, tolerance));
 }
 
-}  // namespace argos
+}  // namespace argos::prisms_test

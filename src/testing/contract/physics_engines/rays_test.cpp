@@ -9,7 +9,7 @@
 
 #include <catch2/catch.hpp>
 
-namespace argos {
+namespace argos::physics_engines_rays_test {
 
 using Catch::Matchers::WithinAbs;
 
@@ -111,4 +111,4 @@ TEST_CASE("rays: a body in several engines is hit once", "[contract][engine]") {
   CHECK_THAT(hits[0].TOnRay, WithinAbs(0.4, kRounding + engine.Slack));
 }
 
-}  // namespace argos
+}  // namespace argos::physics_engines_rays_test

@@ -10,7 +10,7 @@
 
 #include <cmath>
 
-namespace argos {
+namespace argos::recorded_bodies_test {
 
 using Catch::Matchers::Contains;
 using Catch::Matchers::WithinAbs;
@@ -79,4 +79,4 @@ TEST_CASE("users' models: bodies are recorded only in constructors, and moments 
              WithinAbs(3.0 * (0.2 / 12.0 + 0.05), 1e-15));
 }
 
-}  // namespace argos
+}  // namespace argos::recorded_bodies_test

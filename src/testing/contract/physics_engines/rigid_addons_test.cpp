@@ -12,7 +12,7 @@
 
 #include <cmath>
 
-namespace argos {
+namespace argos::rigid_addons_test {
 
 using Catch::Matchers::Contains;
 using Catch::Matchers::WithinAbs;
@@ -172,4 +172,4 @@ TEST_CASE("rigid errors: a body too far from the origin is reported",
                                          Contains("farther than 1e+06 m from the origin"));
 }
 
-}  // namespace argos
+}  // namespace argos::rigid_addons_test

@@ -14,7 +14,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace argos {
+namespace argos::rigid_crossing_test {
 
 namespace {
 
@@ -143,4 +143,4 @@ TEST_CASE("rigid crossing: a thousand robots for ten minutes", "[.][soak][rigid]
   CHECK(crossings.Count > 10000);
 }
 
-}  // namespace argos
+}  // namespace argos::rigid_crossing_test

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <sstream>
 
-namespace argos {
+namespace argos::rigid_drive_test {
 
 using Catch::Matchers::WithinAbs;
 
@@ -99,4 +99,4 @@ TEST_CASE("rigid drive: a robot climbs from the floor onto a ramp and across its
   CHECK(world.Position("r").GetZ() < 0.1);
 }
 
-}  // namespace argos
+}  // namespace argos::rigid_drive_test

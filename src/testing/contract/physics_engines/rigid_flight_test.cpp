@@ -9,7 +9,7 @@
 
 #include <cmath>
 
-namespace argos {
+namespace argos::rigid_flight_test {
 
 using Catch::Matchers::WithinAbs;
 
@@ -90,4 +90,4 @@ TEST_CASE("rigid flight: a robot placed on its side returns upright", "[contract
   CHECK(Distance(world.Position(), CVector3(0, 0, 2)) < 0.01);
 }
 
-}  // namespace argos
+}  // namespace argos::rigid_flight_test

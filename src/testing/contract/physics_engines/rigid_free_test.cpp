@@ -16,7 +16,7 @@
 
 #include <cmath>
 
-namespace argos {
+namespace argos::rigid_free_test {
 
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
@@ -371,4 +371,4 @@ TEST_CASE("rigid free robots: a tick in which robots become active and free allo
   CHECK(changes == 4);
 }
 
-}  // namespace argos
+}  // namespace argos::rigid_free_test

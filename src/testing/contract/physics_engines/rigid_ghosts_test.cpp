@@ -16,7 +16,7 @@
 
 #include <cmath>
 
-namespace argos {
+namespace argos::rigid_ghosts_test {
 
 using Catch::Matchers::Contains;
 using Catch::Matchers::WithinAbs;
@@ -264,4 +264,4 @@ TEST_CASE("rigid borders: a body outside all regions ends the run with its posit
   CHECK_THROWS_WITH(world.Step(30), Contains("\"r\"") && Contains("\"pen\"") && Contains("region"));
 }
 
-}  // namespace argos
+}  // namespace argos::rigid_ghosts_test

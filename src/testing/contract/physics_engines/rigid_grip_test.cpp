@@ -12,7 +12,7 @@
 
 #include <cmath>
 
-namespace argos {
+namespace argos::rigid_grip_test {
 
 using Catch::Matchers::WithinAbs;
 using TModes = CCI_FootBotTurretActuator::ETurretModes;
@@ -163,4 +163,4 @@ TEST_CASE(
   CHECK(Run(threaded, 300) == first);
 }
 
-}  // namespace argos
+}  // namespace argos::rigid_grip_test

@@ -12,7 +12,7 @@
 #include <cmath>
 #include <thread>
 
-namespace argos {
+namespace argos::rigid_lifecycle_test {
 
 using Catch::Matchers::WithinAbs;
 
@@ -177,4 +177,4 @@ TEST_CASE("rigid lifecycle: a tick in steady state allocates nothing",
   CheckAllocatesNothing([&] { world.Step(20); });
 }
 
-}  // namespace argos
+}  // namespace argos::rigid_lifecycle_test

@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace argos {
+namespace argos::rigid_motion_test {
 
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
@@ -188,4 +188,4 @@ TEST_CASE("rigid impact: a crowd of colliding boxes conserves its momentum",
   }
 }
 
-}  // namespace argos
+}  // namespace argos::rigid_motion_test

@@ -11,7 +11,7 @@
 
 #include <cmath>
 
-namespace argos {
+namespace argos::rigid_prisms_test {
 
 using Catch::Matchers::WithinAbs;
 
@@ -143,4 +143,4 @@ TEST_CASE("rigid prisms: a robot climbs a wedge, objects slide down a steep one"
              WithinAbs(speed * 0.3 + 0.5 * kSceneGravity * 0.5 * 0.09, 0.01));
 }
 
-}  // namespace argos
+}  // namespace argos::rigid_prisms_test

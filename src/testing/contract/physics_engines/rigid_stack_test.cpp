@@ -10,7 +10,7 @@
 
 #include <cmath>
 
-namespace argos {
+namespace argos::rigid_stack_test {
 
 using Catch::Matchers::WithinAbs;
 
@@ -161,4 +161,4 @@ TEST_CASE("rigid stack: a cylinder on its side rolls down a slope with 2/3 of g 
              Catch::Matchers::WithinRel(path, 0.02));
 }
 
-}  // namespace argos
+}  // namespace argos::rigid_stack_test

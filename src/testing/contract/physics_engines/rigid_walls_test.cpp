@@ -12,7 +12,7 @@
 
 #include <cmath>
 
-namespace argos {
+namespace argos::rigid_walls_test {
 
 using Catch::Matchers::WithinAbs;
 
@@ -125,4 +125,4 @@ TEST_CASE("rigid walls: a lying body with its base at a wall belongs to its engi
   CHECK_THAT(world.Position("c").GetX(), WithinAbs(1.0, 1e-3));
 }
 
-}  // namespace argos
+}  // namespace argos::rigid_walls_test

@@ -13,7 +13,7 @@
 
 #include <catch2/catch.hpp>
 
-namespace argos {
+namespace argos::turnover_soak_test {
 
 using testing::SRoomsWorld;
 
@@ -83,4 +83,4 @@ TEST_CASE("turnover: memory stays flat while robots are added, removed and moved
   SoakInTurnover(turnover);
 }
 
-}  // namespace argos
+}  // namespace argos::turnover_soak_test

@@ -11,7 +11,7 @@
 
 #include <cmath>
 
-namespace argos {
+namespace argos::turret_test {
 
 using Catch::Matchers::WithinAbs;
 
@@ -242,4 +242,4 @@ TEST_CASE("turret: it swings a braking robot", "[contract][engine][turret]") {
   CHECK_THAT(world.Position("r").Length(), WithinAbs(0.0, 1e-3));
 }
 
-}  // namespace argos
+}  // namespace argos::turret_test

@@ -21,7 +21,7 @@
 #include <numbers>
 #include <sstream>
 
-namespace argos {
+namespace argos::users_models_test {
 
 using Catch::Matchers::Contains;
 using Catch::Matchers::WithinAbs;
@@ -554,4 +554,4 @@ TEST_CASE("users' models: what a record cannot express is refused", "[contract][
              Contains(text) && Contains("t"));
 }
 
-}  // namespace argos
+}  // namespace argos::users_models_test

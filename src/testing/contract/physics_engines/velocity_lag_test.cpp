@@ -14,7 +14,7 @@
 #include <numbers>
 #include <sstream>
 
-namespace argos {
+namespace argos::velocity_lag_test {
 
 using Catch::Matchers::Contains;
 using testing::IntegrateDifferentialDrive;
@@ -352,4 +352,4 @@ TEST_CASE("velocity lag: table", "[.table]") {
   WARN(table.str());
 }
 
-}  // namespace argos
+}  // namespace argos::velocity_lag_test

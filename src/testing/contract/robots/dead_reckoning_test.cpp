@@ -18,6 +18,8 @@
 #include <utility>
 #include <vector>
 
+namespace dead_reckoning_test {
+
 using namespace argos;
 using Catch::Matchers::Contains;
 using Catch::Matchers::WithinAbs;
@@ -342,3 +344,5 @@ TEST_CASE("dead reckoning: the direction of the drift backwards is one of two wo
   CHECK_THAT(LoadError(Drifting("backward=\"left\"")),
              Contains("backward") && Contains("\"faster\" or \"slower\"") && Contains("left"));
 }
+
+}  // namespace dead_reckoning_test

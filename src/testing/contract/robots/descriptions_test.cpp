@@ -15,6 +15,8 @@
 #include <sstream>
 #include <vector>
 
+namespace descriptions_test {
+
 using namespace argos;
 
 namespace {
@@ -214,3 +216,5 @@ TEST_CASE("descriptions: no robot and no device names a physics engine", "[contr
     check(label, info);
   }
 }
+
+}  // namespace descriptions_test

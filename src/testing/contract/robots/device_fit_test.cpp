@@ -13,6 +13,8 @@
 
 #include <algorithm>
 
+namespace device_fit_test {
+
 using namespace argos;
 using Catch::Matchers::Contains;
 
@@ -127,3 +129,5 @@ TEST_CASE("devices: the error on a missing mounted component names it",
                    Contains("\"r\" (e-puck) has no component \"" + device.Tag + "\"; "));
   }
 }
+
+}  // namespace device_fit_test

@@ -12,6 +12,8 @@
 #include <limits>
 #include <vector>
 
+namespace differential_steering_test {
+
 using namespace argos;
 using Catch::Matchers::Contains;
 using Catch::Matchers::WithinAbs;
@@ -214,3 +216,5 @@ TEST_CASE("differential steering: invalid experiments are refused with the reaso
   CHECK_THAT(LoadError(Wheels("factor_avg=\"fast\"")), Contains("fast"));
   CHECK_THAT(LoadError(Wheels("", "vel_noise_range=\"2:1\"")), Contains("vel_noise_range"));
 }
+
+}  // namespace differential_steering_test

@@ -22,6 +22,8 @@
 
 #include <cmath>
 
+namespace eyebot_test {
+
 using namespace argos;
 using Catch::Matchers::Contains;
 using Catch::Matchers::WithinAbs;
@@ -366,3 +368,5 @@ TEST_CASE("eye-bot: attributes are read and checked, and have the documented def
                Contains(attribute.substr(0, attribute.find('='))) && Contains("<eye-bot>"));
   }
 }
+
+}  // namespace eyebot_test

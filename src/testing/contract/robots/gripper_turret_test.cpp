@@ -19,6 +19,8 @@
 #include <cmath>
 #include <limits>
 
+namespace gripper_turret_test {
+
 using namespace argos;
 using Catch::Matchers::Contains;
 using Catch::Matchers::WithinAbs;
@@ -447,3 +449,5 @@ TEST_CASE("gripper and turret noise: invalid noise is refused with the accepted 
   CHECK_THAT(LoadError(With(WithNoise(tag + " implementation=\"default\"", "on=\"x\" " + kNoise))),
              Contains("test.argos:4: <noise>: <" + tag + "> has no \"x\"") && Contains(known));
 }
+
+}  // namespace gripper_turret_test

@@ -11,6 +11,8 @@
 #include <cmath>
 #include <set>
 
+namespace leds_test {
+
 using namespace argos;
 using Catch::Matchers::Contains;
 using Catch::Matchers::WithinAbs;
@@ -153,3 +155,5 @@ TEST_CASE("leds actuator: invalid orders and experiments are refused with the re
     CHECK_THAT(LoadError(experiment), Contains("medium"));
   }
 }
+
+}  // namespace leds_test

@@ -13,6 +13,8 @@
 
 #include <limits>
 
+namespace mounted_devices_test {
+
 using namespace argos;
 using Catch::Matchers::Contains;
 
@@ -144,3 +146,5 @@ TEST_CASE("mounted devices: a robot without the component is refused by name",
   experiment.Arena = Robot("e-puck", "ep0", "position=\"0,0,0\"");
   CHECK_THAT(LoadError(experiment), Contains("ep0") && Contains("no component \"" + device + "\""));
 }
+
+}  // namespace mounted_devices_test

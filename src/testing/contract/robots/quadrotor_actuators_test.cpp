@@ -11,6 +11,8 @@
 #include <cmath>
 #include <limits>
 
+namespace quadrotor_actuators_test {
+
 using namespace argos;
 using Catch::Matchers::Contains;
 using Catch::Matchers::WithinAbs;
@@ -209,3 +211,5 @@ TEST_CASE("quadrotor actuators: noise repeats after a reset and differs between 
                                    "on=\"height\" model=\"gaussian\" std_dev=\"0.2\"");
   CHECK_THAT(LoadError(experiment), Contains("<quadrotor_speed> has no \"height\""));
 }
+
+}  // namespace quadrotor_actuators_test

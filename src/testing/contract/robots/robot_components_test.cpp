@@ -20,6 +20,8 @@
 
 #include <cmath>
 
+namespace robot_components_test {
+
 using namespace argos;
 using Catch::Matchers::Contains;
 using Catch::Matchers::WithinAbs;
@@ -284,3 +286,5 @@ TEST_CASE("robots: constructors refuse parameters out of range", "[contract][rob
       CFootBotEntity("f", "", CVector3(), CQuaternion(), 3.0, 10, "", CRadians::PI_OVER_TWO),
       Contains("foot-bot \"f\"") && Contains("omnidirectional_camera_aperture"));
 }
+
+}  // namespace robot_components_test

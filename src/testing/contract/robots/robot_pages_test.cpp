@@ -8,6 +8,8 @@
 #include <fstream>
 #include <sstream>
 
+namespace robot_pages_test {
+
 using namespace argos;
 
 TEST_CASE("robot pages: are up to date with the descriptions of the plug-ins",
@@ -24,3 +26,5 @@ TEST_CASE("robot pages: are up to date with the descriptions of the plug-ins",
     CHECK(isCurrent);
   }
 }
+
+}  // namespace robot_pages_test

@@ -19,7 +19,7 @@
 #include <iomanip>
 #include <sstream>
 
-namespace argos {
+namespace argos::robot_types_test {
 
 using Catch::Matchers::Contains;
 using Catch::Matchers::WithinAbs;
@@ -251,4 +251,4 @@ TEST_CASE("robot types: a device needs the part that the type may lack",
   CHECK_THAT(error, Contains("light_sensors") || Contains("rab"));
 }
 
-}  // namespace argos
+}  // namespace argos::robot_types_test

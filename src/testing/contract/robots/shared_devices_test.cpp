@@ -22,6 +22,8 @@
 #include <cmath>
 #include <map>
 
+namespace shared_devices_test {
+
 using namespace argos;
 using Catch::Matchers::WithinAbs;
 
@@ -237,3 +239,5 @@ TEST_CASE("rings: sensors of foot-bot and eye-bot have equal readings on either 
     CHECK_THAT(footBotLight[i].Value, WithinAbs(expected, kRounding));
   }
 }
+
+}  // namespace shared_devices_test

@@ -15,6 +15,8 @@
 #include <memory>
 #include <vector>
 
+namespace battery_test {
+
 using namespace argos;
 using Catch::Matchers::Contains;
 using Catch::Matchers::WithinAbs;
@@ -330,3 +332,5 @@ TEST_CASE("battery component: invalid values are refused", "[contract][sensors][
   experiment.Arena = Robot("toy-robot", "t0", PoseText(CVector3()));
   CHECK_THAT(LoadError(experiment), Contains("\"t0\"") && Contains("battery"));
 }
+
+}  // namespace battery_test

@@ -17,6 +17,8 @@
 #include <string>
 #include <vector>
 
+namespace device_noise_test {
+
 using namespace argos;
 using Catch::Matchers::Contains;
 
@@ -227,3 +229,5 @@ TEST_CASE("device noise: invalid noise is refused with the accepted names",
   CHECK_THAT(LoadError(Wheels("", WithNoise(kWheels, "model=\"gaussian\" level=\"1\""))),
              Contains("std_dev"));
 }
+
+}  // namespace device_noise_test

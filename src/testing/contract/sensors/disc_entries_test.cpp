@@ -8,6 +8,8 @@
 #include <random>
 #include <vector>
 
+namespace disc_entries_test {
+
 using namespace argos;
 
 namespace {
@@ -121,3 +123,5 @@ TEST_CASE("rays among discs: touched borders, ends on borders, and starts on the
   CompareWithSingleRays(
       rays, {Disc(origin, origin, radius), Disc(origin + 2.0 * radius, origin, radius)});
 }
+
+}  // namespace disc_entries_test

@@ -17,6 +17,8 @@
 #include <string>
 #include <vector>
 
+namespace distance_scanner_test {
+
 using namespace argos;
 using Catch::Matchers::Contains;
 using Catch::Matchers::WithinAbs;
@@ -384,3 +386,5 @@ TEST_CASE("distance scanner: invalid values are refused with the reason",
   CHECK_THROWS_WITH(scanner.SetRotation(CRadians(bad)), Contains("must be finite"));
   CHECK_THROWS_WITH(scanner.SetRotationSpeed(bad), Contains("must be finite"));
 }
+
+}  // namespace distance_scanner_test

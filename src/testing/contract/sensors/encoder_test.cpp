@@ -15,6 +15,8 @@
 #include <utility>
 #include <vector>
 
+namespace encoder_test {
+
 using namespace argos;
 using Catch::Matchers::Contains;
 using Catch::Matchers::WithinAbs;
@@ -248,3 +250,5 @@ TEST_CASE("encoder: the sensor of another robot is refused", "[contract][sensors
   CHECK_THAT(LoadError(WithEncoder(Robot("e-puck", "ep0", PoseText(CVector3())))),
              Contains("\"ep0\"") && Contains("odometer"));
 }
+
+}  // namespace encoder_test

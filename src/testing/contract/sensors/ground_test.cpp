@@ -18,6 +18,8 @@
 #include <memory>
 #include <vector>
 
+namespace ground_test {
+
 using namespace argos;
 using Catch::Matchers::Contains;
 using Catch::Matchers::WithinAbs;
@@ -292,3 +294,5 @@ TEST_CASE("ground: invalid experiments are refused with the reason",
                                Robot("e-puck", "ep0", PoseText(CVector3())))),
              Contains("noise_level") && Contains(">= 0") && Contains("-1"));
 }
+
+}  // namespace ground_test

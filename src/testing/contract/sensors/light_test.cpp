@@ -20,6 +20,8 @@
 #include <memory>
 #include <vector>
 
+namespace light_test {
+
 using namespace argos;
 using Catch::Matchers::Contains;
 using Catch::Matchers::WithinAbs;
@@ -522,3 +524,5 @@ TEST_CASE("light sensors: invalid experiments are refused with the reason",
     CHECK_THAT(LoadError(experiment), Contains("\"readin\"") && Contains("reading"));
   }
 }
+
+}  // namespace light_test

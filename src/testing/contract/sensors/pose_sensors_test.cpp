@@ -13,6 +13,8 @@
 #include <cmath>
 #include <vector>
 
+namespace pose_sensors_test {
+
 using namespace argos;
 using Catch::Matchers::Contains;
 using Catch::Matchers::WithinAbs;
@@ -243,3 +245,5 @@ TEST_CASE("pose sensors: invalid experiments are refused with the reason",
           WithNoise("clock implementation=\"default\"", "model=\"uniform\" level=\"-1\""), robot)),
       Contains("level") && Contains(">= 0"));
 }
+
+}  // namespace pose_sensors_test

@@ -16,6 +16,8 @@
 #include <cmath>
 #include <vector>
 
+namespace proximity_geometry_test {
+
 using namespace argos;
 using Catch::Matchers::WithinAbs;
 
@@ -391,3 +393,5 @@ TEST_CASE("proximity: after a move by a program readings are those of the new pl
   world.GetRobot("r").Sense();
   CHECK_THAT(Distances(world, "r")[2], WithinAbs(2.0 - 0.1 - 1.82 - ring.Radius, kRounding));
 }
+
+}  // namespace proximity_geometry_test

@@ -15,6 +15,8 @@
 #include <cmath>
 #include <vector>
 
+namespace proximity_options_test {
+
 using namespace argos;
 using Catch::Matchers::Contains;
 using Catch::Matchers::WithinAbs;
@@ -230,3 +232,5 @@ TEST_CASE("proximity: invalid experiments are refused with the reason",
                                           Contains("\"fb0\" has 24"));
   }
 }
+
+}  // namespace proximity_options_test

@@ -15,6 +15,8 @@
 #include <cmath>
 #include <vector>
 
+namespace range_and_bearing_test {
+
 using namespace argos;
 using Catch::Matchers::Contains;
 using Catch::Matchers::WithinAbs;
@@ -406,3 +408,5 @@ TEST_CASE("range and bearing: invalid orders and experiments are refused with th
     CHECK_THAT(LoadError(experiment), Contains("no component \"rab\"") && Contains("\"r\""));
   }
 }
+
+}  // namespace range_and_bearing_test

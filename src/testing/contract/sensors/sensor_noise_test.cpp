@@ -7,6 +7,8 @@
 
 #include <regex>
 
+namespace sensor_noise_test {
+
 using namespace argos;
 
 namespace {
@@ -69,3 +71,5 @@ TEST_CASE("sensor noise: every sensor of every robot has the requested distribut
               errors, [sigma](Real error) { return NormalDistribution(error, sigma); }) <= 1.0);
   }
 }
+
+}  // namespace sensor_noise_test

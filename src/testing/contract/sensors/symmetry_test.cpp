@@ -35,6 +35,8 @@
 #include <string>
 #include <vector>
 
+namespace symmetry_test {
+
 using namespace argos;
 using Catch::Matchers::WithinAbs;
 
@@ -406,3 +408,5 @@ TEST_CASE("symmetry: moved, turned and mirrored worlds give moved, turned and mi
     }
   }
 }
+
+}  // namespace symmetry_test

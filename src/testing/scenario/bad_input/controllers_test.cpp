@@ -10,6 +10,8 @@
 #include <fstream>
 #include <sstream>
 
+namespace controllers_test {
+
 using namespace argos;
 using Catch::Contains;
 
@@ -137,3 +139,5 @@ TEST_CASE("bad input: all errors are reported together", "[bad_input]") {
   CHECK_THAT(error, Contains("no_entity"));
   CHECK_THAT(error, Contains("no_loop_functions"));
 }
+
+}  // namespace controllers_test

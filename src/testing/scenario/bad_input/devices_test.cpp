@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace devices_test {
+
 using namespace argos;
 using Catch::Contains;
 
@@ -235,3 +237,5 @@ TEST_CASE("bad input: closing a gripper without an object in reach is no error",
   CHECK(run.Status == 0);
   CHECK(run.Err == "");
 }
+
+}  // namespace devices_test

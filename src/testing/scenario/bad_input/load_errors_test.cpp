@@ -6,6 +6,8 @@
 
 #include <stdexcept>
 
+namespace load_errors_test {
+
 using namespace argos;
 
 namespace {
@@ -60,3 +62,5 @@ TEST_CASE("load errors: consequences of reported errors are omitted", "[bad_inpu
   CHECK_FALSE(errors.Try("", [] { throw CAlreadyReported("its medium is broken"); }));
   CHECK(errors.IsEmpty());
 }
+
+}  // namespace load_errors_test

@@ -8,6 +8,8 @@
 
 #include <regex>
 
+namespace bad_input_messages_test {
+
 using namespace argos;
 using Catch::Contains;
 
@@ -160,3 +162,5 @@ TEST_CASE("messages: a closing tag of another element is named", "[bad_input][me
         "[FATAL] test.argos:6: not well-formed XML: </arean> is found where </arena> must come "
         "first: <arena> of line 6 is still open");
 }
+
+}  // namespace bad_input_messages_test

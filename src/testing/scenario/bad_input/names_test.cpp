@@ -4,6 +4,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace names_test {
+
 using namespace argos;
 using Catch::Contains;
 
@@ -111,3 +113,5 @@ TEST_CASE("bad input: duplicate ids", "[bad_input]") {
                                           Contains("\"d\"") && Contains("unique"));
   }
 }
+
+}  // namespace names_test

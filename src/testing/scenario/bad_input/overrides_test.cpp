@@ -7,6 +7,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace overrides_test {
+
 using namespace argos;
 using Catch::Contains;
 
@@ -63,3 +65,5 @@ TEST_CASE("document: settings that nothing has read are described, also of repla
   CHECK(unread[1] ==
         "--set c/@x=5: e.argos:4: <c> is not used by anything, nor is its attribute \"x\"");
 }
+
+}  // namespace overrides_test

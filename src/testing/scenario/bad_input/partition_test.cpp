@@ -7,6 +7,8 @@
 #include <sstream>
 #include <vector>
 
+namespace bad_input_partition_test {
+
 using namespace argos;
 using Catch::Contains;
 
@@ -213,3 +215,5 @@ TEST_CASE("bad partition: an invalid automatic partition", "[bad_input][partitio
   REQUIRE(first != std::string::npos);
   CHECK(warnings.find("\"iteration\" is not used", first + 1) == std::string::npos);
 }
+
+}  // namespace bad_input_partition_test

@@ -9,6 +9,8 @@
 
 #include <vector>
 
+namespace ranges_test {
+
 using namespace argos;
 using Catch::Contains;
 
@@ -119,3 +121,5 @@ TEST_CASE("ranges: the descriptions of plug-ins state them", "[bad_input][ranges
                                          Contains("kg, from 1e-6 to 1e9") &&
                                          Contains("RANGES, where none is stated"));
 }
+
+}  // namespace ranges_test

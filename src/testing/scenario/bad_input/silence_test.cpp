@@ -4,6 +4,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace silence_test {
+
 using namespace argos;
 using Catch::Contains;
 
@@ -156,3 +158,5 @@ TEST_CASE("errors: faults of <distribute> and of what follows are reported at on
                         Contains("\"max_trials\"") && Contains("\"far\"") &&
                         Contains("<orientation> is missing"));
 }
+
+}  // namespace silence_test

@@ -4,6 +4,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace values_test {
+
 using namespace argos;
 using Catch::Contains;
 
@@ -174,3 +176,5 @@ TEST_CASE("bad input: a region that is not a convex polygon", "[bad_input]") {
   CHECK_THAT(LoadError(experiment),
              Contains(At(SExperimentText::kEnginesLine)) && Contains("clockwise"));
 }
+
+}  // namespace values_test

@@ -12,6 +12,8 @@
 #include <algorithm>
 #include <csignal>
 
+namespace campaign_faults_test {
+
 using namespace argos;
 using Catch::Contains;
 
@@ -189,3 +191,5 @@ TEST_CASE("campaign: a constant attribute that nothing reads is a warning", "[ca
   // once, not of each run
   CHECK(run.Err.find("lenght", place + 30) == std::string::npos);
 }
+
+}  // namespace campaign_faults_test

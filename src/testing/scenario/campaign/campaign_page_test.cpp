@@ -16,6 +16,8 @@
 #include <string>
 #include <vector>
 
+namespace campaign_page_test {
+
 using namespace argos;
 using Catch::Contains;
 
@@ -132,3 +134,5 @@ TEST_CASE("campaign files of experiments/ can be run", "[campaign][page]") {
   }
   CHECK(count >= 1);
 }
+
+}  // namespace campaign_page_test

@@ -16,6 +16,8 @@
 #include <cstdlib>
 #include <filesystem>
 
+namespace campaigns_test {
+
 using namespace argos;
 using Catch::Contains;
 
@@ -340,3 +342,5 @@ TEST_CASE("campaign: built-in metrics of plug-ins", "[campaign][program]") {
   // ticks 1 to 5
   CHECK_THAT(folder.Read("csv/runs.csv"), Contains("test_tick") && Contains(",3\n"));
 }
+
+}  // namespace campaigns_test

@@ -13,6 +13,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+namespace interruptions_test {
+
 using namespace argos;
 
 namespace {
@@ -97,3 +99,5 @@ TEST_CASE("campaign: a second signal kills runs that hang", "[campaign][interrup
   CHECK(AwaitCampaign(process) == 128 + SIGINT);
   CHECK(ReadTable(folder.Path("results.sqlite")).size() == 6);
 }
+
+}  // namespace interruptions_test

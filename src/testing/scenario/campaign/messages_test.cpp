@@ -14,6 +14,8 @@
 #include <limits>
 #include <thread>
 
+namespace campaign_messages_test {
+
 using namespace argos;
 
 namespace {
@@ -149,3 +151,5 @@ TEST_CASE("output tail: keeps the end, within the limit and beyond", "[campaign]
   CHECK_THAT(text, Catch::Contains("[... " + std::to_string(dropped) +
                                    " bytes beyond the limit of 100000 were dropped ...]"));
 }
+
+}  // namespace campaign_messages_test

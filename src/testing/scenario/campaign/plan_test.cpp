@@ -12,6 +12,8 @@
 #include <limits>
 #include <random>
 
+namespace plan_test {
+
 using namespace argos;
 
 namespace {
@@ -208,3 +210,5 @@ TEST_CASE("metric watch: names metrics that no run has recorded, once", "[campai
   CHECK(brief.TakeWarning(true).rfind("1 run is done, and none has recorded \"delivred\": ", 0) ==
         0);
 }
+
+}  // namespace plan_test

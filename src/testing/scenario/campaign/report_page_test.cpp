@@ -18,6 +18,8 @@
 #include <string>
 #include <vector>
 
+namespace report_page_test {
+
 using namespace argos;
 
 namespace {
@@ -181,3 +183,5 @@ TEST_CASE("report: a browser shows the page at the widths of a desktop and a pho
     offset += width;
   }
 }
+
+}  // namespace report_page_test

@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+namespace studies_test {
+
 using namespace argos;
 using Catch::Contains;
 
@@ -114,3 +116,5 @@ TEST_CASE("studies: verdicts compare with the printed values", "[campaign][studi
                         .c_str()) != 0);
   CHECK_THAT(folder.Read("error"), Contains("these are no results of this study"));
 }
+
+}  // namespace studies_test

@@ -20,6 +20,8 @@
 #include <csignal>
 #include <filesystem>
 
+namespace worker_test {
+
 using namespace argos;
 using Catch::Contains;
 
@@ -331,3 +333,5 @@ TEST_CASE("worker: a closed request pipe aborts the run", "[campaign][execution]
   CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(60));
   CHECK_FALSE(std::filesystem::exists(folder.Path("run2")));
 }
+
+}  // namespace worker_test

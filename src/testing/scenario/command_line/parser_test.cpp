@@ -12,6 +12,8 @@
 
 #include <sstream>
 
+namespace parser_test {
+
 using namespace argos;
 using Catch::Contains;
 
@@ -334,3 +336,5 @@ TEST_CASE("progress: without a limit no time left is shown", "[command_line]") {
   progress.Ticks = 0;
   CHECK(DescribeProgress(progress) == "tick 0, 0 s simulated");
 }
+
+}  // namespace parser_test

@@ -14,6 +14,8 @@
 #include <sstream>
 #include <thread>
 
+namespace program_test {
+
 using namespace argos;
 using Catch::Contains;
 
@@ -380,3 +382,5 @@ TEST_CASE("argos3: the attributes of a file have paths that --set takes", "[comm
   }
   CHECK_THAT(folder.Run(arguments).Out, Contains("no errors found; 5 robots"));
 }
+
+}  // namespace program_test

@@ -12,6 +12,8 @@
 #include <fstream>
 #include <sstream>
 
+namespace query_test {
+
 using namespace argos;
 using Catch::Matchers::Contains;
 
@@ -302,3 +304,5 @@ TEST_CASE("schemas: the compact syntax has the same definitions", "[command_line
   CHECK(wrong.Status == 1);
   CHECK_THAT(wrong.Err, Contains("--schema xsd: unknown; known: rng, rnc"));
 }
+
+}  // namespace query_test

@@ -14,6 +14,8 @@
 #include <memory>
 #include <optional>
 
+namespace allocation_test {
+
 using namespace argos;
 using Catch::Contains;
 
@@ -115,3 +117,5 @@ TEST_CASE("memory: an allocation that fails at the n-th call while loading, runn
       },
       [](TWorld& world) { world->GetSimulator().Reset(); });
 }
+
+}  // namespace allocation_test

@@ -10,6 +10,8 @@
 
 #include <csignal>
 
+namespace crash_test {
+
 using namespace argos;
 using Catch::Contains;
 
@@ -168,3 +170,5 @@ TEST_CASE("bad input: a function that no library defines is an error at load, wi
   CHECK_THAT(run.Err, Contains("e.argos:4: <test_misbehaves>: attribute \"library\"") &&
                           Contains("undefined symbol: argosTest::DefinedNowhere(int)"));
 }
+
+}  // namespace crash_test

@@ -7,6 +7,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace foreign_exceptions_test {
+
 using namespace argos;
 using Catch::Contains;
 
@@ -111,3 +113,5 @@ TEST_CASE("faults: a lack of memory in a controller is named as such", "[faults]
   CHECK_THAT(ErrorOf(experiment),
              Contains("robot \"ep3\"") && Contains("tick 2") && Contains("not enough memory"));
 }
+
+}  // namespace foreign_exceptions_test

@@ -14,6 +14,8 @@
 
 #include <map>
 
+namespace on_error_test {
+
 using namespace argos;
 using Catch::Contains;
 using Catch::StartsWith;
@@ -250,3 +252,5 @@ TEST_CASE("on_error: a program whose robots were stopped says so and ends with s
     CHECK_THAT(run.Err, Contains("5 of 5 robots are stopped"));
   }
 }
+
+}  // namespace on_error_test

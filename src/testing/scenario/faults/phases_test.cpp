@@ -12,6 +12,8 @@
 #include <algorithm>
 #include <vector>
 
+namespace phases_test {
+
 using namespace argos;
 using Catch::Contains;
 
@@ -253,3 +255,5 @@ TEST_CASE("faults: robots that remove themselves when they are reset or destroye
     CHECK(RootIds(world).empty());
   }
 }
+
+}  // namespace phases_test

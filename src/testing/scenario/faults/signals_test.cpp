@@ -10,6 +10,8 @@
 #include <regex>
 #include <sstream>
 
+namespace signals_test {
+
 using namespace argos;
 using Catch::Contains;
 
@@ -61,3 +63,5 @@ TEST_CASE("signals: a run that is stopped in any tick ends in order", "[faults][
     CHECK_THAT(result.Out, Contains("simulated ") && Contains("digest: "));
   }
 }
+
+}  // namespace signals_test

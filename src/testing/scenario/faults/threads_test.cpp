@@ -9,6 +9,8 @@
 
 #include <sys/resource.h>
 
+namespace threads_test {
+
 using namespace argos;
 using Catch::Contains;
 
@@ -98,3 +100,5 @@ TEST_CASE("memory: threads without enough memory for their stacks are an error w
   CHECK(run.Status == 1);
   CHECK_THAT(run.Err, Contains("the system started only ") && Contains(" of 500 threads"));
 }
+
+}  // namespace threads_test

@@ -19,6 +19,8 @@
 #include <iterator>
 #include <string>
 
+namespace golden_pictures_test {
+
 using namespace argos;
 
 namespace {
@@ -193,3 +195,5 @@ TEST_CASE("golden pictures: a picture in which little has changed is noticed",
   // by a pixel and a half
   CHECK(ComputeDifference(picture, draw("red", "0.015,0,0")).Most > kMost);
 }
+
+}  // namespace golden_pictures_test

@@ -18,6 +18,8 @@
 #include <string>
 #include <vector>
 
+namespace user_functions_test {
+
 using namespace argos;
 
 /****************************************/
@@ -183,3 +185,5 @@ TEST_CASE("user functions: ids, trails, links, paths and texts are in the frames
   CHECK(red.X == Approx(expected.X).margin(0.06));
   CHECK(red.Y == Approx(expected.Y).margin(0.04));
 }
+
+}  // namespace user_functions_test

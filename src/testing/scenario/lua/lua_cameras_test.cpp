@@ -11,6 +11,8 @@
 
 #include <cmath>
 
+namespace lua_cameras_test {
+
 using namespace argos;
 using Catch::Contains;
 using Catch::WithinAbs;
@@ -171,3 +173,5 @@ TEST_CASE("lua devices: directional LEDs and magnets take orders", "[lua][device
                     Contains("set_single_color"));
   CHECK_THROWS_WITH(world.Do("robot.magnets.front.set_current('x')"), Contains("set_current"));
 }
+
+}  // namespace lua_cameras_test

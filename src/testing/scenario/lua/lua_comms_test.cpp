@@ -9,6 +9,8 @@
 
 #include <cmath>
 
+namespace lua_comms_test {
+
 using namespace argos;
 using Catch::Contains;
 using Catch::WithinAbs;
@@ -163,3 +165,5 @@ TEST_CASE("lua devices: pheromones can be deposited and read", "[lua][devices]")
   CHECK_THAT(ErrorOf(world, "robot.pheromone.food.set_rate('a lot')"), Contains("number"));
   CHECK_THAT(ErrorOf(world, "robot.pheromone.food.set_rate(0 / 0)"), Contains(">= 0"));
 }
+
+}  // namespace lua_comms_test

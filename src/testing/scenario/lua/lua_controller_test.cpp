@@ -9,6 +9,8 @@
 
 #include <cmath>
 
+namespace lua_controller_test {
+
 using namespace argos;
 using Catch::Contains;
 using Catch::StartsWith;
@@ -452,3 +454,5 @@ TEST_CASE("lua controller: an invalid speed is reported as an error of the devic
   world.Step();
   CHECK_THAT(TakeLogErr(), Contains("robot.lua:3: robot.wheels.set_velocity: "));
 }
+
+}  // namespace lua_controller_test

@@ -9,6 +9,8 @@
 
 #include <array>
 
+namespace lua_device_list_test {
+
 using namespace argos;
 using Catch::Contains;
 
@@ -454,3 +456,5 @@ TEST_CASE("lua device list: actuator and sensor of a communication device share 
   const std::string table = tag == "differential_steering" ? "wheels" : tag;
   CHECK(world.Get("shape_of(robot." + table + ")") == expected);
 }
+
+}  // namespace lua_device_list_test

@@ -16,6 +16,8 @@
 
 #include <cmath>
 
+namespace lua_devices_test {
+
 using namespace argos;
 using Catch::Contains;
 using Catch::WithinAbs;
@@ -372,3 +374,5 @@ TEST_CASE("lua devices: the gripper holds a load, and the turret turns by whole 
   CHECK_THAT(GetNumber(world, "robot.turret.rotation"), WithinAbs(1.0, 1e-4));
   CHECK(TakeLogErr() == "");
 }
+
+}  // namespace lua_devices_test

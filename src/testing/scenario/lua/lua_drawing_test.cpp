@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+namespace lua_drawing_test {
+
 using namespace argos;
 using Catch::Contains;
 
@@ -166,3 +168,5 @@ TEST_CASE("lua drawing: outside of its hooks, drawing is an error", "[lua][drawi
 TEST_CASE("lua drawing: a script may have these hooks alone", "[lua][drawing]") {
   CHECK(LoadError(With("function draw_in_world() end")) == "");
 }
+
+}  // namespace lua_drawing_test

@@ -10,6 +10,8 @@
 
 #include <string>
 
+namespace lua_kept_readings_test {
+
 using namespace argos;
 using Catch::Contains;
 
@@ -154,3 +156,5 @@ TEST_CASE("lua readings: reuse_readings must be a truth value", "[lua][errors]")
   experiment.Params = "reuse_readings='sometimes'";
   CHECK_THAT(LoadError(experiment), Contains("reuse_readings") && Contains("sometimes"));
 }
+
+}  // namespace lua_kept_readings_test

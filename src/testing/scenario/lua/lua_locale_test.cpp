@@ -10,6 +10,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace lua_locale_test {
+
 using namespace argos;
 using Catch::Contains;
 
@@ -79,3 +81,5 @@ TEST_CASE("lua locale: a decimal comma of the process changes neither scripts no
   CHECK(result.Log == usual.Log);
   CHECK_THAT(result.Log, Contains("0.125"));
 }
+
+}  // namespace lua_locale_test

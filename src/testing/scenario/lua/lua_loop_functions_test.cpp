@@ -17,6 +17,8 @@
 #include <thread>
 #include <vector>
 
+namespace lua_loop_functions_test {
+
 using namespace argos;
 using Catch::Contains;
 using Catch::WithinAbs;
@@ -490,3 +492,5 @@ TEST_CASE("lua loop functions: without a script they are refused", "[lua][loop_f
       "<loop_functions label='lua'><params script='no_such.lua'/></loop_functions>";
   CHECK_THAT(LoadError(experiment), Contains("there is no Lua script \"no_such.lua\""));
 }
+
+}  // namespace lua_loop_functions_test

@@ -6,6 +6,8 @@
 
 #include <regex>
 
+namespace lua_messages_test {
+
 using namespace argos;
 using Catch::Contains;
 
@@ -90,3 +92,5 @@ TEST_CASE("lua messages: a colon in place of a dot is named", "[lua][program]") 
              Contains("too many arguments: expected 0, got 1; call it with a dot"));
   CHECK_THAT(ErrorOf("robot.wheels.set_velocity({}, 1)"), !Contains("dot"));
 }
+
+}  // namespace lua_messages_test

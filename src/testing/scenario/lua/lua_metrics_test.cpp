@@ -6,6 +6,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace lua_metrics_test {
+
 using namespace argos;
 using Catch::Contains;
 
@@ -84,3 +86,5 @@ TEST_CASE("lua metrics: the unit cannot change, and pcall catches that", "[lua][
   CHECK_THAT(world.Get("message"), Contains("has the unit \"m\", found \"cm\""));
   CHECK(world.GetSimulator().GetMetrics().Find("a")->Count == 1);
 }
+
+}  // namespace lua_metrics_test

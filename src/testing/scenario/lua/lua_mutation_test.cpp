@@ -18,6 +18,8 @@
 #include <set>
 #include <sstream>
 
+namespace lua_mutation_test {
+
 using namespace argos;
 using Catch::Contains;
 
@@ -227,3 +229,5 @@ TEST_CASE("lua mutation soak: many scripts and calls", "[.][soak][lua][mutation]
   RunCalls(kCases, kCases + kSoakCases / 50);
   RunLoopCalls(kCases, kCases + kSoakCases / 50);
 }
+
+}  // namespace lua_mutation_test

@@ -9,6 +9,8 @@
 
 #include <regex>
 
+namespace lua_program_test {
+
 using namespace argos;
 using Catch::Contains;
 
@@ -171,3 +173,5 @@ TEST_CASE("lua program: diffusion in Lua and in C++ is equal bit by bit", "[lua]
   CHECK(DigestIn(cpp.Out) != "");
   CHECK(DigestIn(lua.Out) == DigestIn(cpp.Out));
 }
+
+}  // namespace lua_program_test

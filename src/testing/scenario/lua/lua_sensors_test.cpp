@@ -10,6 +10,8 @@
 
 #include <cmath>
 
+namespace lua_sensors_test {
+
 using namespace argos;
 using Catch::WithinAbs;
 
@@ -179,3 +181,5 @@ TEST_CASE(
   world.Step();
   CHECK(world.Get("#" + scanner + ".short_range") == "0");
 }
+
+}  // namespace lua_sensors_test

@@ -20,6 +20,8 @@
 #include <map>
 #include <sstream>
 
+namespace mutations_test {
+
 using namespace argos;
 namespace fs = std::filesystem;
 
@@ -233,3 +235,5 @@ TEST_CASE("mutations: 20000 mutated files load, or give an error with file and l
   const char* const seed = std::getenv("MUTATION_SEED");
   CheckMutations(seed != nullptr ? std::strtoull(seed, nullptr, 10) : 2, 20000);
 }
+
+}  // namespace mutations_test

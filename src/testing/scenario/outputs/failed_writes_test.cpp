@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <filesystem>
 
+namespace failed_writes_test {
+
 using namespace argos;
 using Catch::Contains;
 
@@ -159,3 +161,5 @@ TEST_CASE("outputs: a full standard error is an error", "[outputs][faults]") {
   CHECK(run.Status == 1);
   CHECK_THAT(run.Out, Contains("the standard error cannot be written") && Contains(kFull));
 }
+
+}  // namespace failed_writes_test

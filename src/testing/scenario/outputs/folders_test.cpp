@@ -13,6 +13,8 @@
 #include <filesystem>
 #include <fstream>
 
+namespace folders_test {
+
 using namespace argos;
 using Catch::Contains;
 namespace fs = std::filesystem;
@@ -156,3 +158,5 @@ TEST_CASE("folders: frames go to paths of any length that the system allows",
   CHECK(run.Status == 1);
   CHECK_THAT(run.Err, Contains("frame_0000000010.png\" cannot be written: Is a directory"));
 }
+
+}  // namespace folders_test

@@ -9,6 +9,8 @@
 
 #include <filesystem>
 
+namespace inputs_test {
+
 using namespace argos;
 using Catch::Contains;
 
@@ -90,3 +92,5 @@ TEST_CASE("inputs: an experiment in a file of the shell is read", "[outputs]") {
   std::filesystem::create_symlink(folder.Path("e.argos"), folder.Path("link.argos"));
   CHECK(RunProgramUnder(folder, {"-z", "-c", "link.argos"}, {}).Status == 0);
 }
+
+}  // namespace inputs_test

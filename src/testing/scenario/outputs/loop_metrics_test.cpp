@@ -17,6 +17,8 @@
 #include <thread>
 #include <vector>
 
+namespace loop_metrics_test {
+
 using namespace argos;
 using Catch::Matchers::Contains;
 
@@ -192,3 +194,5 @@ TEST_CASE("loop metrics: an experiment asks for them in its file", "[outputs][me
     memory = table.GetNumbers("resident_memory").back();
   }
 }
+
+}  // namespace loop_metrics_test

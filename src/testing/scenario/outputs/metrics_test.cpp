@@ -10,6 +10,8 @@
 
 #include <cmath>
 
+namespace outputs_metrics_test {
+
 using namespace argos;
 using Catch::Matchers::Contains;
 using Catch::Matchers::WithinAbs;
@@ -203,3 +205,5 @@ TEST_CASE("metrics output: argos3 -q lists built-in metrics", "[outputs][metrics
   }
   CHECK_THAT(folder.Run({"-q", "collisions"}).Out, Contains("closer than 1 mm"));
 }
+
+}  // namespace outputs_metrics_test

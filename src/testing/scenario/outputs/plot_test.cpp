@@ -10,6 +10,8 @@
 
 #include <cstdlib>
 
+namespace plot_test {
+
 using namespace argos;
 using Catch::Matchers::Contains;
 
@@ -111,3 +113,5 @@ TEST_CASE("plots: a missing gnuplot is said", "[outputs][plots]") {
   CHECK(run.Status == 1);
   CHECK_THAT(run.Err, Contains("gnuplot is not installed") && Contains("gnuplot-nox"));
 }
+
+}  // namespace plot_test

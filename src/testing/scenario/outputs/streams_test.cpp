@@ -11,6 +11,8 @@
 #include <signal.h>
 #include <unistd.h>
 
+namespace streams_test {
+
 using namespace argos;
 using Catch::Contains;
 
@@ -72,3 +74,5 @@ TEST_CASE("streams: a controller's Destroy() that throws leaves nothing undestro
   // the visualization has removed its lock
   CheckOutputsAreReadable(folder);
 }
+
+}  // namespace streams_test

@@ -10,6 +10,8 @@
 
 #include <cmath>
 
+namespace table_faults_test {
+
 using namespace argos;
 using Catch::Matchers::Contains;
 
@@ -143,3 +145,5 @@ TEST_CASE("tables: a file that cannot grow ends the run, and the rows in it are 
   CHECK(text.back() == '\n');
   CHECK(ReadCSV(text).Columns.at("lua_number").back() != "");
 }
+
+}  // namespace table_faults_test

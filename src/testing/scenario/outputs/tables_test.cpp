@@ -18,6 +18,8 @@
 #include <optional>
 #include <utility>
 
+namespace outputs_tables_test {
+
 using namespace argos;
 using Catch::Matchers::Contains;
 using Catch::Matchers::WithinAbs;
@@ -308,3 +310,5 @@ TEST_CASE("tables: two of them cannot write one file", "[outputs][tables]") {
   CRunningWorld world(table);
   CHECK_THROWS_WITH(world.Get().Step(1), Contains(file));
 }
+
+}  // namespace outputs_tables_test

@@ -17,6 +17,8 @@
 #include <string>
 #include <vector>
 
+namespace films_test {
+
 using namespace argos;
 using Catch::Contains;
 
@@ -262,3 +264,5 @@ TEST_CASE("films: an interrupted run leaves a whole film", "[scenario][recording
   CHECK_THAT(run.Out, Contains("The film a.mp4 is complete"));
   CHECK_THAT(Probe(folder, "a.mp4"), Catch::StartsWith("h264,160,120,10/1,"));
 }
+
+}  // namespace films_test

@@ -16,6 +16,8 @@
 #include <random>
 #include <thread>
 
+namespace interrupted_recordings_test {
+
 using namespace argos;
 using Catch::Contains;
 
@@ -96,3 +98,5 @@ TEST_CASE("recording: a full disk ends the run with an error, and what was writt
   const CRecordingReader reader(folder.Path("run.rec"));
   CHECK(reader.GetLastTick() > 0);
 }
+
+}  // namespace interrupted_recordings_test

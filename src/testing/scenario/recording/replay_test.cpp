@@ -15,6 +15,8 @@
 #include <string>
 #include <vector>
 
+namespace replay_test {
+
 using namespace argos;
 using Catch::Contains;
 
@@ -344,3 +346,5 @@ TEST_CASE("recording: the digest of a run does not change", "[scenario][recordin
   CheckSuccess(with);
   CHECK(digest(with) == digest(without));
 }
+
+}  // namespace replay_test

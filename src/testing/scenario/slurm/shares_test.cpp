@@ -11,6 +11,8 @@
 #include <numeric>
 #include <set>
 
+namespace shares_test {
+
 using namespace argos;
 using Catch::Contains;
 
@@ -136,3 +138,5 @@ TEST_CASE("job scripts: names with blanks and other characters", "[campaign][slu
                                   "#1.xml' ") &&
                          Contains("--part '/a b/100%.parts'/\"$SLURM_ARRAY_TASK_ID\".sqlite"));
 }
+
+}  // namespace shares_test

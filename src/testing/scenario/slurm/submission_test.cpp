@@ -18,6 +18,8 @@
 #include <filesystem>
 #include <thread>
 
+namespace submission_test {
+
 using namespace argos;
 using Catch::Contains;
 
@@ -256,3 +258,5 @@ TEST_CASE("slurm: without its commands, submit says what to install", "[campaign
   CHECK_THAT(run.Err, Contains("sbatch was not found") && Contains("slurm-client"));
   CHECK_FALSE(std::filesystem::exists(folder.Path("results.sqlite")));
 }
+
+}  // namespace submission_test

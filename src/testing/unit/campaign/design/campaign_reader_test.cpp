@@ -8,6 +8,8 @@
 #include <set>
 #include <utility>
 
+namespace campaign_reader_test {
+
 using namespace argos;
 using Catch::Matchers::Contains;
 
@@ -359,3 +361,5 @@ TEST_CASE("campaign file: what fails to be read has no consequences", "[campaign
   CHECK_THAT(text, Contains("attribute \"values\" is empty"));
   CHECK_THAT(text, !Contains("errors in the campaign"));
 }
+
+}  // namespace campaign_reader_test

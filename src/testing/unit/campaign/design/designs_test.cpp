@@ -7,6 +7,8 @@
 #include <map>
 #include <set>
 
+namespace designs_test {
+
 using namespace argos;
 using Catch::Matchers::Contains;
 typedef std::vector<std::string> TTexts;
@@ -164,3 +166,5 @@ TEST_CASE("without factors there is one combination", "[campaign][design]") {
   REQUIRE(campaign.Combinations.size() == 1);
   CHECK(campaign.Combinations[0].ComputeKey().empty());
 }
+
+}  // namespace designs_test

@@ -10,6 +10,8 @@
 #include <map>
 #include <set>
 
+namespace factor_values_test {
+
 using namespace argos;
 using Catch::Matchers::Contains;
 typedef std::vector<std::string> TTexts;
@@ -150,3 +152,5 @@ TEST_CASE("expressions: what they may do is limited", "[campaign][design]") {
   CHECK(expressions.Evaluate("(function() math.pi = 3 return 1 end)()") == "1");
   CHECK(expressions.IsTrue("math.pi > 3.14"));
 }
+
+}  // namespace factor_values_test

@@ -14,7 +14,7 @@
 #include <filesystem>
 #include <set>
 
-namespace argos {
+namespace argos::figures_test {
 
 namespace {
 
@@ -402,4 +402,4 @@ TEST_CASE("figures: gnuplot draws all kinds and formats", "[campaign][report]") 
   CHECK(Read(campaign.GetPath("map.pdf")).rfind("%PDF", 0) == 0);
 }
 
-}  // namespace argos
+}  // namespace argos::figures_test

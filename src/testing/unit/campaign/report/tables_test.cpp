@@ -10,7 +10,7 @@
 #include <cmath>
 #include <limits>
 
-namespace argos {
+namespace argos::report_tables_test {
 
 namespace {
 
@@ -184,4 +184,4 @@ TEST_CASE("report text: users' text is escaped", "[campaign][report]") {
   CHECK(FormatDuration(3725) == "1 h 2 min");
 }
 
-}  // namespace argos
+}  // namespace argos::report_tables_test

@@ -11,6 +11,8 @@
 #include <cmath>
 #include <vector>
 
+namespace bootstrap_test {
+
 using Catch::Contains;
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
@@ -193,3 +195,5 @@ TEST_CASE("bootstrap: hostile input", "[campaign][statistics]") {
   CHECK(beyond.Upper == 260.25);
   CHECK(std::isfinite(beyond.Lower));
 }
+
+}  // namespace bootstrap_test

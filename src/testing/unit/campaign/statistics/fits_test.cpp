@@ -12,6 +12,8 @@
 #include <cmath>
 #include <vector>
 
+namespace fits_test {
+
 using Catch::Contains;
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
@@ -190,3 +192,5 @@ TEST_CASE("correlation: perfect ones", "[campaign][statistics]") {
   // two of 5! orders
   CHECK_THAT(ComputeSpearmanCorrelation(some, some).PValue, WithinRel(2.0 / 120.0, 1e-14));
 }
+
+}  // namespace fits_test

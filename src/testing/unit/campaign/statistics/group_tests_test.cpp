@@ -11,6 +11,8 @@
 #include <cmath>
 #include <vector>
 
+namespace group_tests_test {
+
 using Catch::Contains;
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
@@ -174,3 +176,5 @@ TEST_CASE("friedman's test: hostile input", "[campaign][statistics]") {
   CHECK(equal.Statistic == 0.0);
   CHECK(equal.PValue == 1.0);
 }
+
+}  // namespace group_tests_test

@@ -11,6 +11,8 @@
 #include <cmath>
 #include <vector>
 
+namespace intervals_test {
+
 using Catch::Contains;
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
@@ -195,3 +197,5 @@ TEST_CASE("interval of a proportion: bounds stay in [0,1], wrong counts are erro
   CHECK_THROWS_WITH(ComputeProportionInterval(4, 3), Contains("4 successes in 3 trials"));
   CHECK_THROWS_WITH(ComputeProportionInterval(1, 3, 0.0), Contains("confidence level 0"));
 }
+
+}  // namespace intervals_test

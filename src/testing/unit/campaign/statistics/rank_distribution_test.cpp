@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <vector>
 
+namespace rank_distribution_test {
+
 using Catch::Contains;
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
@@ -195,3 +197,5 @@ TEST_CASE("spearman's distribution: the series of R", "[campaign][statistics]") 
   CHECK_THAT(ComputeSpearmanUpperTail(100.0, 10), WithinRel(0.876314606194034, 1e-12));
   CHECK_THAT(ComputeSpearmanUpperTail(36000.0, 50), WithinRel(5.12803428120666e-9, 1e-10));
 }
+
+}  // namespace rank_distribution_test

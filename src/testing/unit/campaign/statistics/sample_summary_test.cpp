@@ -11,6 +11,8 @@
 #include <cmath>
 #include <vector>
 
+namespace sample_summary_test {
+
 using Catch::Contains;
 using Catch::Matchers::WithinRel;
 using namespace argos;
@@ -110,3 +112,5 @@ TEST_CASE("missing values: pairs need both values", "[campaign][statistics]") {
   CHECK(present.Values == std::vector<Real>{2.0});
   CHECK(present.NumMissing == 1);
 }
+
+}  // namespace sample_summary_test

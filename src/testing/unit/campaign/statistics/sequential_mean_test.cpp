@@ -14,6 +14,8 @@
 #include <functional>
 #include <vector>
 
+namespace sequential_mean_test {
+
 using Catch::Contains;
 using Catch::Matchers::WithinRel;
 using namespace argos;
@@ -239,3 +241,5 @@ TEST_CASE("sequential mean: wrong values", "[campaign][statistics]") {
   CHECK_NOTHROW(mean.Insert(4, 9.0));
   CHECK(mean.GetCount() == 2);
 }
+
+}  // namespace sequential_mean_test

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <vector>
 
+namespace series_bands_test {
+
 using Catch::Contains;
 using namespace argos;
 
@@ -49,3 +51,5 @@ TEST_CASE("bands of series: hostile input", "[campaign][statistics]") {
   CHECK_THROWS_WITH(ComputeSeriesBands(one, 0.1, kNaN), Contains("upper probability"));
   CHECK_THROWS_WITH(ComputeSeriesBands(one, 0.6, 0.5), Contains("must not be greater"));
 }
+
+}  // namespace series_bands_test

@@ -13,6 +13,8 @@
 #include <functional>
 #include <vector>
 
+namespace wilcoxon_tests_test {
+
 using Catch::Contains;
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
@@ -340,3 +342,5 @@ TEST_CASE("rank-sum test: hostile input", "[campaign][statistics]") {
   CHECK(ones.PValue == 1.0);
   CheckInterval(ones.Interval, 2.0, 2.0, 0.0);
 }
+
+}  // namespace wilcoxon_tests_test

@@ -8,6 +8,8 @@
 #include <memory>
 #include <sstream>
 
+namespace result_export_test {
+
 using namespace argos;
 using Catch::Matchers::Contains;
 typedef std::vector<std::string> TTexts;
@@ -119,3 +121,5 @@ TEST_CASE("export: a place that cannot be written", "[campaign][store]") {
   CHECK_THAT(CatchText([&] { ExportJSON(*exported.Store, exported.Folder.Path("none/a.json")); }),
              Contains("none/a.json") && Contains("No such file"));
 }
+
+}  // namespace result_export_test

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <memory>
 
+namespace result_store_test {
+
 using namespace argos;
 using Catch::Matchers::Contains;
 typedef std::vector<std::string> TTexts;
@@ -264,3 +266,5 @@ TEST_CASE("result store: changed scripts and metrics are warnings", "[campaign][
   CHECK_THAT(warnings, Contains("test.xml: <collect> has changed"));
   CHECK_THAT(warnings, !Contains("guard.lua"));
 }
+
+}  // namespace result_store_test

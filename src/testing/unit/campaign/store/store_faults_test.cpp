@@ -15,6 +15,8 @@
 #include <functional>
 #include <memory>
 
+namespace store_faults_test {
+
 using namespace argos;
 using Catch::Matchers::Contains;
 
@@ -322,3 +324,5 @@ TEST_CASE("result store: a reader cannot write", "[campaign][store]") {
   CHECK_THAT(CatchText([&] { reader.Register(campaign, true); }),
              Contains("it is not writable (attempt to write a readonly database)"));
 }
+
+}  // namespace store_faults_test

@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace store_merge_test {
+
 using namespace argos;
 using Catch::Matchers::Contains;
 
@@ -103,3 +105,5 @@ TEST_CASE("merging: other factors or experiments are refused", "[campaign][store
   CHECK_THAT(CatchText([&] { store.Merge(folder.Path("none.sqlite")); }),
              Contains("none.sqlite\" cannot be read: No such file"));
 }
+
+}  // namespace store_merge_test

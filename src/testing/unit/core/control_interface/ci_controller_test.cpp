@@ -5,6 +5,8 @@
 
 #include <memory>
 
+namespace ci_controller_test {
+
 using Catch::Contains;
 
 // without a namespace, which would be part of its name in messages
@@ -197,3 +199,5 @@ TEST_CASE("controller: the error on a device of another type names its interface
                     Contains("but the device in the XML is a CCI_TestNoseSensor "
                              "(argosTest::CTestNose), whose header is ci_test_nose_sensor.h"));
 }
+
+}  // namespace ci_controller_test

@@ -15,6 +15,8 @@
 #include <mutex>
 #include <thread>
 
+namespace loading_in_threads_test {
+
 using namespace argos;
 
 namespace {
@@ -152,3 +154,5 @@ TEST_CASE("loading in threads: the labels of a library appear all at once",
   CHECK(failures.GetText() == "");
   CHECK(hasBoth);
 }
+
+}  // namespace loading_in_threads_test

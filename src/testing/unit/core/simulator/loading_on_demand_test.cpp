@@ -17,6 +17,8 @@
 #include <thread>
 #include <vector>
 
+namespace loading_on_demand_test {
+
 using namespace argos;
 using Catch::Contains;
 namespace fs = std::filesystem;
@@ -131,3 +133,5 @@ TEST_CASE("loading on demand: the first unknown label loads all plug-ins, once p
                           Contains("did you mean \"test-marker-1\"") &&
                           Contains(folder.Path().string()));
 }
+
+}  // namespace loading_on_demand_test

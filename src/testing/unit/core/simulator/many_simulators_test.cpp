@@ -7,6 +7,8 @@
 #include <iterator>
 #include <thread>
 
+namespace many_simulators_test {
+
 using namespace argos;
 
 namespace {
@@ -170,3 +172,5 @@ TEST_CASE("current simulator: each simulator has its own random categories",
   // outside any simulator the thread has yet another registry
   std::thread([] { CHECK_FALSE(CRandom::ExistsCategory("mine")); }).join();
 }
+
+}  // namespace many_simulators_test

@@ -15,6 +15,8 @@
 #include <string>
 #include <thread>
 
+namespace simulator_simulator_test {
+
 using namespace argos;
 using Catch::Contains;
 
@@ -537,3 +539,5 @@ TEST_CASE("simulator: a late tick is reported as a warning, and the run goes on"
   CHECK(world.GetSpace().GetSimulationClock() == 3);
   CHECK_THAT(TakeLogErr(), Contains("[WARNING]") && Contains("late"));
 }
+
+}  // namespace simulator_simulator_test

@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+namespace view_drawing_test {
+
 using namespace argos;
 using Catch::Matchers::Contains;
 
@@ -108,3 +110,5 @@ TEST_CASE("view drawing: errors give the place in the file", "[core][drawing]") 
   CHECK_THROWS_WITH(CView("<user_functions label='noted_functions' name='bad' />"),
                     Contains("test.argos:2") && Contains("no such ink"));
 }
+
+}  // namespace view_drawing_test

@@ -17,6 +17,8 @@
 #include <sstream>
 #include <thread>
 
+namespace timing_test {
+
 using namespace argos;
 using Catch::Contains;
 using Catch::WithinAbs;
@@ -173,3 +175,5 @@ TEST_CASE("profiler: errors are reported before the run", "[core][profiler]") {
   CHECK_THROWS_WITH(CProfiler("/no/such/folder/x", "table"),
                     Contains("cannot write the file \"/no/such/folder/x\": No such file"));
 }
+
+}  // namespace timing_test

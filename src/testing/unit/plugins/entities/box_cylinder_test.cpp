@@ -8,6 +8,8 @@
 
 #include <limits>
 
+namespace box_cylinder_test {
+
 using namespace argos;
 using Catch::Matchers::Contains;
 
@@ -162,3 +164,5 @@ TEST_CASE("box and cylinder: are drawn with their shapes", "[entities]") {
   // movable and immovable bodies have different colours
   CHECK(box.Parts[0].Color != cylinder.Parts[0].Color);
 }
+
+}  // namespace box_cylinder_test

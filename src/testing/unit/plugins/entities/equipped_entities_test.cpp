@@ -13,6 +13,8 @@
 #include <limits>
 #include <vector>
 
+namespace equipped_entities_test {
+
 using namespace argos;
 using Catch::Matchers::Contains;
 using Catch::Matchers::WithinAbs;
@@ -199,3 +201,5 @@ TEST_CASE("proximity component: invalid values are refused", "[entities][errors]
   CHECK(robot.Sensors.GetNumSensors() == 0);
   CHECK_THROWS_WITH(robot.Sensors.GetSensor(0), Contains("no sensor 0"));
 }
+
+}  // namespace equipped_entities_test

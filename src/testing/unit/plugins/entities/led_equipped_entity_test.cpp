@@ -11,6 +11,8 @@
 
 #include <limits>
 
+namespace led_equipped_entity_test {
+
 using namespace argos;
 using Catch::Matchers::Contains;
 
@@ -206,3 +208,5 @@ TEST_CASE("light: has colour, intensity and a medium, and no body", "[entities]"
   CHECK_THAT(LoadError(With("<light id=\"l\" color=\"yellow\" medium=\"leds\"/>")),
              Contains("intensity"));
 }
+
+}  // namespace led_equipped_entity_test

@@ -15,6 +15,8 @@
 #include <cmath>
 #include <limits>
 
+namespace mounted_entities_test {
+
 using namespace argos;
 using Catch::Matchers::Contains;
 using Catch::Matchers::WithinAbs;
@@ -287,3 +289,5 @@ TEST_CASE("mounted entities: unknown numbers and values out of range are errors"
   CTagEntity tag(nullptr);
   CHECK_THROWS_WITH(tag.GetMedium(), Contains("no medium"));
 }
+
+}  // namespace mounted_entities_test

@@ -8,6 +8,8 @@
 #include <limits>
 #include <memory>
 
+namespace rab_equipped_entity_test {
+
 using namespace argos;
 using Catch::Matchers::Contains;
 using Catch::Matchers::WithinAbs;
@@ -155,3 +157,5 @@ TEST_CASE("rab entity: is initialised from XML", "[entities]") {
     CHECK_THROWS_WITH(device.Init(document.GetRoot()), Contains("range"));
   }
 }
+
+}  // namespace rab_equipped_entity_test

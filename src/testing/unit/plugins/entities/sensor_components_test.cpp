@@ -8,6 +8,8 @@
 
 #include <cmath>
 
+namespace sensor_components_test {
+
 using namespace argos;
 using Catch::Matchers::Contains;
 using Catch::Matchers::WithinAbs;
@@ -110,3 +112,5 @@ TEST_CASE("sensor components: invalid values are refused", "[entities][errors]")
   CHECK_THROWS_WITH(robot.Ground.GetSensor(2),
                     Contains("ground_sensors") && Contains("no sensor 2"));
 }
+
+}  // namespace sensor_components_test

@@ -7,6 +7,8 @@
 
 #include <set>
 
+namespace led_medium_test {
+
 using namespace argos;
 using Catch::Matchers::Contains;
 
@@ -166,3 +168,5 @@ TEST_CASE("led medium: invalid attributes are refused with place and reason", "[
   twice.Media = "<led id=\"leds\"/><led id=\"leds\"/>";
   CHECK_THAT(LoadError(twice), Contains("leds"));
 }
+
+}  // namespace led_medium_test

@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace pheromone_field_test {
+
 using namespace argos;
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
@@ -327,3 +329,5 @@ TEST_CASE("pheromone field: a step in steady state allocates nothing", "[media][
     }
   });
 }
+
+}  // namespace pheromone_field_test

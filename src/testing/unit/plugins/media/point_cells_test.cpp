@@ -9,6 +9,8 @@
 #include <cmath>
 #include <vector>
 
+namespace point_cells_test {
+
 using namespace argos;
 
 namespace {
@@ -115,3 +117,5 @@ TEST_CASE("point cells: places of a former sort are noticed", "[media][invariant
   cells.Sort(points.X.data(), points.Y.data(), 2, 1.0);
   CheckCaught([&] { static_cast<void>(cells.GetPoint(2)); }, "there is no place 2");
 }
+
+}  // namespace point_cells_test

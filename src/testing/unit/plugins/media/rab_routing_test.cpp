@@ -9,6 +9,8 @@
 #include <limits>
 #include <vector>
 
+namespace rab_routing_test {
+
 using namespace argos;
 
 namespace {
@@ -123,3 +125,5 @@ TEST_CASE("rab routing: a call in steady state allocates nothing", "[media][allo
   Fill(routing.GetDevices(), 300, 2);
   CheckAllocatesNothing([&] { routing.Route(pool, nullptr); });
 }
+
+}  // namespace rab_routing_test

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace planar_rays_test {
+
 using namespace argos;
 
 namespace {
@@ -62,3 +64,5 @@ TEST_CASE("planar rays: the cheap test rejects no solid that a ray meets, and ne
   // a band of some millionths of the distance around the solid is not
   CHECK(static_cast<Real>(numRejected) > 0.999 * static_cast<Real>(numMissed));
 }
+
+}  // namespace planar_rays_test

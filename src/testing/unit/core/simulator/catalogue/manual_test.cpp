@@ -6,6 +6,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace manual_test {
+
 using namespace argos;
 
 namespace {
@@ -82,3 +84,5 @@ TEST_CASE("JSON: texts are escaped, and lists may be empty", "[core][catalogue]"
         "{\n  \"a\": \"\\\"\\\\\\n\\u0009\\u0001 \xc3\xa4 \\ufffd\",\n  \"b\": [],\n  \"c\": "
         "true\n}\n");
 }
+
+}  // namespace manual_test

@@ -9,6 +9,8 @@
 
 #include <memory>
 
+namespace composable_entity_test {
+
 using namespace argos;
 using Catch::Contains;
 
@@ -201,3 +203,5 @@ TEST_CASE("digest of an entity: changes with each component", "[core][entity][di
   nested.Disable();
   CHECK(digestOf() != before);
 }
+
+}  // namespace composable_entity_test

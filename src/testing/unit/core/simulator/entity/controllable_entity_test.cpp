@@ -6,6 +6,8 @@
 
 #include <memory>
 
+namespace controllable_entity_test {
+
 using namespace argos;
 using Catch::Contains;
 
@@ -214,3 +216,5 @@ TEST_CASE("controllable entity: recorded rays are kept until the next sensing",
   CHECK(entity.GetCheckedRays().empty());
   CHECK(entity.GetIntersectionPoints().empty());
 }
+
+}  // namespace controllable_entity_test

@@ -6,6 +6,8 @@
 
 #include <cmath>
 
+namespace embodied_entity_test {
+
 using namespace argos;
 using Catch::Contains;
 using Catch::WithinAbs;
@@ -227,3 +229,5 @@ TEST_CASE("MoveTo: a moved wall returns to its place on reset, for rays too",
       item, CRay3(CVector3(1.5, 0.0, 0.2), CVector3(3.5, 0.0, 0.2))));
   CHECK_THAT(item.TOnRay, WithinAbs(0.2, kRounding));
 }
+
+}  // namespace embodied_entity_test

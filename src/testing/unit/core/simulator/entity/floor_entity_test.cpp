@@ -15,6 +15,8 @@
 #include <limits>
 #include <sstream>
 
+namespace floor_entity_test {
+
 using namespace argos;
 using Catch::Contains;
 
@@ -358,3 +360,5 @@ TEST_CASE("floor: the change mark is set until it is cleared", "[core][floor]") 
   floor.Reset();
   CHECK(floor.HasChanged());
 }
+
+}  // namespace floor_entity_test

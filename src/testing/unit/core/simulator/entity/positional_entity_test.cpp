@@ -4,6 +4,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace positional_entity_test {
+
 using namespace argos;
 using Catch::Contains;
 using Catch::WithinAbs;
@@ -49,3 +51,5 @@ TEST_CASE("positional entity: a malformed pose is an error with its line", "[cor
   CHECK_THROWS_WITH(entity.Init(document.GetRoot()),
                     Contains("file.argos:1") && Contains("position"));
 }
+
+}  // namespace positional_entity_test

@@ -12,6 +12,8 @@
 #include <cmath>
 #include <limits>
 
+namespace body_description_test {
+
 using namespace argos;
 using Catch::WithinAbs;
 using Catch::WithinRel;
@@ -285,3 +287,5 @@ TEST_CASE("body description: the bounds of prisms are those of their corners", "
     REQUIRE_THAT(body.ComputeBoundingRadius(), WithinRel(reach, 1e-12));
   }
 }
+
+}  // namespace body_description_test

@@ -19,6 +19,8 @@
 #include <tuple>
 #include <vector>
 
+namespace body_index_test {
+
 using namespace argos;
 using Catch::WithinAbs;
 
@@ -559,3 +561,5 @@ TEST_CASE("body index: of two bodies hit at the same distance the one added firs
   CHECK(item.IntersectedEntity == &first);
   CHECK(item.TOnRay == 0.5);
 }
+
+}  // namespace body_index_test

@@ -10,7 +10,7 @@
 
 #include <limits>
 
-namespace argos {
+namespace argos::convex_polygon_test {
 
 using Catch::WithinAbs;
 using Catch::WithinRel;
@@ -178,4 +178,4 @@ TEST_CASE("convex polygon: the nearest point of the border is that of a sampled 
   }
 }
 
-}  // namespace argos
+}  // namespace argos::convex_polygon_test

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <string>
 
+namespace grown_body_test {
+
 using namespace argos;
 
 namespace {
@@ -70,3 +72,5 @@ TEST_CASE("grown body: every face moves outwards by the margin", "[core][geometr
     }
   }
 }
+
+}  // namespace grown_body_test

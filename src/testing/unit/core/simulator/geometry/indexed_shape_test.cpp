@@ -8,6 +8,8 @@
 #include <cmath>
 #include <random>
 
+namespace indexed_shape_test {
+
 using namespace argos;
 using Catch::WithinAbs;
 
@@ -256,3 +258,5 @@ TEST_CASE("overlap: bodies one above the other do not overlap", "[core][space][o
   CHECK_FALSE(ShapesOverlap(Box(0.0, 0.0, 0.0, 0.1, 0.1, 0.5, 1.0), below));
   CHECK(ShapesOverlap(below, Box(0.0, 0.0, 0.0, 0.1, 0.1, 0.499, 1.0)));
 }
+
+}  // namespace indexed_shape_test

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+namespace region_geometry_test {
+
 using namespace argos;
 using Catch::Matchers::WithinAbs;
 
@@ -74,3 +76,5 @@ TEST_CASE("region geometry: the crossing sides of a polygon are found", "[core][
   // not convex, but simple
   CHECK_FALSE(FindCrossing({CVector2(0, 0), CVector2(4, 0), CVector2(1, 1), CVector2(0, 4)}));
 }
+
+}  // namespace region_geometry_test

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <random>
 
+namespace solid_overlap_test {
+
 using namespace argos;
 
 namespace {
@@ -243,3 +245,5 @@ TEST_CASE("solid overlap: a tilted box passes under a table that its bounding sp
   CHECK(fits(top + 1e-6));
   CHECK_FALSE(fits(top - 1e-6));
 }
+
+}  // namespace solid_overlap_test

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+namespace volume_test {
+
 using namespace argos;
 using Catch::Contains;
 
@@ -200,3 +202,5 @@ TEST_CASE("volume: a refused description leaves the region unchanged", "[core][v
   CHECK(volume.TopFace != nullptr);
   CHECK(volume.SideFaces.empty());
 }
+
+}  // namespace volume_test

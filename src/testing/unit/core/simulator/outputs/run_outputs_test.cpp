@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace argos {
+namespace argos::run_outputs_test {
 
 namespace {
 
@@ -227,4 +227,4 @@ TEST_CASE("outputs: an error in the attributes of an added one names the option'
                     Contains("<test_output>") && Contains("never"));
 }
 
-}  // namespace argos
+}  // namespace argos::run_outputs_test

@@ -9,6 +9,8 @@
 
 #include <cmath>
 
+namespace flight_loop_test {
+
 using namespace argos;
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
@@ -82,3 +84,5 @@ TEST_CASE("flight loops: the bounds of the eye-bot", "[pointmass3d]") {
   body.PlanarInertia.reset();
   CHECK_THAT(ComputeFlightBound(body), WithinRel(0.1 * 0.005 / (0.5 * 0.005 + 0.01), 1e-14));
 }
+
+}  // namespace flight_loop_test

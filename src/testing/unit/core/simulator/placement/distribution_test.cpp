@@ -8,6 +8,8 @@
 #include <cmath>
 #include <set>
 
+namespace distribution_test {
+
 using namespace argos;
 using Catch::Contains;
 using Catch::WithinAbs;
@@ -243,3 +245,5 @@ TEST_CASE("distribute: invalid settings are errors", "[core][space][distribute]"
                                   "<toy-lamp id='fb0' />")),
              Contains("\"fb0\"") && Contains("unique"));
 }
+
+}  // namespace distribution_test

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 
+namespace ground_order_test {
+
 using namespace argos;
 
 namespace {
@@ -110,3 +112,5 @@ TEST_CASE("distribute: many robots are created by their places, and listed by th
   many.Step(2);
   CHECK(space.GetControllableEntities()[300]->GetRootEntity().GetId() == "fb301");
 }
+
+}  // namespace ground_order_test

@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+namespace vector_generator_test {
+
 using namespace argos;
 using Catch::Contains;
 using Catch::WithinAbs;
@@ -153,3 +155,5 @@ TEST_CASE("vector generator: invalid settings are errors with the line",
   CheckFails("<position method='grid' center='0,0,0' distances='1,1,1' layout='3,-1,1' />",
              "layout");
 }
+
+}  // namespace vector_generator_test

@@ -6,6 +6,8 @@
 
 #include <sstream>
 
+namespace query_plugins_test {
+
 using namespace argos;
 using Catch::Contains;
 using Catch::StartsWith;
@@ -108,3 +110,5 @@ TEST_CASE("query: controllers in Lua are documented", "[core][query]") {
 TEST_CASE("query: the core's floor is documented", "[core][query]") {
   CHECK_THAT(DescribePlugins("floor"), Contains("[ floor ]") && Contains("pixels_per_meter"));
 }
+
+}  // namespace query_plugins_test

@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace drawing_coding_test {
+
 using namespace argos;
 
 namespace {
@@ -108,3 +110,5 @@ TEST_CASE("drawings: cut and changed bytes give exceptions or drawings, nothing 
   // shapes that are no longer finite are left out
   CHECK_THAT(TakeLogErr(), Catch::Contains("is not drawn: its position or size"));
 }
+
+}  // namespace drawing_coding_test

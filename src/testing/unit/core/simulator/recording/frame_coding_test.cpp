@@ -9,6 +9,8 @@
 #include <limits>
 #include <random>
 
+namespace frame_coding_test {
+
 using namespace argos;
 
 namespace {
@@ -273,3 +275,5 @@ TEST_CASE("frames: cut and changed bytes give exceptions or frames, nothing else
     }
   }
 }
+
+}  // namespace frame_coding_test

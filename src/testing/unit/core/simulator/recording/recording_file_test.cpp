@@ -10,6 +10,8 @@
 #include <cstdlib>
 #include <random>
 
+namespace recording_file_test {
+
 using namespace argos;
 using Catch::Contains;
 
@@ -225,3 +227,5 @@ TEST_CASE("recording: two writers of one file are refused", "[core][recording]")
   CHECK_THROWS_WITH(CRecordingWriter(file.GetPath(), MakeInfo()),
                     Contains("this process is writing it"));
 }
+
+}  // namespace recording_file_test

@@ -10,6 +10,8 @@
 #include <cmath>
 #include <sstream>
 
+namespace line_of_sight_test {
+
 using namespace argos;
 
 namespace {
@@ -154,3 +156,5 @@ TEST_CASE("line of sight: equals the closest hit where bodies do not overlap", "
   CHECK(numClear > kDiscs);
   CHECK(numClear < kDiscs * (kDiscs - 1) / 2);
 }
+
+}  // namespace line_of_sight_test

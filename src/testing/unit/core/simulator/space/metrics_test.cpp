@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+namespace space_metrics_test {
+
 using namespace argos;
 using Catch::Contains;
 
@@ -164,3 +166,5 @@ TEST_CASE("metrics: a thread that runs another loop records there", "[core][metr
   }
   CHECK(outer.TryAdd(0, 1.0));
 }
+
+}  // namespace space_metrics_test

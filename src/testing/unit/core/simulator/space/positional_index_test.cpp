@@ -13,6 +13,8 @@
 #include <set>
 #include <sstream>
 
+namespace positional_index_test {
+
 using namespace argos;
 using Catch::Matchers::Contains;
 
@@ -441,3 +443,5 @@ TEST_CASE("space hash: cells have no bounds, and a dump lists them", "[core][spa
   CHECK(dump.str() == "(-1,7,0): a b\n(2000,-3000,0): c\n");
   CHECK_THROWS_WITH(hash.SetCellSize(CVector3(1.0, 0.0, 1.0)), Contains("> 0"));
 }
+
+}  // namespace positional_index_test

@@ -16,6 +16,8 @@
 #include <set>
 #include <vector>
 
+namespace shared_by_space_test {
+
 using namespace argos;
 using Catch::Matchers::Contains;
 
@@ -232,3 +234,5 @@ TEST_CASE("body index: queries of areas and of rays with heights find all solids
     CHECK(above.count(numberOf(i)) == 0);
   }
 }
+
+}  // namespace shared_by_space_test

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <set>
 
+namespace space_test {
+
 using namespace argos;
 using Catch::Contains;
 
@@ -355,3 +357,5 @@ TEST_CASE("space: adding an entity of a class without space operations is an err
   experiment.Arena = "<forgetful id='f' />";
   CHECK_THAT(LoadError(experiment), Contains("forgetful") && Contains("REGISTER_"));
 }
+
+}  // namespace space_test

@@ -11,6 +11,8 @@
 #include <set>
 #include <thread>
 
+namespace tick_test {
+
 using namespace argos;
 using Catch::Contains;
 using Catch::WithinAbs;
@@ -288,3 +290,5 @@ TEST_CASE("tick: media that use the thread pool run beside media that do not",
     }
   }
 }
+
+}  // namespace tick_test

@@ -4,6 +4,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace appearance_test {
+
 using namespace argos;
 
 TEST_CASE("appearance: names of materials are those of XML", "[core][visualization]") {
@@ -16,3 +18,5 @@ TEST_CASE("appearance: names of materials are those of XML", "[core][visualizati
   CHECK_THROWS_WITH(MaterialFromText("metall"),
                     Catch::Matchers::Contains("did you mean \"metal\""));
 }
+
+}  // namespace appearance_test

@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+namespace drawing_functions_test {
+
 using namespace argos;
 using Catch::Matchers::Contains;
 
@@ -109,3 +111,5 @@ TEST_CASE("drawing functions: drawing outside of hooks is an error", "[core][dra
   // also after a hook has thrown
   CHECK_THROWS_AS(functions.GetDrawing(), CARGoSException);
 }
+
+}  // namespace drawing_functions_test

@@ -6,6 +6,8 @@
 
 #include <limits>
 
+namespace visualization_drawing_test {
+
 using namespace argos;
 using Catch::WithinAbs;
 using Catch::Matchers::Contains;
@@ -181,3 +183,5 @@ TEST_CASE("drawing: what is not finite is left out, with one warning", "[core][d
   const std::string warning = TakeLogErr();
   CHECK_THAT(warning, Contains("[WARNING] A circle at (1,2,3)") && !Contains("line at"));
 }
+
+}  // namespace visualization_drawing_test

@@ -14,6 +14,8 @@
 #include <memory>
 #include <sstream>
 
+namespace argos_configuration_test {
+
 using namespace argos;
 using Catch::Contains;
 using Catch::StartsWith;
@@ -507,3 +509,5 @@ TEST_CASE("configuration: references are stable, and assigning to one changes no
   reference = elsewhere["word"];
   CHECK(reference.GetText() == "abc");
 }
+
+}  // namespace argos_configuration_test

@@ -4,6 +4,8 @@
 
 #include <sstream>
 
+namespace command_line_arg_parser_test {
+
 using namespace argos;
 using Catch::Contains;
 
@@ -94,3 +96,5 @@ TEST_CASE("command line: the usage lists all options in order", "[core][command_
         "   -c  --config-file VALUE   what to run\n"
         "   -t  --threads VALUE       how many threads\n");
 }
+
+}  // namespace command_line_arg_parser_test

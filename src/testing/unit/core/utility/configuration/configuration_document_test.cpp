@@ -9,6 +9,8 @@
 #include <fstream>
 #include <sstream>
 
+namespace configuration_document_test {
+
 using namespace argos;
 using Catch::Contains;
 
@@ -285,3 +287,5 @@ TEST_CASE("document: malformed paths are errors", "[core][configuration]") {
   CHECK_THROWS_WITH(document.SetByPath("a b/@c", "1"), Contains("cannot be the name"));
   CHECK_THROWS_WITH(document.SetByPath("framework/@a b", "1"), Contains("cannot be the name"));
 }
+
+}  // namespace configuration_document_test

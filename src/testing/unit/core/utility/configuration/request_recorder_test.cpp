@@ -6,6 +6,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace request_recorder_test {
+
 using namespace argos;
 
 namespace {
@@ -97,3 +99,5 @@ TEST_CASE("requests: without a recorder nothing is loose", "[core][configuration
   Real real = 0.0;
   CHECK_THROWS(GetNodeAttribute(document.GetRoot(), "a", real));
 }
+
+}  // namespace request_recorder_test

@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+namespace byte_array_test {
+
 using namespace argos;
 using Catch::Contains;
 
@@ -268,3 +270,5 @@ TEST_CASE("memento: a saved state can be restored", "[core][memento]") {
   counter.LoadState(buffer);
   CHECK(counter.Count == 42);
 }
+
+}  // namespace byte_array_test

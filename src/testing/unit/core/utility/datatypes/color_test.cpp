@@ -6,6 +6,8 @@
 
 #include <cstring>
 
+namespace color_test {
+
 using namespace argos;
 using Catch::Contains;
 
@@ -136,3 +138,5 @@ TEST_CASE("color: the integer form is R,G,B,A in memory order", "[core][color]")
   CHECK(bytes[2] == 3);
   CHECK(bytes[3] == 4);
 }
+
+}  // namespace color_test

@@ -8,6 +8,8 @@
 #include <sstream>
 #include <type_traits>
 
+namespace containers_test {
+
 using namespace argos;
 using Catch::Contains;
 
@@ -168,3 +170,5 @@ TEST_CASE("set: an iterator converts to a const_iterator and gives write access"
   *it = 6;
   CHECK(*constant == 6);
 }
+
+}  // namespace containers_test

@@ -6,6 +6,8 @@
 #include <set>
 #include <vector>
 
+namespace digest_test {
+
 using namespace argos;
 
 namespace {
@@ -72,3 +74,5 @@ TEST_CASE("digest: one changed bit changes about half of the digest's bits", "[c
   }
   CHECK_THAT(flipped / pairs, Catch::WithinAbs(32.0, 0.2));
 }
+
+}  // namespace digest_test

@@ -13,6 +13,8 @@
 #include <filesystem>
 #include <string>
 
+namespace file_replacement_test {
+
 using namespace argos;
 using Catch::Contains;
 namespace fs = std::filesystem;
@@ -84,3 +86,5 @@ TEST_CASE("file replacement: a part of a killed process is replaced, a live one 
   CHECK(folder.Read("a") == "new");
   RemoveStaleParts("/no/such/folder");
 }
+
+}  // namespace file_replacement_test

@@ -9,6 +9,8 @@
 #include <fstream>
 #include <string>
 
+namespace input_file_test {
+
 using namespace argos;
 using Catch::Contains;
 
@@ -51,3 +53,5 @@ TEST_CASE("input file: what is no file is named, without waiting", "[core][files
   CHECK(FindInputProblem("/proc/self/status").empty());
   std::remove(name.c_str());
 }
+
+}  // namespace input_file_test

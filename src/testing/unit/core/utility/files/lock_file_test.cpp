@@ -12,6 +12,8 @@
 #include <memory>
 #include <string>
 
+namespace lock_file_test {
+
 using namespace argos;
 using Catch::Contains;
 namespace fs = std::filesystem;
@@ -66,3 +68,5 @@ TEST_CASE("lock file: a folder that does not exist is an error", "[core][files]"
   CHECK_THROWS_WITH(CLockFile("/no/such/folder/lock"),
                     Contains("/no/such/folder/lock") && Contains("No such file"));
 }
+
+}  // namespace lock_file_test

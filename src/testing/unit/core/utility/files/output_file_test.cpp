@@ -16,6 +16,8 @@
 #include <sstream>
 #include <string>
 
+namespace output_file_test {
+
 using namespace argos;
 using Catch::Contains;
 
@@ -181,3 +183,5 @@ TEST_CASE("output file: errors of opening have file and reason", "[core][files]"
   COutputFile closed;
   CHECK_THROWS(closed << "lost");
 }
+
+}  // namespace output_file_test

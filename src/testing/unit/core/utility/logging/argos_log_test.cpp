@@ -11,6 +11,8 @@
 #include <thread>
 #include <vector>
 
+namespace argos_log_test {
+
 using namespace argos;
 using Catch::Contains;
 
@@ -251,3 +253,5 @@ TEST_CASE("log: debug macros indent the output of a function", "[core][log]") {
   CHECK_THAT(content.str(), Catch::EndsWith(" - END\n"));
   std::remove(name.c_str());
 }
+
+}  // namespace argos_log_test

@@ -12,6 +12,8 @@
 #include <utility>
 #include <vector>
 
+namespace log_control_test {
+
 using namespace argos;
 
 namespace {
@@ -143,3 +145,5 @@ TEST_CASE("log control: lines of threads with labels can be told apart", "[core]
   CHECK(log.Flushed() == "[INFO] [run 1] seed 3\n[run 1] text\nnone\nmain\n");
   CHECK(CLogControl::GetThreadLabel() == "");
 }
+
+}  // namespace log_control_test

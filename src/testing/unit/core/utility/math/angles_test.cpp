@@ -8,6 +8,8 @@
 #include <sstream>
 #include <type_traits>
 
+namespace angles_test {
+
 using Catch::Matchers::WithinAbs;
 using namespace argos;
 
@@ -193,3 +195,5 @@ TEST_CASE("angles: text form", "[core][math]") {
   CHECK_FALSE(bad >> radians);
   CHECK(radians == CRadians(1.5));
 }
+
+}  // namespace angles_test

@@ -9,6 +9,8 @@
 #include <set>
 #include <utility>
 
+namespace convex_hull_test {
+
 using Catch::Matchers::Contains;
 using Catch::Matchers::WithinAbs;
 using namespace argos;
@@ -125,3 +127,5 @@ TEST_CASE("convex hull: coplanar points are refused", "[core][math]") {
                     Contains("one plane"));
   CHECK_THROWS_WITH(CConvexHull({o, o, o, o}), Contains("one plane"));
 }
+
+}  // namespace convex_hull_test

@@ -7,6 +7,8 @@
 #include <limits>
 #include <type_traits>
 
+namespace general_test {
+
 using Catch::Matchers::Contains;
 using Catch::Matchers::WithinAbs;
 using namespace argos;
@@ -134,3 +136,5 @@ TEST_CASE("general maths: elementary functions are those of the C library", "[co
   // one rounding in each function, both close to 1
   CHECK_THAT(Log(Exp(1.0)), WithinAbs(1.0, 1e-15));
 }
+
+}  // namespace general_test

@@ -12,6 +12,8 @@
 #include <optional>
 #include <sstream>
 
+namespace geometry_test {
+
 using Catch::Matchers::WithinAbs;
 using namespace argos;
 
@@ -333,3 +335,5 @@ TEST_CASE("transforms: local and global coordinates", "[core][math]") {
                       point),
              WithinAbs(0.0, kRounding));
 }
+
+}  // namespace geometry_test

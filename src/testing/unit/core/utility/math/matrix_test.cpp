@@ -12,6 +12,8 @@
 #include <sstream>
 #include <type_traits>
 
+namespace matrix_test {
+
 using Catch::Matchers::Contains;
 using Catch::Matchers::WithinAbs;
 using namespace argos;
@@ -276,3 +278,5 @@ TEST_CASE("3D transformation matrix: products are composed motions", "[core][mat
   CHECK_THAT(Distance(inverse * point, GlobalToLocal(point, translation, orientation)),
              WithinAbs(0.0, kRounding));
 }
+
+}  // namespace matrix_test

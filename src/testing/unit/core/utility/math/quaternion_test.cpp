@@ -6,6 +6,8 @@
 #include <cmath>
 #include <sstream>
 
+namespace quaternion_test {
+
 using Catch::Matchers::Contains;
 using Catch::Matchers::WithinAbs;
 using namespace argos;
@@ -250,3 +252,5 @@ TEST_CASE("quaternion: text form is z,y,x in degrees", "[core][math]") {
   std::istringstream bad(text);
   CHECK_THROWS_WITH(bad >> quaternion, Contains("\"" + text + "\"") && Contains("orientation"));
 }
+
+}  // namespace quaternion_test

@@ -18,6 +18,8 @@
 #include <utility>
 #include <vector>
 
+namespace random_stream_test {
+
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
 using namespace argos;
@@ -220,3 +222,5 @@ TEST_CASE("normal quantile: inverts the error function in the centre and in both
   // the same algorithm in GSL, with other roundings
   CHECK_THAT(quantile, WithinRel(gsl_cdf_ugaussian_Pinv(probability), 2e-15));
 }
+
+}  // namespace random_stream_test

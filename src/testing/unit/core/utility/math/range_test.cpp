@@ -8,6 +8,8 @@
 #include <limits>
 #include <sstream>
 
+namespace range_test {
+
 using Catch::Matchers::Contains;
 using Catch::Matchers::WithinAbs;
 using namespace argos;
@@ -228,3 +230,5 @@ TEST_CASE("range: bounds of integers must be integers of the type", "[core][math
   CRange<UInt8> bytes;
   CHECK_THROWS_AS(byteIn >> bytes, CARGoSException);
 }
+
+}  // namespace range_test

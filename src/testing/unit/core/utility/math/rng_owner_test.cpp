@@ -8,6 +8,8 @@
 #include <thread>
 #include <vector>
 
+namespace rng_owner_test {
+
 using namespace argos;
 
 namespace {
@@ -169,3 +171,5 @@ TEST_CASE("random owners: several threads may create generators at a time",
     REQUIRE(CreateFor(category, *owners[i], 1)->GetSeed() == seeds[i]);
   }
 }
+
+}  // namespace rng_owner_test

@@ -13,6 +13,8 @@
 #include <thread>
 #include <vector>
 
+namespace rng_test {
+
 using Catch::Matchers::Contains;
 using Catch::Matchers::WithinAbs;
 using namespace argos;
@@ -399,3 +401,5 @@ TEST_CASE("random registries: each thread has a current one, and the default is 
   }
   CHECK(&CRandom::GetCurrentRegistry() == &shared);
 }
+
+}  // namespace rng_test

@@ -13,6 +13,8 @@
 #include <locale>
 #include <sstream>
 
+namespace text_input_test {
+
 using namespace argos;
 
 namespace {
@@ -97,3 +99,5 @@ TEST_CASE("text input: a stream with another decimal point is converted by its l
   in >> vector;
   CHECK(vector == CVector3(1.5, 2.0, 3.0));
 }
+
+}  // namespace text_input_test

@@ -11,6 +11,8 @@
 #include <sstream>
 #include <type_traits>
 
+namespace vectors_test {
+
 using Catch::Matchers::Contains;
 using Catch::Matchers::WithinAbs;
 using namespace argos;
@@ -339,3 +341,5 @@ TEST_CASE("vectors: malformed text is refused with a quotation and a reason", "[
     CHECK(vector == CVector3(7, 8, 9));
   }
 }
+
+}  // namespace vectors_test

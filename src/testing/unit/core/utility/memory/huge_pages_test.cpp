@@ -6,6 +6,8 @@
 #include <numeric>
 #include <vector>
 
+namespace huge_pages_test {
+
 using namespace argos;
 
 TEST_CASE("huge pages: a vector keeps its elements when it grows", "[core][memory]") {
@@ -31,3 +33,5 @@ TEST_CASE("huge pages: a vector keeps its elements when it grows", "[core][memor
   numbers.resize(numbers.capacity(), 1);
   CHECK(numbers.back() == (numbers.size() > size ? 1 : size + 4));
 }
+
+}  // namespace huge_pages_test

@@ -17,6 +17,8 @@
 #include <thread>
 #include <vector>
 
+namespace object_slabs_test {
+
 using namespace argos;
 
 namespace {
@@ -294,3 +296,5 @@ TEST_CASE("object slabs: threads may allocate and free at once", "[core][memory]
   }
   CHECK(slabs->GetNumObjects() == 0);
 }
+
+}  // namespace object_slabs_test

@@ -7,6 +7,8 @@
 #include <thread>
 #include <utility>
 
+namespace tcp_socket_test {
+
 using namespace argos;
 using Catch::Contains;
 
@@ -176,3 +178,5 @@ TEST_CASE("socket: failures are errors", "[core][network]") {
   CHECK_THROWS_WITH(connection.Server.ReceiveBuffer(&byte, 1), Contains("the other side closed"));
   CHECK_FALSE(connection.Server.IsConnected());
 }
+
+}  // namespace tcp_socket_test

@@ -19,6 +19,8 @@
 #include <memory>
 #include <sstream>
 
+namespace dynamic_loading_test {
+
 using namespace argos;
 using Catch::Contains;
 namespace fs = std::filesystem;
@@ -242,3 +244,5 @@ TEST_CASE("dynamic loading: the search path can be queried", "[core][plugins]") 
   CHECK(paths[2] ==
         fs::canonical(GetLibraryOf(reinterpret_cast<const void*>(&GetCoreBuildId))).parent_path());
 }
+
+}  // namespace dynamic_loading_test

@@ -12,6 +12,8 @@
 #include <fstream>
 #include <sstream>
 
+namespace child_process_test {
+
 using namespace argos;
 using Catch::Contains;
 
@@ -119,3 +121,5 @@ TEST_CASE("child process: a program that cannot be started is an error", "[core]
   CHECK_THROWS_WITH(CChildProcess({"no_such_program_of_argos"}),
                     Contains("no_such_program_of_argos") && Contains("no such executable file"));
 }
+
+}  // namespace child_process_test

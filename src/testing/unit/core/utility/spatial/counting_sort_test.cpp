@@ -13,6 +13,8 @@
 #include <utility>
 #include <vector>
 
+namespace counting_sort_test {
+
 using namespace argos;
 
 namespace {
@@ -255,3 +257,5 @@ TEST_CASE("cell chains: removed items and former cells are noticed", "[spatial][
   CheckCaught([&] { chains.Remove(2, 7); }, "there is no cell 2 of 2");
   CheckCaught([&] { chains.ForItems(2, [](UInt32) {}); }, "there is no cell 2 of 2");
 }
+
+}  // namespace counting_sort_test

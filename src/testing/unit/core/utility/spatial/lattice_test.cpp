@@ -8,6 +8,8 @@
 #include <set>
 #include <vector>
 
+namespace lattice_test {
+
 using namespace argos;
 
 namespace {
@@ -69,3 +71,5 @@ TEST_CASE("lattice: a walk visits the cells of all points of a ray, each once", 
     }
   }
 }
+
+}  // namespace lattice_test

@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+namespace planar_grid_test {
+
 using namespace argos;
 
 namespace {
@@ -255,3 +257,5 @@ TEST_CASE("planar grid: a walk along a segment ends when its caller is done", "[
       0.5, 0.5, 0.0, 9.0, 0.0, [&](const SCellRange&) { ++rows; }, [&] { return rows == 4; });
   CHECK(rows == 4);
 }
+
+}  // namespace planar_grid_test

@@ -8,6 +8,8 @@
 #include <limits>
 #include <random>
 
+namespace spatial_rays_test {
+
 using namespace argos;
 using Catch::WithinAbs;
 
@@ -239,3 +241,5 @@ TEST_CASE("ray span: a circle that only touches a line is on it", "[spatial]") {
   // behind the start is on the line, too
   CHECK(IsCircleOnLine(-3.0, 0.5, 2.0, 0.0, 1.0, 4.0));
 }
+
+}  // namespace spatial_rays_test

@@ -17,6 +17,8 @@
 #include <cstdio>
 #include <cstdlib>
 
+namespace classic_locale_test {
+
 using namespace argos;
 using Catch::Contains;
 
@@ -90,3 +92,5 @@ TEST_CASE("locale: attributes are read and written with a point, whatever the lo
   CHECK(node.GetAttribute("number") == "5678.25");
   CHECK(node.GetAttribute("count") == "7654321");
 }
+
+}  // namespace classic_locale_test

@@ -10,6 +10,8 @@
 #include <memory>
 #include <stdexcept>
 
+namespace string_utilities_test {
+
 using namespace argos;
 using Catch::Contains;
 
@@ -310,3 +312,5 @@ TEST_CASE("near names: are listed at the end of an error message", "[core][strin
   CHECK(DidYouMean("quadrotor", {"box", "floor"}) == "; known: box, floor");
   CHECK(DidYouMean("quadrotor", {}) == "; known: none");
 }
+
+}  // namespace string_utilities_test

@@ -11,6 +11,8 @@
 #include <utility>
 #include <vector>
 
+namespace phase_cost_test {
+
 using namespace argos;
 using Catch::Contains;
 
@@ -174,3 +176,5 @@ TEST_CASE("thread pool: a schedule that does not deal every item once is an erro
   CHECK_THROWS_WITH(excessive.ParallelFor(10, 1, none),
                     Contains("items 10 to 11") && Contains("there are 10"));
 }
+
+}  // namespace phase_cost_test

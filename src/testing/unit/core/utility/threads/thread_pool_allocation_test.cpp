@@ -8,6 +8,8 @@
 #include <memory>
 #include <vector>
 
+namespace thread_pool_allocation_test {
+
 using namespace argos;
 
 TEST_CASE("allocation count: includes operator new and the C functions", "[testing]") {
@@ -84,3 +86,5 @@ TEST_CASE("thread pool: a parallel phase allocates nothing", "[core][threads]") 
   });
   CHECK(items == std::vector<int>(1000, 101));
 }
+
+}  // namespace thread_pool_allocation_test

@@ -13,6 +13,8 @@
 #include <thread>
 #include <vector>
 
+namespace thread_pool_test {
+
 using namespace argos;
 using Catch::Contains;
 
@@ -283,3 +285,5 @@ TEST_CASE("thread pool: pools can be created and destroyed repeatedly", "[core][
     }
   }
 }
+
+}  // namespace thread_pool_test

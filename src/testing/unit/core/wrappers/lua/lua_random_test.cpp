@@ -7,6 +7,8 @@
 
 #include <cmath>
 
+namespace lua_random_test {
+
 using namespace argos;
 using Catch::Contains;
 using Catch::WithinAbs;
@@ -188,3 +190,5 @@ TEST_CASE("lua random: parameters that no distribution has are errors", "[lua][r
   const std::string name = "robot.random." + call.substr(0, call.find('('));
   CHECK_THAT(lua.GetError("r." + call), Contains("test:1: " + name + ": ") && Contains(message));
 }
+
+}  // namespace lua_random_test

@@ -13,6 +13,8 @@
 #include <filesystem>
 #include <fstream>
 
+namespace lua_sandbox_test {
+
 using namespace argos;
 using Catch::Contains;
 using Catch::StartsWith;
@@ -404,3 +406,5 @@ TEST_CASE("lua sandbox: messages do not depend on the global locale", "[lua][san
   CHECK(lua.Get("1234.5") == "1234.5");
   CHECK_THAT(lua.GetError("string.rep('x', 'y')"), Contains("number expected"));
 }
+
+}  // namespace lua_sandbox_test

@@ -12,6 +12,8 @@
 #include <thread>
 #include <vector>
 
+namespace lua_script_test {
+
 using namespace argos;
 using Catch::Contains;
 
@@ -161,3 +163,5 @@ TEST_CASE("lua script: threads may load one concurrently", "[lua][script][thread
     CHECK(script->Bytecode == scripts.front()->Bytecode);
   }
 }
+
+}  // namespace lua_script_test

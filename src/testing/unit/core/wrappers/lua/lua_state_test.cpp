@@ -7,6 +7,8 @@
 
 #include <stdexcept>
 
+namespace lua_state_test {
+
 using namespace argos;
 using Catch::Contains;
 using Catch::StartsWith;
@@ -223,3 +225,5 @@ TEST_CASE("lua state: log writes arguments without separators, then a newline", 
   CHECK(TakeLogErr() == "to the error log\n");
   CHECK(TakeLog() == "");
 }
+
+}  // namespace lua_state_test

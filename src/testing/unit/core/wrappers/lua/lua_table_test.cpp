@@ -9,6 +9,8 @@
 #include <stdexcept>
 #include <vector>
 
+namespace lua_table_test {
+
 using namespace argos;
 using Catch::Contains;
 
@@ -391,3 +393,5 @@ TEST_CASE("lua table: an actuator and a sensor share a table, two sensors do not
       Contains("the sensors <wheels_s> and <other_wheels> would both write into the Lua table "
                "robot.device"));
 }
+
+}  // namespace lua_table_test

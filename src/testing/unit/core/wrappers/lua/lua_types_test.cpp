@@ -8,6 +8,8 @@
 
 #include <cmath>
 
+namespace lua_types_test {
+
 using namespace argos;
 using Catch::Contains;
 using Catch::WithinAbs;
@@ -272,3 +274,5 @@ TEST_CASE("lua types: userdata of another library is not accepted as a vector", 
     CHECK(CLuaType<CVector3>::Test(state, -1)->GetZ() == 3.0);
   });
 }
+
+}  // namespace lua_types_test

@@ -18,6 +18,8 @@
 #include <fstream>
 #include <limits>
 
+namespace lua_utility_test {
+
 using namespace argos;
 using Catch::Contains;
 
@@ -369,3 +371,5 @@ TEST_CASE("lua utility: malformed bytes give no table", "[lua][utility]") {
     }
   }
 }
+
+}  // namespace lua_utility_test

@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-namespace argos {
+namespace argos::active_set_test {
 
 namespace {
 
@@ -134,4 +134,4 @@ TEST_CASE("active set: the needed substeps grow with the speed", "[dynamics2d]")
   CHECK(scene.Active.ComputeWeakestDrive() == Approx(0.025));
 }
 
-}  // namespace argos
+}  // namespace argos::active_set_test

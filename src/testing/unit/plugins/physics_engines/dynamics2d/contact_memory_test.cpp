@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-namespace argos {
+namespace argos::contact_memory_test {
 
 namespace {
 
@@ -66,4 +66,4 @@ TEST_CASE("contact memory: the force of an impact is not the start of the next s
   CHECK(force.Steady == 2.5F * SContactForce::kMaxGrowth);
 }
 
-}  // namespace argos
+}  // namespace argos::contact_memory_test

@@ -11,7 +11,7 @@
 #include <random>
 #include <set>
 
-namespace argos {
+namespace argos::crowd_clusters_test {
 
 namespace {
 
@@ -199,4 +199,4 @@ TEST_CASE("crowd clusters: their order does not depend on threads", "[dynamics2d
   }
 }
 
-}  // namespace argos
+}  // namespace argos::crowd_clusters_test

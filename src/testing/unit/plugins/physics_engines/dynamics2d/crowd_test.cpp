@@ -9,7 +9,7 @@
 #include <cmath>
 #include <deque>
 
-namespace argos {
+namespace argos::dynamics2d_crowd_test {
 
 namespace {
 
@@ -234,4 +234,4 @@ TEST_CASE("crowd: a robot that nothing pushes ends exactly at its planned pose",
   }
 }
 
-}  // namespace argos
+}  // namespace argos::dynamics2d_crowd_test

@@ -4,7 +4,7 @@
 
 #include <catch2/catch.hpp>
 
-namespace argos {
+namespace argos::planar_ghosts_test {
 
 namespace {
 
@@ -102,4 +102,4 @@ TEST_CASE("planar ghosts: a ghost pushes a passive body, even if it sleeps", "[d
   scene.Ghosts.Remove();
 }
 
-}  // namespace argos
+}  // namespace argos::planar_ghosts_test

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace argos {
+namespace argos::planar_grips_test {
 
 namespace {
 
@@ -159,4 +159,4 @@ TEST_CASE("planar grips: a cluster is transferred with its grips", "[dynamics2d]
   CHECK(grips[0].PointOnHeld == grip.PointOnHeld);
 }
 
-}  // namespace argos
+}  // namespace argos::planar_grips_test

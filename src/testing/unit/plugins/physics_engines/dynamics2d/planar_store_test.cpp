@@ -7,7 +7,7 @@
 #include <cmath>
 #include <set>
 
-namespace argos {
+namespace argos::planar_store_test {
 
 TEST_CASE("planar store: handles follow the bodies", "[dynamics2d]") {
   CPlanarScene scene;
@@ -84,4 +84,4 @@ TEST_CASE("planar store: a pose is compared except for rounding", "[dynamics2d]"
   CHECK_FALSE(scene.Store.IsAt(wall.Handle, CPlanarScene::PoseAt(1.0, 2.0)));
 }
 
-}  // namespace argos
+}  // namespace argos::planar_store_test

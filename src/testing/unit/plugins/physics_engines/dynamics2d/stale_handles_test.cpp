@@ -10,7 +10,7 @@
 
 #include <catch2/catch.hpp>
 
-namespace argos {
+namespace argos::dynamics2d_stale_handles_test {
 
 namespace {
 
@@ -171,4 +171,4 @@ TEST_CASE("proximity filter: the numbers of a former tick are noticed",
   CheckCaught([&] { static_cast<void>(filter.GetObstacle(0)); }, "no obstacle 0");
 }
 
-}  // namespace argos
+}  // namespace argos::dynamics2d_stale_handles_test

@@ -5,7 +5,7 @@
 
 #include <limits>
 
-namespace argos {
+namespace argos::substep_policy_test {
 
 namespace {
 
@@ -96,4 +96,4 @@ TEST_CASE("substep policy: crowds with many substeps need fewer iterations", "[d
   CHECK(policy.ChooseIterations(kFewSubsteps + 1, false) == kCrowdVelocityIterations);
 }
 
-}  // namespace argos
+}  // namespace argos::substep_policy_test

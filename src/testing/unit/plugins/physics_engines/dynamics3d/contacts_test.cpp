@@ -18,6 +18,8 @@
 #include <memory>
 #include <set>
 
+namespace contacts_test {
+
 using namespace argos;
 using Catch::Matchers::WithinAbs;
 
@@ -363,3 +365,5 @@ TEST_CASE("prism contacts: a prism and a cylinder side by side touch along a lin
   }
   dGeomDestroy(cylinder);
 }
+
+}  // namespace contacts_test

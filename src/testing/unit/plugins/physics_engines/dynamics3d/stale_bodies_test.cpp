@@ -7,6 +7,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace stale_bodies_test {
+
 using namespace argos;
 
 namespace {
@@ -73,3 +75,5 @@ TEST_CASE("broad phase: bodies that were removed without notice are noticed",
   phase.MarkChanged();
   CHECK(phase.FindPairs(movables, {}).size() == 1);
 }
+
+}  // namespace stale_bodies_test

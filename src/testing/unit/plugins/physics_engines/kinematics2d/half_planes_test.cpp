@@ -10,7 +10,7 @@
 #include <numbers>
 #include <vector>
 
-namespace argos {
+namespace argos::half_planes_test {
 
 using Catch::Matchers::WithinAbs;
 
@@ -106,4 +106,4 @@ TEST_CASE("half planes: the capacity is 64", "[unit][kinematics2d]") {
   CHECK(planes.IsEmpty());
 }
 
-}  // namespace argos
+}  // namespace argos::half_planes_test

@@ -4,7 +4,7 @@
 
 #include <catch2/catch.hpp>
 
-namespace argos {
+namespace argos::push_solver_test {
 
 using Catch::Matchers::WithinAbs;
 
@@ -100,4 +100,4 @@ TEST_CASE("push solver: a pushed body does not penetrate an immovable one",
   CHECK_THAT(solver.GetTwist(body).X, WithinAbs(0.003, kPrecision));
 }
 
-}  // namespace argos
+}  // namespace argos::push_solver_test

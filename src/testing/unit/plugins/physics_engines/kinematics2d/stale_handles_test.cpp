@@ -10,6 +10,8 @@
 #include <array>
 #include <deque>
 
+namespace kinematics2d_stale_handles_test {
+
 using namespace argos;
 
 namespace {
@@ -140,3 +142,5 @@ TEST_CASE("cell lists: numbers from before Clear() are noticed", "[kinematics2d]
   lists.Clear();
   CheckCaught([&] { static_cast<void>(lists.Get(0)); }, "no key 0");
 }
+
+}  // namespace kinematics2d_stale_handles_test

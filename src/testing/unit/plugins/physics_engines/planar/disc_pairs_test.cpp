@@ -11,7 +11,7 @@
 #include <cmath>
 #include <vector>
 
-namespace argos {
+namespace argos::disc_pairs_test {
 
 namespace {
 
@@ -159,4 +159,4 @@ TEST_CASE("disc pairs: a circle meets the discs within its radius and their reac
   CHECK(list(-2.0, 0.65) == std::vector<UInt32>{3});
 }
 
-}  // namespace argos
+}  // namespace argos::disc_pairs_test

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <vector>
 
-namespace argos {
+namespace argos::proximity_filter_test {
 
 namespace {
 
@@ -106,4 +106,4 @@ TEST_CASE("proximity filter: a disc may reach farther than others do", "[dynamic
   CHECK(filter.GetMark(101) == CProximityFilter::Active);
 }
 
-}  // namespace argos
+}  // namespace argos::proximity_filter_test

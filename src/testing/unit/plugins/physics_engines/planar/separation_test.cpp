@@ -12,7 +12,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace argos {
+namespace argos::separation_test {
 
 using Catch::Matchers::WithinAbs;
 
@@ -290,4 +290,4 @@ TEST_CASE("separation: the gap of two polygons is below their distance, and thei
   CHECK(overlapping > 500);
 }
 
-}  // namespace argos
+}  // namespace argos::separation_test

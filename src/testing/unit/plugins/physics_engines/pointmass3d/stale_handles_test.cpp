@@ -10,6 +10,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace pointmass3d_stale_handles_test {
+
 using namespace argos;
 
 namespace {
@@ -75,3 +77,5 @@ TEST_CASE("flyers: the handle of a removed body is stale, also after its number 
   CFlyers flyers;
   CheckHandles(flyers, [&] { return flyers.Add(settings, SFlightPose()); });
 }
+
+}  // namespace pointmass3d_stale_handles_test

@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace slot_generations_test {
+
 using namespace argos;
 
 TEST_CASE("slot generations: a slot that is used again has another generation", "[engines]") {
@@ -34,3 +36,5 @@ TEST_CASE("slot generations: a slot that is used again has another generation", 
   CHECK(generations.IsCurrent(0, fourth.Generation));
   CHECK_FALSE(generations.IsCurrent(0, moved.Generation));
 }
+
+}  // namespace slot_generations_test

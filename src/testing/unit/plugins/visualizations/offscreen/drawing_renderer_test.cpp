@@ -9,6 +9,8 @@
 #include <functional>
 #include <numbers>
 
+namespace drawing_renderer_test {
+
 using namespace argos;
 using Catch::WithinRel;
 
@@ -264,3 +266,5 @@ TEST_CASE("drawing: equal drawings give equal pictures, and an empty one changes
   CRenderer(SmallPicture()).Render(scene, ObliqueView(), with);
   CHECK(with.Pixels == without.Pixels);
 }
+
+}  // namespace drawing_renderer_test

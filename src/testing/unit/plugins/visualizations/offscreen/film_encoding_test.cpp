@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+namespace film_encoding_test {
+
 using namespace argos;
 using Catch::Matchers::Contains;
 
@@ -107,3 +109,5 @@ TEST_CASE("film encoding: files of further runs are numbered",
   CHECK(NumberFile("out/film.mp4", 2) == "out/film.2.mp4");
   CHECK(NumberFile("film", 12) == "film.12");
 }
+
+}  // namespace film_encoding_test

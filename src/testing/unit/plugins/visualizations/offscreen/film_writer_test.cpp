@@ -16,6 +16,8 @@
 #include <string>
 #include <vector>
 
+namespace film_writer_test {
+
 using namespace argos;
 using Catch::Matchers::Contains;
 
@@ -135,3 +137,5 @@ TEST_CASE("film frames: those of an earlier run are removed, and nothing else",
                                               "frame_x.png"});
   CHECK(folder.List("a.2.mp4.frames") == TNames{"frame_0000000000.png"});
 }
+
+}  // namespace film_writer_test

@@ -10,6 +10,8 @@
 #include <thread>
 #include <vector>
 
+namespace frame_pipeline_test {
+
 using namespace argos;
 using Catch::Matchers::Contains;
 
@@ -99,3 +101,5 @@ TEST_CASE("frame pipeline: a renderer that cannot be made is an error of the con
   CHECK_THROWS_WITH(CFramePipeline(settings, [](const SPicture&, std::uint32_t) {}),
                     Contains("larger than"));
 }
+
+}  // namespace frame_pipeline_test

@@ -14,6 +14,8 @@
 #include <string>
 #include <vector>
 
+namespace frame_writer_test {
+
 using namespace argos;
 using Catch::Matchers::Contains;
 
@@ -147,3 +149,5 @@ TEST_CASE("frame writer: an error on a frame names its file, and no partial file
   CHECK_THROWS_WITH(writer.Write(MakePicture(), 8), Contains("frame_0000000008.png\""));
   CHECK(folder.List() == std::vector<std::string>{"frame_0000000008.png"});
 }
+
+}  // namespace frame_writer_test

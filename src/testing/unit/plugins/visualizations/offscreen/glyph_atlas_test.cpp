@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <string>
 
+namespace glyph_atlas_test {
+
 using namespace argos;
 
 namespace {
@@ -118,3 +120,5 @@ TEST_CASE("glyph atlas: bright text has a dark contour", "[visualizations][offsc
   label.Color = {0, 0, 160, 255};
   CHECK(Set(atlas, label)[0].Color.R > 200);
 }
+
+}  // namespace glyph_atlas_test

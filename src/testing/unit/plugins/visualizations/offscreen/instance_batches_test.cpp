@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+namespace instance_batches_test {
+
 using namespace argos;
 using Catch::WithinAbs;
 
@@ -182,3 +184,5 @@ TEST_CASE("instance batches: the sun's frame is a rotation whose z axis points t
   CHECK_THAT(frame.determinant(), WithinAbs(1.0, 1e-12));
   CHECK((frame * toSun - Eigen::Vector3d::UnitZ()).norm() < 1e-12);
 }
+
+}  // namespace instance_batches_test

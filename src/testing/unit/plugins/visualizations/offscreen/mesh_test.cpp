@@ -6,6 +6,8 @@
 
 #include <numbers>
 
+namespace mesh_test {
+
 using namespace argos;
 using Catch::WithinAbs;
 using Catch::WithinRel;
@@ -102,3 +104,5 @@ TEST_CASE("mesh: boxes and cylinders stand on their base, spheres are centred",
   CHECK((bounds(EMeshKind::Sphere).min() - Eigen::Vector3d(-0.5, -0.5, -0.5)).norm() < 1e-6);
   CHECK((bounds(EMeshKind::Sphere).max() - Eigen::Vector3d(0.5, 0.5, 0.5)).norm() < 1e-6);
 }
+
+}  // namespace mesh_test

@@ -13,6 +13,8 @@
 #include <sstream>
 #include <string>
 
+namespace offscreen_output_test {
+
 using namespace argos;
 using Catch::Matchers::Contains;
 
@@ -188,3 +190,5 @@ TEST_CASE("offscreen: only the ticks that are asked for have frames",
   experiment.GetSimulator().Execute();
   CHECK(folder.List() == std::vector<std::string>{Frame("4"), Frame("6")});
 }
+
+}  // namespace offscreen_output_test

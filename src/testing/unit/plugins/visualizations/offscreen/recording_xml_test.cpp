@@ -5,6 +5,8 @@
 
 #include <string>
 
+namespace recording_xml_test {
+
 using namespace argos;
 using Catch::Matchers::Contains;
 using Catch::Matchers::StartsWith;
@@ -254,3 +256,5 @@ TEST_CASE("offscreen settings: parts of the run are ticks and ranges of ticks",
   CHECK_THROWS_WITH(ReadOffscreen("ticks='" + text + "'"),
                     Contains("test.argos:1: <offscreen>: attribute \"ticks\""));
 }
+
+}  // namespace recording_xml_test

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <cstdlib>
 
+namespace renderer_test {
+
 using namespace argos;
 using Catch::Matchers::Contains;
 
@@ -391,3 +393,5 @@ TEST_CASE("renderer: the parts of the ground that are drawn without shadows have
     CHECK(std::abs(Brightness(some.At(x, y)) - Brightness(all.At(x, y))) <= 3);
   }
 }
+
+}  // namespace renderer_test

@@ -15,6 +15,8 @@
 #include <string>
 #include <vector>
 
+namespace overlays_test {
+
 using namespace argos;
 using Catch::Matchers::Contains;
 
@@ -289,3 +291,5 @@ TEST_CASE("overlays: errors give the place in the file", "[overlays]") {
   CHECK_THAT(ErrorOf("<headings width='-2'/>"), Contains("\"width\""));
   CHECK_THAT(ErrorOf("<ids of=' '/>"), Contains("names no type"));
 }
+
+}  // namespace overlays_test

@@ -14,6 +14,8 @@
 #include <sstream>
 #include <string>
 
+namespace povray_output_test {
+
 using namespace argos;
 using Catch::Matchers::Contains;
 
@@ -160,3 +162,5 @@ TEST_CASE("povray: names a folder that cannot be written to", "[povray]") {
   CHECK_THROWS_WITH(CExperiment("<povray directory='/proc/no_such_folder' render='false'/>"),
                     Contains("test.argos:5") && Contains("/proc/no_such_folder"));
 }
+
+}  // namespace povray_output_test

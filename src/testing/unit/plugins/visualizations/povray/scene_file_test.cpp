@@ -13,6 +13,8 @@
 #include <limits>
 #include <memory>
 
+namespace scene_file_test {
+
 using namespace argos;
 
 namespace {
@@ -253,3 +255,5 @@ TEST_CASE("povray scene: finds the lines that tell the error", "[povray]") {
         "File 'a.pov' line 3: Parse Error: Undeclared\nFatal error in parser");
   CHECK(FindPovrayErrors("something else") == "something else");
 }
+
+}  // namespace scene_file_test

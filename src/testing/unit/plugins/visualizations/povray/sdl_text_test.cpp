@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+namespace sdl_text_test {
+
 using namespace argos;
 
 TEST_CASE("sdl text: numbers read back exactly, whatever the locale", "[povray]") {
@@ -47,3 +49,5 @@ TEST_CASE("sdl text: finds numbers that are not finite", "[povray]") {
   CHECK_FALSE(IsFinite(std::array<float, 3>{0.0f, nan, 0.0f}));
   CHECK_FALSE(IsFinite(std::array<float, 3>{0.0f, std::numeric_limits<float>::infinity(), 0.0f}));
 }
+
+}  // namespace sdl_text_test

@@ -9,6 +9,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace camera_plan_test {
+
 using namespace argos;
 using Catch::WithinAbs;
 using Catch::Matchers::Contains;
@@ -178,3 +180,5 @@ TEST_CASE("camera plan: errors name file, line, attribute and what would be righ
                  "<keyframe placement='1' step='10'/></timeline>"),
       Contains("test.argos:2:") && Contains("only one is orthographic"));
 }
+
+}  // namespace camera_plan_test

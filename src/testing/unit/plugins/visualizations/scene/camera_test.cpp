@@ -10,6 +10,8 @@
 #include <cmath>
 #include <numbers>
 
+namespace camera_test {
+
 using namespace argos;
 using Catch::WithinAbs;
 using Catch::Matchers::Contains;
@@ -231,3 +233,5 @@ TEST_CASE("camera: an eye at its target and a zero focal length are errors",
                     Contains("lens_focal_length is 0 mm"));
   CHECK_THROWS_AS(CCamera(Make({1.0, 2.0, 3.0}, {0.0, 0.0, 0.0}, -5.0), 1.0), CARGoSException);
 }
+
+}  // namespace camera_test

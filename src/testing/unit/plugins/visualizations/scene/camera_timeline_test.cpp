@@ -4,6 +4,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace camera_timeline_test {
+
 using namespace argos;
 using Catch::WithinAbs;
 using Catch::Matchers::Contains;
@@ -122,3 +124,5 @@ TEST_CASE("camera timeline: invalid settings are errors", "[visualizations][offs
   timeline.InterpolateFromLastKeyframe();
   CHECK_THROWS_WITH(timeline.InterpolateFromLastKeyframe(), Contains("two <interpolate> in a row"));
 }
+
+}  // namespace camera_timeline_test

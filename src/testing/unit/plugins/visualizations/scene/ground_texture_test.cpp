@@ -7,6 +7,8 @@
 
 #include <string>
 
+namespace ground_texture_test {
+
 using namespace argos;
 using Catch::Matchers::Contains;
 
@@ -97,3 +99,5 @@ TEST_CASE("ground texture: what is no image, or no size, is an error with file a
   }
   CHECK_THROWS_WITH(Read("ground_texture_size='1'"), Contains("without \"ground_texture\""));
 }
+
+}  // namespace ground_texture_test

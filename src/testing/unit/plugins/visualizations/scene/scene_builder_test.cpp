@@ -18,6 +18,8 @@
 
 #include <cmath>
 
+namespace scene_builder_test {
+
 using namespace argos;
 using Catch::Contains;
 using Catch::WithinAbs;
@@ -357,3 +359,5 @@ TEST_CASE("scene builder: building does not change the run and keeps nothing of 
   CHECK(scene.ContactShadows.size() == 1);
   CHECK(world.GetSpace().ComputeDigest() == digest);
 }
+
+}  // namespace scene_builder_test

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+namespace triangulation_test {
+
 using namespace argos;
 using Catch::WithinAbs;
 
@@ -62,3 +64,5 @@ TEST_CASE("triangulation: polygons without area, and those that intersect themse
   CHECK(Triangulate({{0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0}}).size() == 6);
   CHECK(Triangulate({{0.0, 0.0}, {1.0, 1.0}, {1.0, 0.0}, {0.0, 1.0}}).size() == 6);
 }
+
+}  // namespace triangulation_test
