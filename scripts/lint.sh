@@ -136,27 +136,32 @@ report "prefetch only through memory/load_ahead.h" "$(search '[Pp]refetch' "${no
 report "no TODO, FIXME or XXX" "$(grep -nHE '\<(TODO|FIXME|XXX)\>' "${sources[@]}" || true)"
 
 guards() {
-  local file guard
-  while IFS= read -r file; do
-    guard="${file#src/}"
-    guard="${guard%.h}"
-    guard="ARGOS3_$(tr 'a-z/-' 'A-Z__' <<<"$guard")_H"
-    grep -q "^#ifndef $guard\$" "$file" && grep -q "^#define $guard\$" "$file" ||
-      echo "$file:1: the guard should be $guard"
-  done < <(only '^src/(core|plugins|campaign|testing)/.*\.h$' | grep -vE '^src/testing/compat/(user_|projects/)')
+  local headers
+  mapfile -t headers < <(only '^src/(core|plugins|campaign|testing)/.*\.h$' | grep -vE '^src/testing/compat/(user_|projects/)')
+  awk '
+    function finish() {
+      if (file != "" && found < 2) print file ":1: the guard should be " guard
+    }
+    FNR == 1 {
+      finish()
+      file = FILENAME
+      guard = toupper(file)
+      sub(/^SRC\//, "", guard); sub(/\.H$/, "", guard); gsub(/[\/-]/, "_", guard)
+      guard = "ARGOS3_" guard "_H"
+      found = 0
+    }
+    $0 == "#ifndef " guard || $0 == "#define " guard { ++found }
+    END { finish() }' "${headers[@]}"
 }
 report "include guards are paths" "$(guards)"
 
+# the files of src/testing/compat/ are lists of signatures
 lengths() {
-  local file limit lines
-  for file in "${sources[@]}"; do
-    # these files are lists of signatures
-    [[ "$file" != src/testing/compat/* ]] || continue
-    limit=$maxSourceLines
-    [[ "$file" == *.h ]] && limit=$maxHeaderLines
-    lines=$(wc -l <"$file")
-    ((lines <= limit)) || echo "$file:$lines: longer than $limit lines"
-  done
+  printf '%s\0' "${sources[@]}" | grep -zv '^src/testing/compat/' | xargs -0 wc -l |
+    awk -v header="$maxHeaderLines" -v source="$maxSourceLines" '
+      $2 == "total" { next }
+      { limit = $2 ~ /\.h$/ ? header : source }
+      $1 > limit { print $2 ":" $1 ": longer than " limit " lines" }'
 }
 report "files are short" "$(lengths)"
 
@@ -176,10 +181,16 @@ types_with_one_name() {
 }
 report "types of plug-ins have unique names" "$(types_with_one_name)"
 
-report "Python scripts compile" "$(git ls-files --cached --others --exclude-standard -- '*.py' | while IFS= read -r file; do
-  [[ ! -f "$file" ]] || python3 -c 'import sys; compile(open(sys.argv[1], encoding="utf-8").read(), sys.argv[1], "exec")' "$file" 2>&1 |
-    sed -n "\$s|^|$file:1: |p"
-done)"
+python_errors() {
+  git ls-files -z --cached --others --exclude-standard -- '*.py' | xargs -0 python3 -c '
+import os, sys
+for file in filter(os.path.exists, sys.argv[1:]):
+    try:
+        compile(open(file, encoding="utf-8").read(), file, "exec")
+    except (SyntaxError, ValueError) as error:
+        print(f"{file}:1: {error}")'
+}
+report "Python scripts compile" "$(python_errors)"
 
 if ((violations > 0)); then
   echo "lint: $violations violation(s)"
