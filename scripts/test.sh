@@ -79,8 +79,11 @@ echo "nothing found"
 began "Project rules (lint)"
 "$repo/scripts/lint.sh"
 
-began "Build (Release, with tests, warnings are errors, in ${build_dir#"$repo"/}/)"
+began "Public headers, each alone"
 configure_release "$build_dir" -DARGOS_BUILD_TESTING=ON -DARGOS_WERROR=ON
+"$repo/scripts/check_headers.py" "$build_dir"
+
+began "Build (Release, with tests, warnings are errors, in ${build_dir#"$repo"/}/)"
 build "$build_dir"
 
 began "Tests"

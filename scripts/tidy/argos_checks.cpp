@@ -315,9 +315,7 @@ class CIncludesCheck : public clang::tidy::ClangTidyCheck {
 
   void AddWithHeader(const FileEntry* source, std::set<const FileEntry*>& checked) const {
     const llvm::StringRef path = source->getName();
-    if (!path.contains("/header_checks/")) {
-      checked.insert(source);
-    }
+    checked.insert(source);
     const llvm::StringRef name = path.substr(path.rfind('/') + 1);
     const auto includes = m_record.Includes.find(source);
     if (includes != m_record.Includes.end()) {
@@ -325,7 +323,7 @@ class CIncludesCheck : public clang::tidy::ClangTidyCheck {
         llvm::StringRef header = each.Name;
         header = header.substr(header.rfind('/') + 1);
         header.consume_back(".h");
-        if (name == (header + ".cpp").str() || name == (header + ".h.cpp").str()) {
+        if (name == (header + ".cpp").str()) {
           checked.insert(each.File);
         }
       }

@@ -1,9 +1,9 @@
 # Precompiled headers: the standard library's for libraries, those and Catch2's for tests. No header of this project is
 # precompiled, so an edit recompiles only the sources that include the header, and a source that lacks an include of
-# one does not compile. Lean header checks and the build for robots use none of them: there, every header and every
+# one does not compile. scripts/check_headers.py and the build for robots use none of them: there, every header and every
 # control interface compiles with its own includes alone. So does scripts/tidy.sh with every source.
 #
-#   argos_precompile(<target> library|test|user)   lets a target use the headers that were compiled once for its kind
+#   argos_precompile(<target> library|test)   lets a target use the headers that were compiled once for its kind
 
 if(ARGOS_PRECOMPILE_HEADERS)
   set(argosStandardHeaders <algorithm> <array> <atomic> <chrono> <cmath> <functional> <iostream> <limits> <map> <memory>
@@ -22,12 +22,6 @@ if(ARGOS_PRECOMPILE_HEADERS)
     target_compile_options(argos_precompiled_test PRIVATE -fPIE)
     target_precompile_headers(argos_precompiled_test PRIVATE ${argosStandardHeaders} <filesystem> <fstream>
       <catch2/catch.hpp>)
-
-    # for the header checks of users, whose time is mostly that of these headers
-    add_library(argos_precompiled_user OBJECT "${PROJECT_BINARY_DIR}/generated/precompiled.cpp")
-    argos_set_header_check_options(argos_precompiled_user)
-    target_link_libraries(argos_precompiled_user PRIVATE Eigen3::Eigen)
-    target_precompile_headers(argos_precompiled_user PRIVATE ${argosStandardHeaders} <Eigen/Geometry>)
   endif()
 
   # what ccache needs to reuse precompiled headers and what was compiled with them; see also CMAKE_CXX_COMPILER_LAUNCHER

@@ -65,7 +65,7 @@ function(argos_add_core_part name)
   set_target_properties(${target} PROPERTIES ARGOS_INCLUDE_ROOT "${root}")
   argos_precompile(${target} library)
 
-  argos_check_headers(${target} ${ARG_INCLUDE_PREFIX} "${root}" ARG_PUBLIC_HEADERS)
+  argos_check_headers(${target} ${ARG_INCLUDE_PREFIX} ARG_PUBLIC_HEADERS)
   argos_install_headers(core ${ARG_INCLUDE_PREFIX} "${folder}" ARG_PUBLIC_HEADERS ARG_PUBLIC_HEADERS)
 endfunction()
 
@@ -141,7 +141,7 @@ function(argos_add_plugin name)
   endforeach()
 
   argos_precompile(${target} library)
-  argos_check_headers(${target} ${ARG_INCLUDE_PREFIX} "${root}" includePaths)
+  argos_check_headers(${target} ${ARG_INCLUDE_PREFIX} includePaths)
   argos_install_headers(${name} ${ARG_INCLUDE_PREFIX} "${CMAKE_CURRENT_SOURCE_DIR}" headers includePaths)
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
   set_property(GLOBAL APPEND PROPERTY ARGOS_RUN_TARGETS ${target})
