@@ -2,15 +2,16 @@
 # Runs clang-tidy:
 #   scripts/tidy.sh BUILD_FOLDER           on files changed since the merge base with origin/main; on everything if there
 #                                          is no merge base, or with CI=true
-#   scripts/tidy.sh BUILD_FOLDER --all     on everything
+#   scripts/tidy.sh BUILD_FOLDER --all     on everything but tests
+#   scripts/tidy.sh BUILD_FOLDER --tests   on the tests
 #   scripts/tidy.sh BUILD_FOLDER FILE...   on these files
 # Everything is checked several times faster in a unity build of clang, as continuous integration does: in build-memory/, once
 # it is built. Files are checked in any other build: each unit of g++ without a precompiled header, so it must include the
-# headers of the standard library that it needs. A changed header is checked through its own source, or through the unit
-# that compiles it alone. A unit that passed is not checked again until its preprocessed text, .clang-tidy or
-# scripts/tidy/ changes.
+# headers of the standard library that it needs. A changed header is checked through its own source, or through one that
+# includes it. A unit that passed is not checked again until its preprocessed text, .clang-tidy or scripts/tidy/ changes:
+# stamps lie in $XDG_CACHE_HOME/argos3-checks, by default ~/.cache/argos3-checks, so that they outlive a build folder.
 set -euo pipefail
-(($# > 0)) || { sed -n '2,13s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2; exit 2; }
+(($# > 0)) || { sed -n '2,14s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2; exit 2; }
 build="$(cd "$1" && pwd)"
 shift
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
@@ -41,8 +42,8 @@ unit_of() { # unit_of <file>: the translation unit through which a file is check
     *.cpp) candidate="$repo/$file" ;;
     *.h)
       candidate="$repo/${file%.h}.cpp"
-      [[ -f "$candidate" ]] || candidate="$(printf '%s\n' "${compiled[@]}" |
-        grep -E "^$build/header_checks/.*/$(basename "$file")\.cpp$" | head -n 1 || true)"
+      [[ -f "$candidate" ]] || candidate="$(printf '%s\0' "${compiled[@]}" |
+        xargs -0 grep -lE "^ *# *include *[<\"].*/$(basename "$file")[>\"]" | head -n 1 || true)"
       ;;
     *) return 0 ;;
   esac
@@ -52,7 +53,7 @@ unit_of() { # unit_of <file>: the translation unit through which a file is check
   fi
 }
 
-if (($# > 0)) && [[ "$1" != --all ]]; then
+if (($# > 0)) && [[ "$1" != --all && "$1" != --tests ]]; then
   by_source
   for file in "$@"; do
     unit_of "${file#"$repo"/}"
@@ -65,7 +66,12 @@ elif (($# == 0)) && changed="$(changed_files)"; then
   done <<<"$changed"
   echo "tidy: ${#units[@]} unit(s) changed since the merge base with origin/main"
 else
+  wanted=other
+  [[ "${1:-}" != --tests ]] || wanted="test"
   for file in "${compiled[@]}"; do
+    kind=other
+    [[ "$file" != */src/testing/* ]] || kind="test"
+    [[ "$kind" == "$wanted" ]] || continue
     case "$file" in
       "$repo"/src/* | "$repo"/experiments/* | */Unity/*) units+=("$file") ;;
     esac
@@ -103,7 +109,7 @@ else
   echo "tidy: includes are not checked; that needs clang++ and libclang-dev"
 fi
 
-stamps="$build/tidy_passed"
+stamps="${XDG_CACHE_HOME:-$HOME/.cache}/argos3-checks/tidy"
 mkdir -p "$stamps"
 rules="$(cat .clang-tidy "$plugin_source" | sha256sum | cut -d' ' -f1)"
 export stamps tidy repo build rules
@@ -114,7 +120,9 @@ check_one() {
   # the unit's own compile command, turned into a preprocessor run
   command="$(grep -B2 -F "\"file\": \"$unit\"" "$tidy/compile_commands.json" | sed -n 's/^ *"command": "\(.*\)",$/\1/p' |
     head -n 1 | sed -e 's/\\"/"/g' -e 's/\\\\/\\/g' -e 's/ -o [^ ]*//' -e 's/ -c / -E -P -C /')"
-  key="$(cd "$build" && { eval "$command" 2>/dev/null || echo "$RANDOM$RANDOM"; echo "$rules"; } | sha256sum | cut -d' ' -f1)"
+  # names of files in messages of assertions are those of this checkout
+  key="$(set -o pipefail; cd "$build" && { eval "$command" 2>/dev/null | sed "s|$repo/||g" || echo "$RANDOM$RANDOM"; echo "$rules"; } |
+    sha256sum | cut -d' ' -f1)"
   if [[ -f "$stamps/$key" ]]; then
     return 0
   fi
