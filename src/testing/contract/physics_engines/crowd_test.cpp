@@ -4,6 +4,7 @@
 #include <argos3/testing/contract/physics_engines/engines.h>
 #include <argos3/testing/support/overlap.h>
 #include <argos3/testing/support/robot_sizes.h>
+#include <argos3/testing/support/sanitizers.h>
 
 #include <argos3/core/utility/math/random_stream.h>
 #include <argos3/core/utility/math/vector2.h>
@@ -24,6 +25,10 @@ using testing::SOverlaps;
 namespace {
 
 constexpr Real kFootBotHeight = 0.146899733;  // m
+
+// robots of a crowd, one behind the other and side by side
+constexpr int kDeepest = FewerIfSanitized(60);
+constexpr int kWidest = FewerIfSanitized(20);
 
 std::string WallXml(const std::string& id, const std::string& size, Real x, Real y,
                     Real yaw = 0.0) {
@@ -127,7 +132,7 @@ TEST_CASE("crowd: robots that press against a wall overlap neither it nor each o
   CAPTURE(engine);
   SColumns columns;
   columns.Depth = std::min(columns.Depth, engine.DeepestCrowd);
-  columns.Width = std::min(columns.Width, 2 * engine.DeepestCrowd);
+  columns.Width = std::min({columns.Width, 2 * engine.DeepestCrowd, kWidest});
   columns.Yaw = GENERATE(0.0, 37.0);
   CAPTURE(columns.Yaw);
   CDriveWorld world(engine.ToXml(), columns.ToXml());
@@ -154,8 +159,8 @@ TEST_CASE("crowd: at the greatest depth, against a wall or another crowd, robots
   const SEngineType engine = GENERATE(from_range(kEnginesWithContacts));
   CAPTURE(engine);
   SColumns columns;
-  columns.Depth = engine.DeepestCrowd;
-  columns.Width = std::min(8, engine.DeepestCrowd);
+  columns.Depth = std::min(engine.DeepestCrowd, kDeepest);
+  columns.Width = std::min({8, engine.DeepestCrowd, kWidest});
   std::tie(columns.Yaw, columns.FaceToFace) = GENERATE(
       std::make_tuple(0.0, false), std::make_tuple(37.0, false), std::make_tuple(0.0, true));
   if (columns.FaceToFace && columns.Depth < 10) {

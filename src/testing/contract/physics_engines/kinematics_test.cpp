@@ -5,6 +5,7 @@
 #include <argos3/testing/support/closed_form/differential_drive.h>
 #include <argos3/testing/support/overlap.h>
 #include <argos3/testing/support/robot_sizes.h>
+#include <argos3/testing/support/sanitizers.h>
 
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/geometry/body_description.h>
@@ -378,7 +379,7 @@ TEST_CASE("kinematics: piled robots separate equally with any number of threads"
   // Piles of four, so that sums of pushes on a robot depend on their order. Threads process runs
   // of 512 robots; the alternating order of piles puts robots of one pile at the start of one
   // run and at the end of another.
-  constexpr int kPiles = 2048;
+  constexpr int kPiles = FewerIfSanitized(2048);
   const Real offsets[4][2] = {{0.012, 0.0}, {0.0013, 0.011}, {-0.01, -0.0071}, {0.003, -0.013}};
   std::string arena;
   for (int i = 0; i < 4 * kPiles; ++i) {
