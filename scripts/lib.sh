@@ -1,7 +1,8 @@
 # shellcheck shell=bash
 # Shared by the scripts in this folder; sourced, not run.
 repo="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
-jobs="$(nproc)"
+# processes at once; set by scripts that run others side by side
+jobs="${JOBS:-$(nproc)}"
 # the build of run.sh and test.sh
 # shellcheck disable=SC2034  # they use it
 release_build="$(realpath -m -- "${BUILD_DIR:-$repo/build}")"

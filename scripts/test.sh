@@ -15,8 +15,10 @@ case "${1:-}" in
 esac
 cd "$repo"
 build_dir="$release_build"
-work="$(mktemp -d)"
-trap 'rm -rf -- "$work"' EXIT
+# a fixed folder, so that ccache finds again what was compiled there
+work="$build_dir/checks"
+rm -rf -- "$work"
+mkdir -p "$work/tmp"
 
 began() {
   say "$1 (after ${SECONDS} s)"
@@ -26,13 +28,6 @@ check_format() {
   git ls-files -z --cached --others --exclude-standard -- '*.h' '*.cpp' |
     while IFS= read -r -d '' file; do [[ ! -f "$file" ]] || printf '%s\0' "$file"; done |
     xargs -0 -r -n 50 -P "$jobs" clang-format --dry-run --Werror
-}
-
-# The same sources are compiled with optimization above; this finds what they include or link of the simulator.
-build_for_robot() {
-  configure "$repo/build-robot" -DCMAKE_BUILD_TYPE=Release -DARGOS_BUILD_TESTING=OFF -DARGOS_WERROR=ON \
-    -DARGOS_BUILD_FOR=robot -DARGOS_PRECOMPILE_HEADERS=OFF -DCMAKE_CXX_FLAGS_RELEASE=-O0
-  build "$repo/build-robot"
 }
 
 # The installed headers are complete, include no third-party header except Eigen's, Lua's and, if it is there, OpenGL's, and
@@ -62,6 +57,77 @@ build_user_project() { # build_user_project <name> <cmake arguments...>
   } >"$folder/log" 2>&1 || { cat "$folder/log" >&2; die "the user's project ($1) failed, see above"; }
   [[ -s "$data" ]] || die "the user's project ($1) ran but wrote no paths.csv"
   echo "$1: built and ran; its data has $(wc -l <"$data") lines"
+}
+
+# Steps that need the build only and are side by side, each on one core: mostly one program at a time runs in them.
+
+# The same sources are compiled with optimization above; this finds what they include or link of the simulator.
+step_robot() {
+  echo "Controllers without the simulator (ARGOS_BUILD_FOR=robot, in build-robot/)"
+  configure "$repo/build-robot" -DCMAKE_BUILD_TYPE=Release -DARGOS_BUILD_TESTING=OFF -DARGOS_WERROR=ON \
+    -DARGOS_BUILD_FOR=robot -DARGOS_PRECOMPILE_HEADERS=OFF -DCMAKE_CXX_FLAGS_RELEASE=-O0
+  build "$repo/build-robot"
+}
+
+step_users_projects() {
+  echo "A user's project, built in two ways"
+  build_user_project find_package -DCMAKE_PREFIX_PATH="$work/prefix"
+  PKG_CONFIG_PATH="$work/prefix/lib/pkgconfig" build_user_project pkg_config -DUSE_PKG_CONFIG=ON
+}
+
+step_outside_projects() {
+  echo "Projects written for ARGoS 3"
+  "$repo/scripts/outside_projects.sh" "$work/prefix" "$work/projects"
+}
+
+step_packages() {
+  echo "Debian packages and an archive"
+  "$repo/scripts/package.sh" --build "$build_dir" "$work/packages" deb tgz
+}
+
+step_site() {
+  echo "The site: user's guide and API reference"
+  BUILD_DIR="$build_dir" "$repo/scripts/site.sh" "$work/site"
+}
+
+step_examples() {
+  echo "Examples of the first day"
+  "$repo/scripts/examples.sh" "$work/prefix"
+}
+
+step_guide() {
+  echo "The user's guide"
+  "$repo/scripts/check_guide.sh" "$work/prefix"
+}
+
+step_headers() {
+  echo "Installed headers"
+  check_installed_headers "$work/prefix/include"
+}
+
+run_step() { # run_step <name>: prints what the step says when it ends
+  local began="$SECONDS" status=0
+  # a new shell, so that an error in the step ends it
+  # shellcheck disable=SC2016  # that shell expands it
+  "$BASH" -c 'set -euo pipefail; "step_$1"' "$1" "$1" >"$work/$1.log" 2>&1 || status=$?
+  echo "-- $(cat "$work/$1.log")"
+  if ((status != 0)); then
+    echo "$1 failed with status $status, see above"
+    return 1
+  fi
+  echo "   ($((SECONDS - began)) s)"
+}
+
+run_steps() { # run_steps <name>...
+  export JOBS=1 TMPDIR="$work/tmp" repo jobs=1 build_dir work
+  if command -v ccache >/dev/null; then
+    export CMAKE_CXX_COMPILER_LAUNCHER=ccache CCACHE_NOHASHDIR=1 CCACHE_BASEDIR="$work"
+  fi
+  # shellcheck disable=SC2046  # one name each
+  export -f $(declare -F | cut -d' ' -f3)
+  # shellcheck disable=SC2016  # that shell expands it
+  printf '%s\0' "$@" | xargs -0 -n 1 -P "$(nproc)" "$BASH" -c 'run_step "$1"' run_step ||
+    die "steps failed, see above"
 }
 
 began "Packages"
@@ -103,29 +169,16 @@ if ((quick)); then
   exit 0
 fi
 
-began "Controllers without the simulator (ARGOS_BUILD_FOR=robot, in build-robot/)"
-build_for_robot
-
-began "Installation, and users' own projects against it"
+began "Installation"
 cmake --install "$build_dir" --prefix "$work/installed" >"$work/install.log"
 # moved after the installation, because it must be relocatable
 mv "$work/installed" "$work/prefix"
-check_installed_headers "$work/prefix/include"
 # with the installed controllers, which are found by name
 (cd "$work" && "$work/prefix/bin/argos3" -n -zc "$work/prefix/share/argos3/experiments/diffusion_10.argos" --length 1)
-build_user_project find_package -DCMAKE_PREFIX_PATH="$work/prefix"
-PKG_CONFIG_PATH="$work/prefix/lib/pkgconfig" build_user_project pkg_config -DUSE_PKG_CONFIG=ON
-"$repo/scripts/outside_projects.sh" "$work/prefix" "$work/projects"
 
-began "Debian packages and an archive"
-"$repo/scripts/package.sh" --build "$build_dir" "$work/packages" deb tgz
-
-began "The site: user's guide and API reference"
-BUILD_DIR="$build_dir" "$repo/scripts/site.sh" "$work/site"
-
-began "Examples of the first day, and the user's guide"
-"$repo/scripts/examples.sh" "$work/prefix"
-"$repo/scripts/check_guide.sh" "$work/prefix"
+began "Side by side: users' projects, packages, site, guide, a build for robots"
+# those that take longest begin
+run_steps guide outside_projects site robot examples packages users_projects headers
 
 if [[ "${CI:-}" == true ]]; then
   echo "clang-tidy follows in .ci/run"
