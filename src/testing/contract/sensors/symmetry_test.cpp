@@ -35,8 +35,6 @@
 #include <string>
 #include <vector>
 
-namespace symmetry_test {
-
 using namespace argos;
 using Catch::Matchers::WithinAbs;
 
@@ -408,5 +406,3 @@ TEST_CASE("symmetry: moved, turned and mirrored worlds give moved, turned and mi
     }
   }
 }
-
-}  // namespace symmetry_test

@@ -78,7 +78,7 @@ std::vector<CVector2> ListCorners(const SFootprint& shape) {
 }
 
 // distance from a point to a shape, m; 0 inside
-Real DistanceTo(const SFootprint& box, Real x, Real y) {
+Real DistanceToShape(const SFootprint& box, Real x, Real y) {
   const Real dx = x - box.X;
   const Real dy = y - box.Y;
   if (box.Polygon != nullptr) {
@@ -93,7 +93,7 @@ Real DistanceTo(const SFootprint& box, Real x, Real y) {
 Real LeastDistance(const SFootprint& box, Real x, Real y, const SStep& step) {
   Real least = HUGE_VAL;
   for (int i = 0; i <= 2000; ++i) {
-    least = std::min(least, DistanceTo(box, x + i / 2000.0 * step.X, y + i / 2000.0 * step.Y));
+    least = std::min(least, DistanceToShape(box, x + i / 2000.0 * step.X, y + i / 2000.0 * step.Y));
   }
   return least;
 }
@@ -144,7 +144,7 @@ TEST_CASE("separation: disc and shape are on opposite sides of the line", "[unit
                                          random.Uniform(-std::numbers::pi, std::numbers::pi),
                                          random.Uniform(0.01, 0.5), random.Uniform(0.01, 0.5));
     const SStep step = {random.Uniform(-2, 2), random.Uniform(-2, 2)};
-    const Real start = DistanceTo(box, 0.0, 0.0);
+    const Real start = DistanceToShape(box, 0.0, 0.0);
     if (start <= kRadius) {
       continue;
     }
@@ -157,7 +157,7 @@ TEST_CASE("separation: disc and shape are on opposite sides of the line", "[unit
       const Real along = line.NormalX * corner.GetX() + line.NormalY * corner.GetY();
       REQUIRE(along >= kRadius + line.Gap - kRounding);
     }
-    REQUIRE_THAT(DistanceTo(box, line.PointX, line.PointY), WithinAbs(0.0, kRounding));
+    REQUIRE_THAT(DistanceToShape(box, line.PointX, line.PointY), WithinAbs(0.0, kRounding));
     const Real closing = line.NormalX * step.X + line.NormalY * step.Y;
     const Real least = LeastDistance(box, 0.0, 0.0, step);
     // sampling finds the least distance to about 1e-6
@@ -194,7 +194,7 @@ TEST_CASE("separation: boxes face to face touch in two points", "[unit][kinemati
     CHECK_THAT(contact.NormalX, WithinAbs(std::cos(yaw), kRounding));
     CHECK_THAT(contact.NormalY, WithinAbs(std::sin(yaw), kRounding));
     CHECK_THAT(contact.Gap, WithinAbs(0.25, kRounding));
-    CHECK_THAT(DistanceTo(b, contact.PointX, contact.PointY), WithinAbs(0.0, kRounding));
+    CHECK_THAT(DistanceToShape(b, contact.PointX, contact.PointY), WithinAbs(0.0, kRounding));
   }
   CHECK_THAT(
       std::hypot(contacts[0].PointX - contacts[1].PointX, contacts[0].PointY - contacts[1].PointY),
