@@ -194,6 +194,8 @@ class Compiler:
 def main():
     if len(sys.argv) != 2 or sys.argv[1] in ("-h", "--help"):
         sys.exit(__doc__)
+    if not os.path.exists(os.path.join(sys.argv[1], "header_checks", "compiler")):
+        sys.exit(f"{sys.argv[1]} is not configured; run: cmake -S {source} -B {sys.argv[1]}")
     errors = []
     headers, every_root = read_headers(os.path.abspath(sys.argv[1]), errors)
     check_companions(headers, errors)
