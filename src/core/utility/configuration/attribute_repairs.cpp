@@ -28,6 +28,7 @@ CAttributeRepairs::~CAttributeRepairs() {
     if (repaired.WasThere) {
       element->SetAttribute(repaired.Request.Attribute.c_str(), repaired.Text.c_str());
     } else {
+      repaired.Request.Record->LastFound = nullptr;
       element->DeleteAttribute(repaired.Request.Attribute.c_str());
     }
   }

@@ -8,6 +8,26 @@
 
 namespace argos {
 
+namespace {
+
+// as a look-up by name does; only the first attributes are searched, so that a loop over many takes
+// linear time
+void MarkRead(SConfigurationRecord& record, const tinyxml2::XMLAttribute& attribute) {
+  if (CRequestRecorder* const recorder = CRequestRecorder::Current()) {
+    recorder->NoteAttribute(record, attribute.Name());
+  }
+  const auto* each = record.Element->FirstAttribute();
+  for (std::size_t index = 0; index < kTrackedAttributes && each != nullptr; ++index) {
+    if (each == &attribute) {
+      record.ReadAttributes |= UInt64(1) << index;
+      return;
+    }
+    each = each->Next();
+  }
+}
+
+}  // namespace
+
 CConfigurationAttribute::CConfigurationAttribute(SConfigurationRecord* record,
                                                  const tinyxml2::XMLAttribute* attribute)
     : m_record(record), m_attribute(attribute) {}
@@ -34,7 +54,7 @@ void CConfigurationAttribute::SetText(const std::string& text) {
 CConfigurationAttribute CConfigurationAttribute::Successor() const {
   CConfigurationAttribute next(m_record, Checked().Next());
   if (next.m_attribute != nullptr) {
-    m_record->Store->HandleOf(m_record->Element)->FindAttribute(next.m_attribute->Name());
+    MarkRead(*m_record, *next.m_attribute);
   }
   return next;
 }

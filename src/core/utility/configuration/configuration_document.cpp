@@ -1,5 +1,6 @@
 #include <argos3/core/utility/configuration/configuration_document.h>
 
+#include <argos3/core/utility/configuration/attribute_search.h>
 #include <argos3/core/utility/configuration/configuration_error.h>
 #include <argos3/core/utility/configuration/configuration_path.h>
 #include <argos3/core/utility/configuration/configuration_store.h>
@@ -163,7 +164,10 @@ void CConfigurationDocument::Parse(const std::string& xml, const std::string& na
     ThrowMalformed(name, static_cast<int>(line),
                    "zero byte at offset " + std::to_string(nul) + "; is it a text file?");
   }
-  const tinyxml2::XMLError error = document.Parse(xml.data(), xml.size());
+  const tinyxml2::XMLError error = [&] {
+    const CAttributeSearch fast;
+    return document.Parse(xml.data(), xml.size());
+  }();
   if (error != tinyxml2::XML_SUCCESS) {
     if (error == tinyxml2::XML_ERROR_MISMATCHED_ELEMENT) {
       long line = 0;

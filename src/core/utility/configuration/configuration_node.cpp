@@ -19,7 +19,6 @@ namespace argos {
 namespace {
 
 constexpr const char* kMadeByProgram = "(made by the program)";
-constexpr UInt32 kTrackedAttributes = 64;
 
 // bit of an attribute in ReadAttributes; 0 for attributes that are not tracked
 UInt64 AttributeBit(UInt32 index) {
@@ -420,19 +419,41 @@ std::unique_ptr<CConfigurationNode> CConfigurationNode::Clone() const {
 // attributes and texts
 /****************************************/
 
+namespace {
+
+// notes what it finds
+const tinyxml2::XMLAttribute* SearchAttribute(SConfigurationRecord& record,
+                                              const std::string& name) {
+  const tinyxml2::XMLAttribute* const next =
+      record.LastFound != nullptr ? record.LastFound->Next() : nullptr;
+  if (next != nullptr && name == next->Name()) {
+    record.LastFound = next;
+    ++record.LastFoundIndex;
+    return next;
+  }
+  UInt32 index = 0;
+  for (const auto* attribute = record.Element->FirstAttribute(); attribute != nullptr;
+       attribute = attribute->Next(), ++index) {
+    if (name == attribute->Name()) {
+      record.LastFound = attribute;
+      record.LastFoundIndex = index;
+      return attribute;
+    }
+  }
+  return nullptr;
+}
+
+}  // namespace
+
 const char* CConfigurationNode::FindAttribute(const std::string& name) const {
   SConfigurationRecord& record = Record();
   CRequestRecorder* const recorder = CRequestRecorder::Current();
   if (recorder != nullptr) {
     recorder->NoteAttribute(record, name);
   }
-  UInt32 index = 0;
-  for (const auto* attribute = record.Element->FirstAttribute(); attribute != nullptr;
-       attribute = attribute->Next(), ++index) {
-    if (name == attribute->Name()) {
-      record.ReadAttributes |= AttributeBit(index);
-      return recorder != nullptr ? recorder->TextOf(name, attribute->Value()) : attribute->Value();
-    }
+  if (const tinyxml2::XMLAttribute* const attribute = SearchAttribute(record, name)) {
+    record.ReadAttributes |= AttributeBit(record.LastFoundIndex);
+    return recorder != nullptr ? recorder->TextOf(name, attribute->Value()) : attribute->Value();
   }
   std::vector<std::string>& missed = record.MissedNames;
   if (std::find(missed.begin(), missed.end(), name) == missed.end()) {
@@ -468,6 +489,7 @@ void CConfigurationNode::RemoveAttribute(const std::string& name) {
       record.ReadAttributes =
           (record.ReadAttributes & before) | ((record.ReadAttributes >> 1) & ~before);
     }
+    record.LastFound = nullptr;
     record.Element->DeleteAttribute(name.c_str());
     return;
   }

@@ -135,6 +135,9 @@ std::vector<std::string> UsedNames(const SConfigurationRecord& record) {
   std::size_t index = 0;
   for (const auto* attribute = record.Element->FirstAttribute(); attribute != nullptr;
        attribute = attribute->Next(), ++index) {
+    if (index >= kTrackedAttributes) {
+      break;
+    }
     if (IsAttributeRead(record, index)) {
       names.emplace_back(attribute->Name());
     }

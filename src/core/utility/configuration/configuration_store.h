@@ -29,6 +29,9 @@ struct SConfigurationRecord {
       nullptr;  // the handle that GetNode() gives; null until its first call
   // one bit per attribute, in the order of the file; attributes after the 64th count as read
   UInt64 ReadAttributes = 0;
+  // the attribute that was found last, and its number: a loop over all names finds each at once
+  const tinyxml2::XMLAttribute* LastFound = nullptr;
+  UInt32 LastFoundIndex = 0;
   // names that were looked up in vain, without duplicates: attributes that would be used
   std::vector<std::string> MissedNames;
   bool IsVisited = false;
@@ -101,10 +104,12 @@ class CConfigurationStore : public std::enable_shared_from_this<CConfigurationSt
   std::vector<SConfigurationSetting> m_settings;
 };
 
+/** Attributes of an element of which is known whether they were read: the first ones. */
+constexpr std::size_t kTrackedAttributes = 64;
+
 /** @return true if the attribute with that number, in the order of the file, was read. */
 inline bool IsAttributeRead(const SConfigurationRecord& record, std::size_t index) {
-  constexpr std::size_t kTracked = 64;
-  return index >= kTracked || ((record.ReadAttributes >> index) & 1) != 0;
+  return index >= kTrackedAttributes || ((record.ReadAttributes >> index) & 1) != 0;
 }
 
 /** @return true if one of the numbers in a text exceeds kMostReal. */

@@ -139,6 +139,37 @@ TEST_CASE("document: malformed XML is refused with its line", "[core][configurat
 // unread elements and attributes
 /****************************************/
 
+TEST_CASE("document: an element may have many attributes", "[core][configuration]") {
+  constexpr int kAttributes = 500;
+  const auto name = [](int number) { return "attribute_" + std::to_string(number); };
+  std::string xml = "<a ";
+  for (int i = 0; i < kAttributes; ++i) {
+    xml += name(i) + "=\"1\" ";
+  }
+  CConfigurationDocument document;
+  document.Parse(xml + "/>", "many.argos");
+  TConfigurationNode& root = document.GetRoot();
+  CHECK(NodeAttributeExists(root, name(kAttributes - 1)));
+  CHECK_FALSE(NodeAttributeExists(root, name(kAttributes)));
+  CHECK(document.DescribeUnread().size() == 64);
+  CHECK(NodeAttributeExists(root, name(5)));
+  CHECK(document.DescribeUnread().size() == 63);
+  for (const std::string& each : root.GetAttributeNames()) {
+    REQUIRE(NodeAttributeExists(root, each));
+  }
+  int number = 0;
+  TConfigurationAttributeIterator attribute;
+  for (attribute = attribute.begin(&root); attribute != attribute.end(); ++attribute) {
+    ++number;
+  }
+  CHECK(number == kAttributes);
+  // names that are given twice are found
+  CHECK_THROWS_WITH(document.Parse(xml + name(0) + "='1'/>", "many.argos"),
+                    Contains("given twice"));
+  CHECK_THROWS_WITH(document.Parse(xml + name(kAttributes - 1) + "='1'/>", "many.argos"),
+                    Contains("given twice"));
+}
+
 TEST_CASE("document: everything is unread at first", "[core][configuration]") {
   CConfigurationDocument document = Experiment();
   CHECK(Unread(document) == "<argos-configuration> ");
