@@ -93,16 +93,16 @@ void CRobotFailures::Report() {
   std::stable_sort(m_notes.begin(), m_notes.end(),
                    [](const SNote& a, const SNote& b) { return a.Place < b.Place; });
   for (SNote& note : m_notes) {
-    auto error = std::find_if(m_errors.begin(), m_errors.end(),
-                              [&note](const SError& known) { return known.Key == note.Key; });
-    if (error == m_errors.end()) {
+    const auto [found, isNew] = m_errorByKey.emplace(note.Key, m_errors.size());
+    const size_t number = found->second;
+    if (isNew) {
       LOGERR << note.Text << std::endl;
       m_errors.push_back({note.Text, note.Key, 0, note.Tick, {}});
-      error = m_errors.end() - 1;
     }
-    ++error->Count;
-    if (std::find(error->Robots.begin(), error->Robots.end(), note.Robot) == error->Robots.end()) {
-      error->Robots.push_back(note.Robot);
+    SError& error = m_errors[number];
+    ++error.Count;
+    if (m_named.emplace(number, note.Robot).second) {
+      error.Robots.push_back(note.Robot);
     }
   }
   m_notes.clear();
@@ -111,6 +111,8 @@ void CRobotFailures::Report() {
 void CRobotFailures::Clear() {
   m_notes.clear();
   m_errors.clear();
+  m_errorByKey.clear();
+  m_named.clear();
 }
 
 std::string CRobotFailures::Summarize() const {

@@ -4,7 +4,10 @@
 #include <argos3/core/utility/datatypes/datatypes.h>
 
 #include <mutex>
+#include <set>
 #include <string>
+#include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace argos {
@@ -60,6 +63,8 @@ class CRobotFailures {
   std::mutex m_mutex;  // guards the notes
   std::vector<SNote> m_notes;  // since the last report
   std::vector<SError> m_errors;
+  std::unordered_map<std::string, size_t> m_errorByKey;  // never iterated
+  std::set<std::pair<size_t, std::string>> m_named;  // errors and the robots that they name
 };
 
 }  // namespace argos

@@ -9,6 +9,7 @@
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
 #include <argos3/testing/support/captured_logs.h>
 #include <argos3/testing/support/experiment.h>
+#include <argos3/testing/support/sanitizers.h>
 
 #include <catch2/catch.hpp>
 
@@ -251,6 +252,24 @@ TEST_CASE("on_error: a program whose robots were stopped says so and ends with s
     CHECK(Count(run.Err, "tired of") == 2);
     CHECK_THAT(run.Err, Contains("5 of 5 robots are stopped"));
   }
+}
+
+TEST_CASE("on_error: the report of many failed robots takes linear time", "[faults][on_error]") {
+  constexpr size_t kRobots = FewerIfSanitized(100000);
+  CRobotFailures failures;
+  for (size_t i = 0; i < kRobots; ++i) {
+    const std::string robot = "ep" + std::to_string(i);
+    failures.Note(robot, 1, "context", "the same");
+    failures.Note(robot, 1, "context", "error " + std::to_string(i) + " of its kind");
+  }
+  // comparing each with all others takes minutes
+  failures.Report();
+  CHECK(failures.GetErrors().size() == kRobots + 1);
+  CHECK(failures.GetErrors()[0].Count == kRobots);
+  CHECK(failures.GetErrors()[0].Robots.size() == kRobots);
+  CHECK(failures.GetErrors()[0].Robots[1] == "ep1");
+  CHECK(Count(failures.Summarize(), "error ") == kRobots);
+  TakeLogErr();
 }
 
 }  // namespace on_error_test
