@@ -17,8 +17,10 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <iterator>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <system_error>
 
@@ -167,6 +169,42 @@ std::string PluginDirectory() {
   return directories.front();
 }
 
+std::vector<fs::path> ListWithWarning(const std::string& directory) {
+  std::error_code error;
+  std::vector<fs::path> files = ListLibraries(directory, error);
+  if (error) {
+    LOGERR << "[WARNING] The plug-in directory \"" << directory
+           << "\" cannot be read: " << error.message() << std::endl;
+  }
+  return files;
+}
+
+// Each file name once, in the order of loading: ours before users' libraries, which need symbols of
+// ours that they are often not linked with; before all of them those that replace one of ours.
+std::vector<fs::path> ListAllLibraries() {
+  std::set<std::string> seen = {CoreLibrary().filename().string()};
+  const auto isNew = [&seen](const fs::path& file) {
+    return seen.insert(file.filename().string()).second;
+  };
+  std::vector<fs::path> files;
+  for (const std::string& directory : UserDirectories()) {
+    const std::vector<fs::path> found = ListWithWarning(directory);
+    std::copy_if(found.begin(), found.end(), std::back_inserter(files), isNew);
+  }
+  const std::vector<fs::path> own = ListWithWarning(PluginDirectory());
+  std::set<std::string> ownNames;
+  for (const fs::path& file : own) {
+    ownNames.insert(file.filename().string());
+  }
+  const auto others = std::stable_partition(
+      files.begin(), files.end(),
+      [&ownNames](const fs::path& file) { return ownNames.count(file.filename().string()) > 0; });
+  std::vector<fs::path> ordered(files.begin(), others);
+  std::copy_if(own.begin(), own.end(), std::back_inserter(ordered), isNew);
+  ordered.insert(ordered.end(), others, files.end());
+  return ordered;
+}
+
 /****************************************/
 // loading
 /****************************************/
@@ -183,9 +221,51 @@ std::vector<std::string> Suffixes(const std::string& lib) {
   return suffixes;
 }
 
+bool IsAbsolute(const std::string& lib) {
+  return !lib.empty() && lib[0] == '/';
+}
+
+// of a library that is searched: a path without suffixes, which has a file
+struct SNearFile {
+  std::string Place;
+  fs::path File;
+};
+
+// the first file of the library in the folder
+std::optional<SNearFile> FindIn(const std::string& directory, const std::string& lib) {
+  for (const std::string& suffix : Suffixes(lib)) {
+    std::error_code error;
+    const fs::path file = directory + '/' + lib + suffix;
+    if (fs::is_regular_file(file, error)) {
+      return SNearFile{directory + '/' + lib, Resolved(file)};
+    }
+  }
+  return std::nullopt;
+}
+
+// Libraries of several build trees: in the working directory and beside the experiment. The
+// working directory is nearest: a user who has several trees works in the one that is meant.
+std::vector<SNearFile> FindNearFiles(const std::string& lib, const std::string& experimentFile) {
+  if (IsAbsolute(lib)) {
+    return {};
+  }
+  std::vector<std::string> directories = {"."};
+  const std::vector<std::string> more = ExperimentDirectories(lib, experimentFile);
+  directories.insert(directories.end(), more.begin(), more.end());
+  std::vector<SNearFile> files;
+  for (const std::string& directory : directories) {
+    const std::optional<SNearFile> found = FindIn(directory, lib);
+    const auto isSame = [&found](const SNearFile& file) { return file.File == found->File; };
+    if (found.has_value() && std::none_of(files.begin(), files.end(), isSame)) {
+      files.push_back(*found);
+    }
+  }
+  return files;
+}
+
 // the paths that a library may have, without suffixes, in order
 std::vector<std::string> Places(const std::string& lib, const std::string& experimentFile) {
-  if (!lib.empty() && lib[0] == '/') {
+  if (IsAbsolute(lib)) {
     return {lib};
   }
   std::vector<std::string> directories = UserDirectories();
@@ -201,6 +281,38 @@ std::vector<std::string> Places(const std::string& lib, const std::string& exper
     }
   }
   return places;
+}
+
+// if there are several near files, puts the place of the nearest before those of the others
+void PutNearestFirst(std::vector<std::string>& places, const std::vector<SNearFile>& near) {
+  if (near.size() < 2) {
+    return;
+  }
+  const std::string& nearest = near.front().Place;
+  const auto other = std::find_if(places.begin(), places.end(), [&near](const std::string& place) {
+    return std::any_of(near.begin() + 1, near.end(),
+                       [&place](const SNearFile& file) { return file.Place == place; });
+  });
+  if (other != places.end()) {
+    places.insert(other, nearest);
+  }
+}
+
+// of near files that are not loaded, for example because they are of another build tree
+void WarnOfOthers(const std::string& lib, const std::string& place,
+                  const std::vector<SNearFile>& near) {
+  const std::optional<SNearFile> loaded =
+      FindIn(fs::path(place).parent_path().string(), fs::path(place).filename().string());
+  std::string others;
+  for (const SNearFile& file : near) {
+    if (loaded.has_value() && file.File != loaded->File) {
+      others += (others.empty() ? "\"" : ", \"") + file.File.string() + '"';
+    }
+  }
+  if (!others.empty()) {
+    LOGERR << "[WARNING] There are several libraries \"" << lib << "\": \"" << loaded->File.string()
+           << "\" is loaded, not " << others << std::endl;
+  }
 }
 
 // "[.so]", for messages
@@ -331,12 +443,18 @@ CDynamicLoading::TDLHandle CDynamicLoading::LoadLibrary(const std::string& lib) 
 CDynamicLoading::TDLHandle CDynamicLoading::LoadLibrary(const std::string& lib,
                                                         const std::string& experimentFile) {
   const std::lock_guard<std::recursive_mutex> lock(detail::GetLoadingMutex());
-  const std::vector<std::string> places = Places(lib, experimentFile);
+  std::vector<std::string> places = Places(lib, experimentFile);
+  const std::vector<SNearFile> near = FindNearFiles(lib, experimentFile);
+  PutNearestFirst(places, near);
+  const size_t numLoaded = LoadedLibraries().size();
   std::string searched;
   std::string problems;
   for (const std::string& place : places) {
     const TDLHandle handle = TryPlace(lib, place, problems);
     if (handle != nullptr) {
+      if (LoadedLibraries().size() > numLoaded) {
+        WarnOfOthers(lib, place, near);
+      }
       return handle;
     }
     searched += "\n  " + place + DescribeSuffixes(lib) + ": no such file";
@@ -367,21 +485,8 @@ void CDynamicLoading::LoadAllLibraries() {
   // before the first library, because libraries may look labels up while they are loaded
   LoadingOnDemand().IsDone = true;
   ThrowRegistrationProblems("the libraries linked to the program are not compatible");
-  std::vector<std::string> directories = UserDirectories();
-  directories.push_back(PluginDirectory());
-  std::set<std::string> seen = {CoreLibrary().filename().string()};
-  for (const std::string& directory : directories) {
-    std::error_code error;
-    const std::vector<fs::path> files = ListLibraries(directory, error);
-    if (error) {
-      LOGERR << "[WARNING] The plug-in directory \"" << directory
-             << "\" cannot be read: " << error.message() << std::endl;
-    }
-    for (const fs::path& file : files) {
-      if (seen.insert(file.filename().string()).second) {
-        LoadLibrary(fs::absolute(file).string());
-      }
-    }
+  for (const fs::path& file : ListAllLibraries()) {
+    LoadLibrary(fs::absolute(file).string());
   }
 }
 

@@ -22,6 +22,10 @@ namespace argos {
  *        only their names load;
  *      - the current directory.
  *
+ * If the library is in the current directory and beside the experiment, in different files, that of
+ * the current directory precedes: a user who has several build trees works in the one that is
+ * meant. A warning names the files that are not loaded.
+ *
  * In each directory the name is tried as given, then with ".so" (the suffixes of config.h). All
  * symbols are bound when a library is loaded, and are visible to libraries loaded later. A loaded
  * library stays in the process until its end.
@@ -51,9 +55,10 @@ class CDynamicLoading {
   static void UnloadLibrary(const std::string& lib);
 
   /**
-   * Loads every library in the directories of ARGOS_PLUGIN_PATH, then in the default directories,
-   * by name within each. Skips a library whose file name was found in an earlier directory. Warns
-   * of a directory that cannot be read.
+   * Loads every library in the default directories, then in the directories of ARGOS_PLUGIN_PATH,
+   * by name within each: users' libraries need not be linked with those of this project. Skips a
+   * library whose file name was found in an earlier directory of ARGOS_PLUGIN_PATH. Warns of a
+   * directory that cannot be read.
    * @throws CARGoSException if a library does not load, or if the process has incompatible ones.
    */
   static void LoadAllLibraries();

@@ -18,6 +18,7 @@ namespace program_test {
 
 using namespace argos;
 using Catch::Contains;
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -326,6 +327,56 @@ TEST_CASE("argos3: experiments of the build tree run without a path to their lib
       folder.Run({InSourceTree("experiments/diffusion_10.argos"), "-z", "--length", "1"});
   CAPTURE(run.Err);
   CHECK(run.Status == 0);
+}
+
+TEST_CASE("argos3: of libraries of several builds the nearest one is loaded, with a warning",
+          "[command_line]") {
+  const CTestFolder folder;
+  std::string xml = Experiment();
+  const auto copyTo = [&](const std::string& path) {
+    const fs::path file = fs::path(folder.Path(".")) / path;
+    fs::create_directories(file.parent_path());
+    fs::copy_file(kBadControllers, file);
+    return fs::canonical(file).string();
+  };
+  const std::string working = copyTo("build/libtwo.so");
+  const std::string beside = copyTo("project/build/libtwo.so");
+  xml.replace(xml.find(kBadControllers), kBadControllers.size(), "build/libtwo");
+  fs::create_directories(folder.Path("project/experiments"));
+  folder.Write("project/experiments/e.argos", xml);
+  const std::string warning = "[WARNING] There are several libraries \"build/libtwo\": \"";
+  const std::vector<std::string> run = {"project/experiments/e.argos"};
+  // the working directory has one, too
+  CHECK_THAT(folder.Run(run).Err,
+             Contains(warning + working + "\" is loaded, not \"" + beside + '"'));
+  // the variable is an explicit choice
+  setenv("ARGOS_PLUGIN_PATH", folder.Path("project").c_str(), 1);
+  CHECK_THAT(folder.Run(run).Err,
+             Contains(warning + beside + "\" is loaded, not \"" + working + '"'));
+  unsetenv("ARGOS_PLUGIN_PATH");
+  // there is one only
+  fs::remove(working);
+  const SProgramRun one = folder.Run(run);
+  CHECK(one.Status == 0);
+  CHECK_THAT(one.Err, !Contains("several libraries"));
+}
+
+TEST_CASE("argos3: users' libraries in the plug-in path are loaded after those of this project",
+          "[command_line]") {
+  const CTestFolder folder;
+  fs::create_symlink(InBuildTree("testing/plugins/libargos3_test_good.so"),
+                     fs::path(folder.Path(".")) / "libargos3_test_good.so");
+  setenv("ARGOS_PLUGIN_PATH", folder.Path(".").c_str(), 1);
+  const SProgramRun run = folder.Run({"-q", "foot-bot", "--log-level", "debug"});
+  unsetenv("ARGOS_PLUGIN_PATH");
+  CAPTURE(run.Out, run.Err);
+  CHECK(run.Status == 0);
+  const std::string log = run.Out + run.Err;
+  const size_t own = log.rfind("libargos3plugin_");
+  const size_t users = log.find("libargos3_test_good");
+  REQUIRE(own != std::string::npos);
+  REQUIRE(users != std::string::npos);
+  CHECK(own < users);
 }
 
 TEST_CASE("argos3: every line of an error has its level", "[command_line]") {
