@@ -7,7 +7,9 @@
 #include <argos3/plugins/simulator/entities/box_entity.h>
 #include <argos3/plugins/simulator/media/led_medium.h>
 #include <argos3/testing/determinism/swarm.h>
+#include <argos3/testing/support/forked.h>
 #include <argos3/testing/support/robot_world.h>
+#include <argos3/testing/support/sanitizers.h>
 
 #include <catch2/catch.hpp>
 
@@ -205,6 +207,35 @@ TEST_CASE("reset: a robot added during the run starts in the state in which it w
             .GetAllSensors()
             .at("footbot_proximity")
             ->IsEnabled());
+}
+
+TEST_CASE("reset: a child of fork() runs as its parent, with threads of its own",
+          "[determinism][threads]") {
+  // ThreadSanitizer ends a child of several threads that starts one
+  if (kHasThreadSanitizer) {
+    return;
+  }
+  SExperiment experiment = Swarm(150);
+  CTestWorld serial(experiment);
+  serial.Step(10);
+  const UInt64 expected = serial.ComputeDigest();
+  experiment.Threads = 3;
+  CTestWorld world(experiment);
+  world.Step(4);
+  const auto reset = [&] {
+    world.GetSimulator().Reset();
+    world.Step(10);
+    return world.ComputeDigest() == expected ? 0 : 1;
+  };
+  CHECK(CallInFork(reset) == 0);
+  const auto goOn = [&] {
+    world.Step(6);
+    const bool isEqual = world.ComputeDigest() == expected;
+    world.GetSimulator().Destroy();
+    return isEqual ? 0 : 1;
+  };
+  CHECK(CallInFork(goOn) == 0);
+  CHECK(goOn() == 0);
 }
 
 }  // namespace reset_test

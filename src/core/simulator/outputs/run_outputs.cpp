@@ -1,5 +1,8 @@
 #include <argos3/core/simulator/outputs/run_outputs.h>
 
+#include <argos3/core/utility/logging/argos_log.h>
+#include <argos3/core/utility/processes/fork_count.h>
+
 #include <chrono>
 #include <utility>
 
@@ -24,6 +27,21 @@ class CStopwatch {
 
 }  // namespace
 
+// in a child of fork(): threads of outputs that have begun do not exist there, and files are those
+// of the parent, so that not even their destructors may run
+void CRunOutputs::LeaveToParent() {
+  if (m_stage == EStage::NotBegun || m_numForks == CountForks()) {
+    return;
+  }
+  for (std::unique_ptr<CRunOutput>& output : m_outputs) {
+    static_cast<void>(output.release());
+  }
+  LOGERR << "[WARNING] fork() was called after the start of a run: its outputs are written by the "
+            "process that called it, not by this child"
+         << std::endl;
+  m_outputs.clear();
+}
+
 void CRunOutputs::Show(CSimulator& simulator) {
   const CStopwatch stopwatch(m_seconds);
   for (const std::unique_ptr<CRunOutput>& output : m_outputs) {
@@ -34,11 +52,13 @@ void CRunOutputs::Show(CSimulator& simulator) {
 void CRunOutputs::Begin(CSimulator& simulator) {
   if (m_stage == EStage::NotBegun && !IsEmpty()) {
     m_stage = EStage::Running;
+    m_numForks = CountForks();
     Show(simulator);
   }
 }
 
 void CRunOutputs::Observe(CSimulator& simulator) {
+  LeaveToParent();
   if (m_stage == EStage::Running) {
     Show(simulator);
   } else {
@@ -47,6 +67,7 @@ void CRunOutputs::Observe(CSimulator& simulator) {
 }
 
 void CRunOutputs::Finish(CSimulator& simulator) {
+  LeaveToParent();
   if (m_stage != EStage::Running) {
     return;
   }
@@ -66,6 +87,7 @@ void CRunOutputs::Reset(CSimulator& simulator) {
 }
 
 void CRunOutputs::Destroy(const std::function<void(const std::function<void()>&)>& guard) {
+  LeaveToParent();
   while (!m_outputs.empty()) {
     const std::unique_ptr<CRunOutput> last = std::move(m_outputs.back());
     m_outputs.pop_back();

@@ -3,13 +3,18 @@
 
 #include <argos3/core/simulator/outputs/run_output.h>
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <vector>
 
 namespace argos {
 
-/** The outputs of one experiment, in the order of the file; says which of their functions is due.
+/**
+ * The outputs of one experiment, in the order of the file; says which of their functions is due.
+ *
+ * Outputs have threads and open files from their first state on. So those of a run in which fork()
+ * is called remain with the process that called it: its child goes on without them, and is warned.
  */
 class CRunOutputs {
  public:
@@ -38,10 +43,12 @@ class CRunOutputs {
  private:
   enum class EStage { NotBegun, Running, Over };
 
+  void LeaveToParent();
   void Show(CSimulator& simulator);
 
   std::vector<std::unique_ptr<CRunOutput>> m_outputs;
   EStage m_stage = EStage::NotBegun;
+  std::uint32_t m_numForks = 0;  // of the process that shows the first state
   double m_seconds = 0.0;
 };
 

@@ -1,7 +1,9 @@
 #include <argos3/core/utility/threads/thread_pool.h>
 
 #include <argos3/core/utility/errors/argos_exception.h>
+#include <argos3/core/utility/errors/signal_safe_text.h>
 #include <argos3/core/utility/logging/argos_log.h>
+#include <argos3/core/utility/processes/fork_count.h>
 #include <argos3/core/utility/threads/signal_stack.h>
 
 #if defined(__x86_64__) || defined(__i386__)
@@ -9,8 +11,11 @@
 #endif
 #include <pthread.h>
 #include <sched.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <memory>
 #include <system_error>
 
 namespace argos {
@@ -45,15 +50,31 @@ void WaitForChange(std::atomic<T>& value, T old, bool spin) {
   }
 }
 
+constexpr char kForkedInPhase[] =
+    "fork() was called while robots, engines or media were updated on several threads: the child "
+    "has only one of these threads and cannot go on; it must call exec() or _exit(). fork() "
+    "between ticks is possible";
+
+// in a child that has this worker only: nothing could end its phase
+[[noreturn]] void EndForkedWorker() {
+  CSignalSafeText text;
+  text.Append("[FATAL] ").Append(kForkedInPhase).Append("\n");
+  text.WriteTo(STDERR_FILENO);
+  _exit(EXIT_FAILURE);
+}
+
 }  // namespace
 
 CThreadPool::CThreadPool(UInt32 threads, std::unique_ptr<CSchedule> schedule, bool pinToCores,
-                         const std::function<void()>& startWorker)
+                         std::function<void()> startWorker)
     : m_numThreads(std::max<UInt32>(1, threads)),
+      m_numForks(CountForks()),
+      m_pinToCores(pinToCores),
       m_spin(m_numThreads <= std::thread::hardware_concurrency()),
-      m_schedule(std::move(schedule)) {
+      m_schedule(std::move(schedule)),
+      m_startWorker(std::move(startWorker)) {
   try {
-    StartWorkers(pinToCores, startWorker);
+    StartWorkers();
   } catch (...) {
     StopWorkers();
     throw;
@@ -64,13 +85,13 @@ CThreadPool::~CThreadPool() {
   StopWorkers();
 }
 
-void CThreadPool::StartWorkers(bool pinToCores, const std::function<void()>& startWorker) {
+void CThreadPool::StartWorkers() {
   m_workers.reserve(m_numThreads - 1);
   for (UInt32 thread = 1; thread < m_numThreads; ++thread) {
     m_busy.fetch_add(1, std::memory_order_relaxed);
     try {
-      m_workers.emplace_back([this, thread, &startWorker] {
-        if (PrepareWorker(startWorker)) {
+      m_workers.emplace_back([this, thread] {
+        if (PrepareWorker()) {
           WorkerLoop(thread);
         }
       });
@@ -80,7 +101,7 @@ void CThreadPool::StartWorkers(bool pinToCores, const std::function<void()>& sta
       THROW_ARGOSEXCEPTION("the system started only " << thread << " of " << m_numThreads
                                                       << " threads: " << error.code().message());
     }
-    if (pinToCores) {
+    if (m_pinToCores) {
       Pin(m_workers.back(), thread);
     }
   }
@@ -90,7 +111,47 @@ void CThreadPool::StartWorkers(bool pinToCores, const std::function<void()>& sta
   }
 }
 
+bool CThreadPool::IsOfParent() const {
+  return m_numForks != CountForks();
+}
+
+// In a child of fork(): the workers do not exist there, so they can be neither joined nor detached.
+void CThreadPool::ForgetWorkersOfParent() {
+  for (std::thread& worker : m_workers) {
+    std::construct_at(&worker);
+  }
+  m_workers.clear();
+  m_busy.store(0, std::memory_order_relaxed);
+  m_phase.store(0, std::memory_order_relaxed);
+  m_failure = nullptr;
+  m_numForks = CountForks();
+}
+
+void CThreadPool::RestartWorkers() {
+  ForgetWorkersOfParent();
+  try {
+    StartWorkers();
+  } catch (...) {
+    StopWorkers();
+    m_workers.clear();
+    m_stop.store(false, std::memory_order_relaxed);
+    // the next phase tries it again
+    --m_numForks;
+    throw;
+  }
+}
+
+// after user's code of a phase, which may have called fork()
+void CThreadPool::RequireSameProcess() const {
+  if (IsOfParent()) {
+    THROW_ARGOSEXCEPTION(kForkedInPhase);
+  }
+}
+
 void CThreadPool::StopWorkers() {
+  if (IsOfParent()) {
+    ForgetWorkersOfParent();
+  }
   m_stop.store(true, std::memory_order_relaxed);
   m_phase.fetch_add(1, std::memory_order_release);
   m_phase.notify_all();
@@ -120,12 +181,12 @@ void CThreadPool::NoteFailure(size_t begin) {
   }
 }
 
-bool CThreadPool::PrepareWorker(const std::function<void()>& startWorker) {
+bool CThreadPool::PrepareWorker() {
   bool good = false;
   try {
     CSignalStack::Use();
-    if (startWorker) {
-      startWorker();
+    if (m_startWorker) {
+      m_startWorker();
     }
     LOG.AddThreadSafeBuffer();
     LOGERR.AddThreadSafeBuffer();
@@ -133,12 +194,14 @@ bool CThreadPool::PrepareWorker(const std::function<void()>& startWorker) {
   } catch (...) {
     NoteFailure(0);
   }
-  // the caller's function is not used after this
   NoteEnd();
   return good;
 }
 
 void CThreadPool::Run(size_t items, size_t grain, TCall call, void* context) {
+  if (IsOfParent()) {
+    RestartWorkers();
+  }
   m_call = call;
   m_context = context;
   m_failure = nullptr;
@@ -150,6 +213,7 @@ void CThreadPool::Run(size_t items, size_t grain, TCall call, void* context) {
   m_phase.notify_all();
 
   DoShare(0);
+  RequireSameProcess();
   WaitForWorkers();
   if (m_failure) {
     std::rethrow_exception(m_failure);
@@ -174,6 +238,9 @@ void CThreadPool::WorkerLoop(UInt32 thread) {
       return;
     }
     DoShare(thread);
+    if (IsOfParent()) {
+      EndForkedWorker();
+    }
     NoteEnd();
   }
 }

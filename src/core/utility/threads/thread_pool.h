@@ -21,6 +21,9 @@ namespace argos {
  *
  * P = 0 or 1 means that the calling thread does everything; otherwise the calling thread and P - 1
  * workers share the items of a phase as the schedule says. A phase ends when all items are done.
+ *
+ * After fork() the child has only the thread that called it: its next phase starts workers of its
+ * own. A child of fork() inside a phase cannot go on, see Run().
  */
 class CThreadPool {
  public:
@@ -31,12 +34,12 @@ class CThreadPool {
    * @param threads      P; 0 for none besides the caller.
    * @param schedule     distributes items over threads.
    * @param pinToCores   bind each worker to one core.
-   * @param startWorker  run once in each worker before anything else.
+   * @param startWorker  run once in each worker before anything else, also in a child of fork().
    * @throws CARGoSException if the system refuses a thread, with its reason; whatever startWorker
    *         throws. No worker is left running.
    */
   CThreadPool(UInt32 threads, std::unique_ptr<CSchedule> schedule, bool pinToCores = false,
-              const std::function<void()>& startWorker = {});
+              std::function<void()> startWorker = {});
   /** Stops and joins the workers. */
   ~CThreadPool();
   CThreadPool(const CThreadPool&) = delete;
@@ -51,6 +54,7 @@ class CThreadPool {
    * Runs on several threads at once. If calls throw, the phase is completed and the exception of
    * the run with the lowest items is thrown here: the same one for every number of threads. Does
    * not allocate. Not to be called from inside a phase.
+   * @throws CARGoSException if the call has called fork() and returns in the child.
    * @throws CARGoSException if the schedule deals other items than 0..items-1, as far as their
    *         number shows it.
    * @param grain  items that should stay together, >= 1.
@@ -101,9 +105,13 @@ class CThreadPool {
   using TCall = void (*)(void* context, size_t begin, size_t end, UInt32 thread);
 
   void Run(size_t items, size_t grain, TCall call, void* context);
-  void StartWorkers(bool pinToCores, const std::function<void()>& startWorker);
+  void StartWorkers();
   void StopWorkers();
-  bool PrepareWorker(const std::function<void()>& startWorker);
+  bool IsOfParent() const;
+  void ForgetWorkersOfParent();
+  void RestartWorkers();
+  void RequireSameProcess() const;
+  bool PrepareWorker();
   void WorkerLoop(UInt32 thread);
   void WaitForWorkers();
   void NoteEnd();
@@ -114,8 +122,11 @@ class CThreadPool {
   void Pin(std::thread& worker, UInt32 thread);
 
   UInt32 m_numThreads;
+  UInt32 m_numForks;  // of the process, when the workers started
+  bool m_pinToCores;
   bool m_spin;  // only where every thread has a core of its own
   std::unique_ptr<CSchedule> m_schedule;
+  std::function<void()> m_startWorker;
   std::vector<std::thread> m_workers;
 
   // written by Run() before the phase number grows, read by the workers after

@@ -9,6 +9,7 @@
 #include <argos3/core/simulator/visualization/visualization.h>
 #include <argos3/testing/support/captured_logs.h>
 #include <argos3/testing/support/experiment.h>
+#include <argos3/testing/support/forked.h>
 
 #include <catch2/catch.hpp>
 
@@ -225,6 +226,25 @@ TEST_CASE("outputs: an error in the attributes of an added one names the option'
                                    simulator.AddOutput("test_output", {{"fail_at", "never"}});
                                  }),
                     Contains("<test_output>") && Contains("never"));
+}
+
+TEST_CASE("outputs: those of a run that has begun remain with the process that called fork()",
+          "[core][outputs]") {
+  CObservedRun run(kOutput);
+  CSimulator& simulator = run.GetSimulator();
+  simulator.UpdateSpace();
+  const TCalls before = calls;
+  const auto goOn = [&] {
+    simulator.UpdateSpace();
+    simulator.Reset();
+    simulator.UpdateSpace();
+    simulator.Destroy();
+    const bool isWarned = TakeLogErr().find("[WARNING] fork() was called") != std::string::npos;
+    return isWarned && calls == before ? 0 : 1;
+  };
+  CHECK(CallInFork(goOn) == 0);
+  simulator.UpdateSpace();
+  CHECK(calls.size() == before.size() + 1);
 }
 
 }  // namespace argos::run_outputs_test

@@ -1,5 +1,7 @@
 #include <argos3/core/utility/configuration/argos_exception.h>
 #include <argos3/core/utility/threads/thread_pool.h>
+#include <argos3/testing/support/forked.h>
+#include <argos3/testing/support/sanitizers.h>
 
 #include <catch2/catch.hpp>
 
@@ -284,6 +286,72 @@ TEST_CASE("thread pool: pools can be created and destroyed repeatedly", "[core][
       REQUIRE(CountVisits(pool, 100, 1) == std::vector<int>(100, 1));
     }
   }
+}
+
+TEST_CASE("thread pool: a child of fork() has workers of its own", "[core][threads]") {
+  // ThreadSanitizer ends a child of several threads that starts one
+  if (kHasThreadSanitizer) {
+    return;
+  }
+  const UInt32 threads = GENERATE(from_range(kThreads));
+  CAPTURE(threads);
+  std::atomic<UInt32> started{0};
+  CThreadPool pool(threads, CreateSchedule("balance_length"), true, [&] { ++started; });
+  // after a phase that failed
+  CHECK_THROWS(pool.ParallelFor(100, 1, [](size_t, size_t, UInt32) { throw 42; }));
+  const UInt32 numWorkers = started;
+  const bool usesPool = GENERATE(true, false);
+  const auto run = [&] {
+    const bool isComplete = !usesPool || CountVisits(pool, 1000, 1) == std::vector<int>(1000, 1);
+    pool.~CThreadPool();
+    return isComplete && started == (usesPool ? 2 : 1) * numWorkers ? 0 : 1;
+  };
+  CHECK(CallInFork(run) == 0);
+  // a child of a child
+  CHECK(CallInFork([&] {
+          return CountVisits(pool, 100, 1) == std::vector<int>(100, 1) ? CallInFork([&] {
+            return CountVisits(pool, 100, 1) == std::vector<int>(100, 1) ? 0 : 1;
+          })
+                                                                       : 1;
+        }) == 0);
+  // nothing changes for the parent
+  CHECK(CountVisits(pool, 1000, 1) == std::vector<int>(1000, 1));
+  CHECK(started == numWorkers);
+}
+
+TEST_CASE("thread pool: a child of fork() in a phase ends with an error", "[core][threads]") {
+  if (kHasThreadSanitizer) {
+    return;
+  }
+  const UInt32 forker = GENERATE(0U, 1U);
+  CAPTURE(forker);
+  CThreadPool pool(2, CreateSchedule("balance_quantity"));
+  // the child of a worker ends by itself
+  int result = -1;
+  pid_t child = 0;
+  const auto phase = [&](size_t, size_t, UInt32 thread) {
+    if (thread == forker) {
+      child = fork();
+      if (child == 0) {
+        alarm(20);
+      }
+    }
+  };
+  if (forker == 0) {
+    try {
+      pool.ParallelFor(2, 1, phase);
+    } catch (const std::exception& error) {
+      _exit(std::string(error.what()).find("fork() between ticks") != std::string::npos ? 1 : 2);
+    }
+  } else {
+    pool.ParallelFor(2, 1, phase);
+  }
+  REQUIRE(child > 0);
+  int status = 0;
+  REQUIRE(waitpid(child, &status, 0) == child);
+  result = WIFEXITED(status) ? WEXITSTATUS(status) : -2;
+  CHECK(result == 1);
+  CHECK(CountVisits(pool, 100, 1) == std::vector<int>(100, 1));
 }
 
 }  // namespace thread_pool_test
