@@ -35,8 +35,10 @@ constexpr SCrashSignal kCrashSignals[] = {{SIGSEGV, "SIGSEGV: invalid memory acc
                                           {SIGILL, "SIGILL: invalid instruction"},
                                           {SIGABRT, "SIGABRT: the program was aborted"}};
 
-// s; for each step of the report, of which the first look at symbols may read large files
-constexpr unsigned int kPatience = 30;
+// s; for the steps that read symbols, of which there are many in large files
+constexpr unsigned int kPatience = 10;
+// s; for the other steps, which wait only for locks that nothing releases any more
+constexpr unsigned int kShortPatience = 1;
 constexpr int kMostFrames = 40;
 constexpr int kMostOwnFrames = 20;  // of the handler
 // bytes beside the end of a stack that an overflow touches first
@@ -48,6 +50,8 @@ int g_logErrFile = STDERR_FILENO;
 // the thread that reports; 0: none
 std::atomic<int> g_reporter{0};
 sigjmp_buf g_giveUp;
+// a step of the report runs, which g_giveUp ends
+volatile std::sig_atomic_t g_isInStep = 0;
 
 int GetThreadId() {
   return static_cast<int>(syscall(SYS_gettid));
@@ -61,15 +65,19 @@ extern "C" void GiveUpStep(int) {
   syscall(SYS_tgkill, getpid(), g_reporter.load(), SIGALRM);
 }
 
-// runs a step of the report; gives it up if it takes too long
+// runs a step of the report; gives it up if it crashes or takes too long
 template <typename STEP>
-bool TryStep(STEP&& step) {
+bool TryStep(unsigned int patience, STEP&& step) {
   if (sigsetjmp(g_giveUp, 1) != 0) {
+    alarm(0);
+    g_isInStep = 0;
     return false;
   }
-  alarm(kPatience);
+  g_isInStep = 1;
+  alarm(patience);
   step();
   alarm(0);
+  g_isInStep = 0;
   return true;
 }
 
@@ -210,11 +218,24 @@ void PrintHeader(int signal, const siginfo_t& info, const ucontext_t& context) {
 
 // what has been logged in this tick, and the C streams, of which std::cout is one
 void WriteUnwritten() {
-  TryStep([] {
+  TryStep(kPatience, [] {
     LOG.WriteAfterCrash(g_logFile);
     LOGERR.WriteAfterCrash(g_logErrFile);
   });
-  TryStep([] { std::fflush(nullptr); });
+  TryStep(kShortPatience, [] { std::fflush(nullptr); });
+}
+
+// the crash may have damaged the heap, or have happened while it was locked
+bool IsHeapUsable() {
+  return TryStep(kShortPatience, [] {
+    // the larger ones are not among those that each thread keeps for itself without a lock
+    for (std::size_t size = 16; size <= 64 * 1024; size *= 2) {
+      // NOLINTNEXTLINE(cppcoreguidelines-no-malloc): as the demangler does
+      void* volatile memory = std::malloc(size);
+      // NOLINTNEXTLINE(cppcoreguidelines-no-malloc)
+      std::free(memory);
+    }
+  });
 }
 
 void Report(int signal, const siginfo_t& info, const ucontext_t& context) {
@@ -226,11 +247,11 @@ void Report(int signal, const siginfo_t& info, const ucontext_t& context) {
   sigaddset(&alarms, SIGALRM);
   pthread_sigmask(SIG_UNBLOCK, &alarms, nullptr);
 
-  TryStep([&] { PrintHeader(signal, info, context); });
+  TryStep(kShortPatience, [&] { PrintHeader(signal, info, context); });
   const std::uintptr_t fault = GetFaultAddress(context);
-  // demangling allocates, and the crash may have locked the heap
-  if (!TryStep([fault] { PrintStack(fault, true); })) {
-    TryStep([fault] { PrintStack(fault, false); });
+  // demangling allocates
+  if (!IsHeapUsable() || !TryStep(kPatience, [fault] { PrintStack(fault, true); })) {
+    TryStep(kPatience, [fault] { PrintStack(fault, false); });
   }
   WriteUnwritten();
 }
@@ -239,13 +260,16 @@ extern "C" void HandleCrash(int signal, siginfo_t* info, void* context) {
   int none = 0;
   if (g_reporter.compare_exchange_strong(none, GetThreadId())) {
     Report(signal, *info, *static_cast<const ucontext_t*>(context));
-  } else if (none != GetThreadId()) {
+  } else if (none == GetThreadId()) {
+    if (g_isInStep != 0) {
+      siglongjmp(g_giveUp, 1);
+    }
+  } else {
     // another thread reports its crash, and the process dies of that
     for (;;) {
       pause();
     }
   }
-  // the signal is blocked in its handler: it kills the process when this returns
   std::signal(signal, SIG_DFL);
   raise(signal);
 }
@@ -258,7 +282,8 @@ void CatchSignal(int signal) {
   }
   struct sigaction action {};
   action.sa_sigaction = &HandleCrash;
-  action.sa_flags = SA_SIGINFO | SA_ONSTACK;
+  // a crash of the report must reach this handler, too
+  action.sa_flags = SA_SIGINFO | SA_ONSTACK | SA_NODEFER;
   sigaction(signal, &action, nullptr);
 }
 

@@ -8,6 +8,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <chrono>
 #include <csignal>
 
 namespace crash_test {
@@ -109,6 +110,30 @@ TEST_CASE("crash: what was logged in the tick of the crash is written", "[faults
   }
   SFaultExperiment experiment;
   experiment.Params = "where='step' what='segv' tick='2' robot='ep2' logs='true'";
+TEST_CASE("crash: with a damaged heap the report is complete, and takes no long time",
+          "[faults][crash]") {
+  if (kHasSanitizer) {
+    return;
+  }
+  // with threads the heap is locked when the C library finds the damage, without it is not
+  const UInt32 threads = GENERATE(0, 2);
+  CAPTURE(threads);
+  SFaultExperiment experiment;
+  experiment.Threads = threads;
+  experiment.Params = "where='step' what='damage_heap' tick='3' robot='ep2'";
+  const CTestFolder folder;
+  const auto start = std::chrono::steady_clock::now();
+  const SProgramRun run = RunCrash(folder, experiment);
+  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+  CHECK(run.Status == kStatusOfSignal + SIGABRT);
+  CHECK_THAT(run.Err, Contains("SIGABRT") &&
+                          Contains("[FATAL] robot \"ep2\", controller \"c\": ControlStep() in "
+                                   "tick 3\n") &&
+                          Contains("\n  #0 ") && Contains("libargos3_test_misbehaving.so"));
+  // the limit of a step that waits for a lock is 1 s; that of the others, 10 s
+  CHECK(time.count() < 25.0);
+}
+
   const CTestFolder folder;
   SECTION("to the standard output") {
     const SProgramRun run = RunCrash(folder, experiment);

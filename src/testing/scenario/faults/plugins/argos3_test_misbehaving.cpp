@@ -11,6 +11,8 @@
 #include <argos3/plugins/robots/generic/control_interface/ci_differential_steering_actuator.h>
 #include <argos3/plugins/simulator/entities/box_entity.h>
 
+#include <malloc.h>
+
 #include <csignal>
 #include <cstdlib>
 #include <functional>
@@ -41,6 +43,17 @@ __attribute__((noinline)) int OverflowStack(volatile int* previous) {
   return OverflowStack(frame) + frame[0];
 }
 
+// overwrites what follows a block in memory; the C library aborts in one of the next allocations,
+// with its locks held
+void DamageHeap() {
+  constexpr size_t kBlock = 100000;  // from the free end of the heap
+  for (int i = 0; i < 100; ++i) {
+    auto* const block = static_cast<volatile size_t*>(std::malloc(kBlock));
+    const size_t end = malloc_usable_size(const_cast<size_t*>(block)) / sizeof(size_t);
+    block[end] = 3;
+  }
+}
+
 void RemoveAll() {
   const CEntity::TVector roots = Loop().GetSpace().GetRootEntityVector();
   for (CEntity* root : roots) {
@@ -68,6 +81,7 @@ const std::map<std::string, TDeed>& Deeds() {
       {"throw_bad_alloc", [](const std::string&) { throw std::bad_alloc(); }},
       {"segv", [](const std::string&) { *static_cast<volatile int*>(nullptr) = 1; }},
       {"overflow", [](const std::string&) { OverflowStack(nullptr); }},
+      {"damage_heap", [](const std::string&) { DamageHeap(); }},
       {"abort", [](const std::string&) { std::abort(); }},
       {"fpe", [](const std::string&) { raise(SIGFPE); }},
       {"bus", [](const std::string&) { raise(SIGBUS); }},
