@@ -92,4 +92,25 @@ TEST_CASE("dynamics3d: results do not depend on whether ODE was loaded before th
   CHECK(RunHeaps(folder, "2") == expected);
 }
 
+TEST_CASE("dynamics3d: a failed assertion of ODE is an error, and the process goes on",
+          "[dynamics3d]") {
+  SExperiment experiment;
+  experiment.Engines = "<dynamics3d id='engine'/>";
+  CTestWorld world(experiment);
+  world.Step(1);
+  // the tests are not linked with ODE
+  using TCreate = void* (*)();
+  using TStep = int (*)(void*, double);
+  using TDestroy = void (*)(void*);
+  const auto create = reinterpret_cast<TCreate>(dlsym(RTLD_DEFAULT, "dWorldCreate"));
+  const auto step = reinterpret_cast<TStep>(dlsym(RTLD_DEFAULT, "dWorldStep"));
+  const auto destroy = reinterpret_cast<TDestroy>(dlsym(RTLD_DEFAULT, "dWorldDestroy"));
+  REQUIRE(create != nullptr);
+  void* const other = create();
+  CHECK_THROWS_WITH(step(other, -1.0), Catch::Contains("the Open Dynamics Engine fails: ") &&
+                                           Catch::Contains("stepsize must be > 0"));
+  destroy(other);
+  CHECK_NOTHROW(world.Step(1));
+}
+
 }  // namespace ode_load_order_test

@@ -5,6 +5,7 @@
 #include <ode/ode.h>
 
 #include <cstdarg>
+#include <cstddef>
 #include <cstdio>
 #include <mutex>
 
@@ -28,6 +29,17 @@ void KeepComplaint(int /*number*/, const char* format, va_list arguments) {
     std::vsnprintf(complaint, sizeof(complaint), format, arguments);
     hasComplaint = true;
   }
+}
+
+// Replaces ODE's own handlers of errors and failed assertions, which end the process. The exception
+// passes through functions of ODE, so the world must not be used any more.
+void ThrowODEError(int /*number*/, const char* format, va_list arguments) {
+  constexpr std::size_t kLongest = 256;
+  char text[kLongest];
+  std::vsnprintf(text, sizeof(text), format, arguments);
+  THROW_ARGOSEXCEPTION("the Open Dynamics Engine fails: "
+                       << text
+                       << "; are masses, sizes and forces of bodies in proportion to each other?");
 }
 
 // sequences with consecutive numbers begin far from each other
@@ -57,6 +69,8 @@ void InitProcess() {
     THROW_ARGOSEXCEPTION("the Open Dynamics Engine cannot be initialised");
   }
   dSetMessageHandler(&KeepComplaint);
+  dSetErrorHandler(&ThrowODEError);
+  dSetDebugHandler(&ThrowODEError);
   dAllocateODEDataForThread(dAllocateMaskAll);
   isRandomReplaced = TestRandom();
 }
