@@ -1,5 +1,11 @@
 #include <argos3/plugins/simulator/visualizations/offscreen/frame_pipeline.h>
 
+#include <argos3/core/utility/errors/argos_exception.h>
+#include <argos3/core/utility/errors/running_code.h>
+#include <argos3/core/utility/threads/signal_stack.h>
+
+#include <exception>
+#include <new>
 #include <utility>
 
 namespace argos {
@@ -55,6 +61,10 @@ void CFramePipeline::Finish() {
 }
 
 void CFramePipeline::Draw(const SRenderSettings& settings) {
+  CSignalStack::Use();
+  const CRunningCodeScope running(
+      {"a picture is drawn with OpenGL, whose driver crashes if it has too little memory", nullptr,
+       "off-screen view", nullptr});
   std::optional<CRenderer> renderer;
   try {
     renderer.emplace(settings);
@@ -85,6 +95,8 @@ void CFramePipeline::Draw(const SRenderSettings& settings) {
 }
 
 void CFramePipeline::Write() {
+  CSignalStack::Use();
+  const CRunningCodeScope running({"a picture is encoded", nullptr, "off-screen view", nullptr});
   while (SFrame* const frame = Take(m_toWrite, m_isDrawn)) {
     try {
       if (!m_hasFailed) {
@@ -117,9 +129,18 @@ void CFramePipeline::Pass(SFrame* frame, std::deque<SFrame*>& queue) {
 }
 
 void CFramePipeline::Fail() {
+  std::exception_ptr error = std::current_exception();
+  try {
+    throw;
+  } catch (const std::bad_alloc&) {
+    error = std::make_exception_ptr(
+        CARGoSException("the off-screen view has not enough memory to draw a picture"));
+  } catch (...) {
+    // it says what is wrong itself
+  }
   const std::lock_guard lock(m_mutex);
   if (m_error == nullptr) {
-    m_error = std::current_exception();
+    m_error = error;
   }
   m_hasFailed = true;
 }
