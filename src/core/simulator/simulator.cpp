@@ -3,6 +3,7 @@
 #include <argos3/core/control_interface/metric_recorder.h>
 #include <argos3/core/simulator/context/current.h>
 #include <argos3/core/simulator/default_visualization.h>
+#include <argos3/core/simulator/entity/robots_code.h>
 #include <argos3/core/simulator/geometry/body_index.h>
 #include <argos3/core/simulator/loading/experiment_loader.h>
 #include <argos3/core/simulator/loading/experiment_parts.h>
@@ -202,6 +203,8 @@ void CSimulator::SetTickTimes(STickTimes* times) {
 }
 
 CRandom::CRNG* CSimulator::GetRNG() {
+  CRobotsCode::CheckShared("CSimulator::GetRNG()",
+                           "CRandom::CreateRNG(\"argos\") makes a generator of the robot's own");
   return m_experiment->Rng;
 }
 
@@ -223,6 +226,7 @@ void CSimulator::SetLoopFunctions(CLoopFunctions& loopFunctions) {
 }
 
 void CSimulator::SetRandomSeed(UInt32 seed) {
+  CRobotsCode::CheckShared("CSimulator::SetRandomSeed()");
   m_settings.Seed = seed;
   m_settings.IsSeedSet = true;
   m_settings.IsSeedFromClock = false;
@@ -234,6 +238,7 @@ void CSimulator::SetNumThreads(UInt32 threads) {
 }
 
 void CSimulator::SetLength(Real seconds) {
+  CRobotsCode::CheckShared("CSimulator::SetLength()");
   m_settings.SetLength(seconds, m_context.TickLength);
   m_settings.IsLengthSet = true;
 }

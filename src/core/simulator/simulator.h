@@ -131,7 +131,10 @@ class CSimulator {
   UInt32 GetRandomSeed() const { return m_settings.Seed; }
   /** Overrides the seed of the file; call it before loading. */
   void SetRandomSeed(UInt32 seed);
-  /** The first generator of the category "argos". */
+  /**
+   * The first generator of the category "argos". @throws CARGoSException in code of robots, which
+   * would draw from it in no order.
+   */
   CRandom::CRNG* GetRNG();
 
   const std::string& GetExperimentFileName() const { return m_experimentFileName; }

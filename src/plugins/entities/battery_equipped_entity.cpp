@@ -1,6 +1,7 @@
 #include <argos3/plugins/simulator/entities/battery_equipped_entity.h>
 
 #include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/simulator/entity/robots_code.h>
 #include <argos3/core/simulator/space/space_operations.h>
 #include <argos3/core/utility/datatypes/digest.h>
 #include <argos3/core/utility/string_utilities.h>
@@ -46,6 +47,7 @@ void CBatteryEquippedEntity::Init(TConfigurationNode& tree) {
 }
 
 void CBatteryEquippedEntity::Configure(TConfigurationNode& battery) {
+  CRobotsCode::CheckOwn(*this, "Configure()");
   const std::string owner = OwnerOf(battery);
   GetNodeAttributeOrDefault(battery, "start_charge", m_startCharge, m_startCharge);
   GetNodeAttributeOrDefault(battery, "full_charge", m_fullCharge, m_fullCharge);
@@ -94,20 +96,26 @@ void CBatteryEquippedEntity::Update() {
 }
 
 void CBatteryEquippedEntity::SetFullCharge(Real charge) {
+  CRobotsCode::CheckOwn(*this, "SetFullCharge()");
   m_fullCharge =
       RequirePositive(charge, "battery \"" + GetContext() + GetId() + "\"", "full charge");
 }
 
 void CBatteryEquippedEntity::SetAvailableCharge(Real charge) {
+  CRobotsCode::CheckOwn(*this, "SetAvailableCharge()");
   m_availableCharge =
       RequireNotNegative(charge, "battery \"" + GetContext() + GetId() + "\"", "charge");
 }
 
 void CBatteryEquippedEntity::Discharge(Real amount) {
+  if (CRobotsCode::MayRun()) {
+    CRobotsCode::CheckOwn(*this, "Discharge()");
+  }
   m_availableCharge = std::max(0.0, m_availableCharge - amount);
 }
 
 void CBatteryEquippedEntity::SetDischargeModel(CBatteryDischargeModel* model) {
+  CRobotsCode::CheckOwn(*this, "SetDischargeModel()");
   m_model.reset(model);
   if (m_model != nullptr) {
     m_model->SetBattery(this);
@@ -115,6 +123,7 @@ void CBatteryEquippedEntity::SetDischargeModel(CBatteryDischargeModel* model) {
 }
 
 void CBatteryEquippedEntity::SetDischargeModel(const std::string& label) {
+  CRobotsCode::CheckOwn(*this, "SetDischargeModel()");
   if (label.empty()) {
     m_model.reset();
     return;

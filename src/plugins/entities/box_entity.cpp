@@ -1,5 +1,6 @@
 #include <argos3/plugins/simulator/entities/box_entity.h>
 
+#include <argos3/core/simulator/entity/robots_code.h>
 #include <argos3/core/simulator/space/space_operations.h>
 #include <argos3/plugins/simulator/entities/passive_body_manual.h>
 #include <argos3/plugins/simulator/entities/value_checks.h>
@@ -28,6 +29,7 @@ void CBoxEntity::Init(TConfigurationNode& tree) {
 }
 
 void CBoxEntity::Resize(const CVector3& size) {
+  CRobotsCode::CheckShared(*this, "Resize()");
   RequireEachIn(kSolidLength, size, "box \"" + GetId() + "\"", "size");
   m_size = size;
   Describe();

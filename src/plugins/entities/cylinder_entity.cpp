@@ -1,5 +1,6 @@
 #include <argos3/plugins/simulator/entities/cylinder_entity.h>
 
+#include <argos3/core/simulator/entity/robots_code.h>
 #include <argos3/core/simulator/space/space_operations.h>
 #include <argos3/plugins/simulator/entities/passive_body_manual.h>
 #include <argos3/plugins/simulator/entities/value_checks.h>
@@ -29,6 +30,7 @@ void CCylinderEntity::Init(TConfigurationNode& tree) {
 }
 
 void CCylinderEntity::Resize(Real radius, Real height) {
+  CRobotsCode::CheckShared(*this, "Resize()");
   const std::string owner = "cylinder \"" + GetId() + "\"";
   RequireIn(kSolidLength, radius, owner, "radius");
   RequireIn(kSolidLength, height, owner, "height");

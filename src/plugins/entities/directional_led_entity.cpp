@@ -1,5 +1,6 @@
 #include <argos3/plugins/simulator/entities/directional_led_entity.h>
 
+#include <argos3/core/simulator/entity/robots_code.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/utility/datatypes/digest.h>
 #include <argos3/plugins/simulator/entities/observable.h>
@@ -33,6 +34,7 @@ void CDirectionalLEDEntity::Reset() {
 }
 
 void CDirectionalLEDEntity::SetObservableAngle(const CRadians& angle) {
+  CRobotsCode::CheckShared(*this, "SetObservableAngle()");
   m_observableAngle =
       RequireObservableAngle(angle, "directional LED \"" + GetContext() + GetId() + "\"");
 }

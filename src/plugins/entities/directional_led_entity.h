@@ -1,6 +1,7 @@
 #ifndef ARGOS3_PLUGINS_ENTITIES_DIRECTIONAL_LED_ENTITY_H
 #define ARGOS3_PLUGINS_ENTITIES_DIRECTIONAL_LED_ENTITY_H
 
+#include <argos3/core/simulator/entity/robots_code.h>
 #include <argos3/core/utility/datatypes/color.h>
 #include <argos3/core/utility/math/angles.h>
 #include <argos3/plugins/simulator/entities/cell_updaters.h>
@@ -41,7 +42,13 @@ class CDirectionalLEDEntity : public CMediumMember<CDirectionalLEDEntity, CDirec
   std::string GetTypeDescription() const override { return "directional_led"; }
 
   const CColor& GetColor() const { return m_color; }
-  void SetColor(const CColor& color) { m_color = color; }
+  /** By code of its own robot: takes effect when all robots have been controlled (CRobotsCode). */
+  void SetColor(const CColor& color) {
+    if (CRobotsCode::ChangesLater(*this, "SetColor()", [this, color] { SetColor(color); })) {
+      return;
+    }
+    m_color = color;
+  }
   const CColor& GetInitColor() const { return m_initColor; }
   void SetInitColor(const CColor& color) { m_initColor = color; }
   /** @return false if the colour is opaque black: such an LED is invisible to cameras. */

@@ -1,6 +1,7 @@
 #include <argos3/plugins/simulator/entities/gripper_equipped_entity.h>
 
 #include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/simulator/entity/robots_code.h>
 #include <argos3/core/simulator/space/space_operations.h>
 #include <argos3/core/utility/datatypes/digest.h>
 #include <argos3/plugins/simulator/entities/component_operations.h>
@@ -38,10 +39,14 @@ void CGripperEquippedEntity::Reset() {
 }
 
 void CGripperEquippedEntity::SetLockState(Real state) {
+  if (CRobotsCode::MayRun()) {
+    CRobotsCode::CheckOwn(*this, "SetLockState()");
+  }
   m_lockState = RequireFinite("lock state", state);
 }
 
 void CGripperEquippedEntity::SetLockThreshold(Real threshold) {
+  CRobotsCode::CheckOwn(*this, "SetLockThreshold()");
   m_lockThreshold = RequireFinite("lock threshold", threshold);
 }
 

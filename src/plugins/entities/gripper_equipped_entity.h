@@ -2,6 +2,7 @@
 #define ARGOS3_PLUGINS_ENTITIES_GRIPPER_EQUIPPED_ENTITY_H
 
 #include <argos3/core/simulator/entity/entity.h>
+#include <argos3/core/simulator/entity/robots_code.h>
 #include <argos3/core/utility/math/vector3.h>
 
 namespace argos {
@@ -34,13 +35,25 @@ class CGripperEquippedEntity : public CEntity {
   std::string GetTypeDescription() const override { return "gripper"; }
 
   const CVector3& GetInitOffset() const { return m_initOffset; }
-  void SetInitOffset(const CVector3& offset) { m_initOffset = offset; }
+  void SetInitOffset(const CVector3& offset) {
+    CRobotsCode::CheckOwn(*this, "SetInitOffset()");
+    m_initOffset = offset;
+  }
   const CVector3& GetOffset() const { return m_offset; }
-  void SetOffset(const CVector3& offset) { m_offset = offset; }
+  void SetOffset(const CVector3& offset) {
+    CRobotsCode::CheckOwn(*this, "SetOffset()");
+    m_offset = offset;
+  }
   const CVector3& GetInitDirection() const { return m_initDirection; }
-  void SetInitDirection(const CVector3& direction) { m_initDirection = direction; }
+  void SetInitDirection(const CVector3& direction) {
+    CRobotsCode::CheckOwn(*this, "SetInitDirection()");
+    m_initDirection = direction;
+  }
   const CVector3& GetDirection() const { return m_direction; }
-  void SetDirection(const CVector3& direction) { m_direction = direction; }
+  void SetDirection(const CVector3& direction) {
+    CRobotsCode::CheckOwn(*this, "SetDirection()");
+    m_direction = direction;
+  }
 
   Real GetLockState() const { return m_lockState; }
   /** @param state usually in [0,1]; 0 is open. @throws CARGoSException if it is not finite. */
@@ -54,9 +67,15 @@ class CGripperEquippedEntity : public CEntity {
   /** @throws CARGoSException if it holds nothing. */
   CEmbodiedEntity& GetGrippedEntity();
   /** For engines. */
-  void SetGrippedEntity(CEmbodiedEntity& entity) { m_gripped = &entity; }
+  void SetGrippedEntity(CEmbodiedEntity& entity) {
+    CRobotsCode::CheckOwn(*this, "SetGrippedEntity()");
+    m_gripped = &entity;
+  }
   /** For engines; a call by other code releases the body in the next physics phase. */
-  void ClearGrippedEntity() { m_gripped = nullptr; }
+  void ClearGrippedEntity() {
+    CRobotsCode::CheckOwn(*this, "ClearGrippedEntity()");
+    m_gripped = nullptr;
+  }
 
   void UpdateDigest(CDigest& digest) const override;
 

@@ -1,6 +1,7 @@
 #include <argos3/plugins/simulator/entities/joint_equipped_entity.h>
 
 #include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/simulator/entity/robots_code.h>
 #include <argos3/core/simulator/space/space_operations.h>
 #include <argos3/core/utility/datatypes/digest.h>
 #include <argos3/core/utility/text/string_utilities.h>
@@ -63,6 +64,9 @@ size_t CJointEquippedEntity::FindJoint(const std::string& id) const {
 }
 
 void CJointEquippedEntity::SetCommand(size_t index, const SCommand& command) {
+  if (CRobotsCode::MayRun()) {
+    CRobotsCode::CheckOwn(*this, "SetCommand()");
+  }
   CheckIndex(index);
   if (!std::isfinite(command.Target) || !(command.MaxImpulse >= 0.0)) {
     THROW_ARGOSEXCEPTION("joint \"" << m_articulation->Joints[index].Id << "\" of \""
@@ -75,6 +79,9 @@ void CJointEquippedEntity::SetCommand(size_t index, const SCommand& command) {
 }
 
 void CJointEquippedEntity::SetState(size_t index, Real position, Real velocity) {
+  if (CRobotsCode::MayRun()) {
+    CRobotsCode::CheckOwn(*this, "SetState()");
+  }
   CheckIndex(index);
   m_joints[index].Position = position;
   m_joints[index].Velocity = velocity;

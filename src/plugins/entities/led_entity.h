@@ -1,6 +1,7 @@
 #ifndef ARGOS3_PLUGINS_ENTITIES_LED_ENTITY_H
 #define ARGOS3_PLUGINS_ENTITIES_LED_ENTITY_H
 
+#include <argos3/core/simulator/entity/robots_code.h>
 #include <argos3/core/utility/datatypes/color.h>
 #include <argos3/core/utility/datatypes/set.h>
 #include <argos3/plugins/simulator/entities/cell_updaters.h>
@@ -43,7 +44,13 @@ class CLEDEntity : public CMediumMember<CLEDEntity, CLEDMedium> {
   /** Hides that of CMediumMember. */
   bool IsInCells() const { return IsLit(); }
   const CColor& GetInitColor() const { return m_initColor; }
-  virtual void SetColor(const CColor& color) { m_color = color; }
+  /** By code of its own robot: takes effect when all robots have been controlled (CRobotsCode). */
+  virtual void SetColor(const CColor& color) {
+    if (CRobotsCode::ChangesLater(*this, "SetColor()", [this, color] { SetColor(color); })) {
+      return;
+    }
+    m_color = color;
+  }
   void SetInitColor(const CColor& color) { m_initColor = color; }
 
   /**

@@ -1,6 +1,7 @@
 #include <argos3/plugins/simulator/entities/led_equipped_entity.h>
 
 #include <argos3/core/simulator/context/current.h>
+#include <argos3/core/simulator/entity/robots_code.h>
 #include <argos3/core/simulator/space/space_operations.h>
 #include <argos3/core/utility/datatypes/digest.h>
 #include <argos3/plugins/simulator/entities/anchor_use.h>
@@ -73,7 +74,7 @@ void CLEDEquippedEntity::UpdateComponents() {
 }
 
 void CLEDEquippedEntity::SetEnabled(bool enabled) {
-  if (enabled == IsEnabled()) {
+  if (enabled == IsEnabled() || EnablesLater(*this, enabled)) {
     return;
   }
   CComposableEntity::SetEnabled(enabled);
@@ -113,6 +114,7 @@ void CLEDEquippedEntity::AddLEDRing(const CVector3& center, Real radius, const C
 }
 
 void CLEDEquippedEntity::Append(SLayout&& layout) {
+  CRobotsCode::CheckShared(*this, "AddLED()");
   const size_t numBefore = GetNumLEDs();
   // LEDs are entities if they have a medium or an index in the space
   const bool asEntities = m_medium != nullptr || GetIndex() >= 0 || m_entities != nullptr;
@@ -161,6 +163,7 @@ void CLEDEquippedEntity::PlaceLED(SActuator& actuator) const {
 }
 
 void CLEDEquippedEntity::Materialize() {
+  const auto lock = CRobotsCode::LockLazy();
   if (m_entities != nullptr) {
     return;
   }
@@ -204,6 +207,7 @@ const SAnchor& CLEDEquippedEntity::GetLEDAnchor(size_t index) const {
 }
 
 void CLEDEquippedEntity::SetLEDOffset(UInt32 index, const CVector3& offset) {
+  CRobotsCode::CheckShared(*this, "SetLEDOffset()");
   CheckIndex(index);
   auto layout = std::make_shared<SLayout>(*m_layout);
   layout->Places[index].Offset = offset;
@@ -216,6 +220,10 @@ void CLEDEquippedEntity::SetLEDOffset(UInt32 index, const CVector3& offset) {
 
 void CLEDEquippedEntity::SetLEDColor(UInt32 index, const CColor& color) {
   CheckIndex(index);
+  if (CRobotsCode::ChangesLater(*this, "SetLEDColor()",
+                                [this, index, color] { SetLEDColor(index, color); })) {
+    return;
+  }
   if (m_entities != nullptr) {
     m_entities->List[index]->LED.SetColor(color);
   } else {
@@ -240,6 +248,7 @@ void CLEDEquippedEntity::SetAllLEDsColors(const std::vector<CColor>& colors) {
 }
 
 void CLEDEquippedEntity::SetMedium(CLEDEntity::CRegistry& medium) {
+  CRobotsCode::CheckShared(*this, "SetMedium()");
   m_medium = &medium;
   Materialize();
   for (SActuator* actuator : m_entities->List) {

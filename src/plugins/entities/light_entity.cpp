@@ -1,6 +1,7 @@
 #include <argos3/plugins/simulator/entities/light_entity.h>
 
 #include <argos3/core/simulator/context/current.h>
+#include <argos3/core/simulator/entity/robots_code.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/utility/datatypes/digest.h>
 #include <argos3/plugins/simulator/entities/lights.h>
@@ -36,6 +37,7 @@ void CLightEntity::Init(TConfigurationNode& tree) {
 }
 
 void CLightEntity::SetIntensity(Real intensity) {
+  CRobotsCode::CheckShared(*this, "SetIntensity()");
   if (!std::isfinite(intensity)) {
     THROW_ARGOSEXCEPTION("light \"" << GetId() << "\": the intensity must be finite, got "
                                     << intensity);
@@ -44,6 +46,7 @@ void CLightEntity::SetIntensity(Real intensity) {
 }
 
 void CLightEntity::SetColor(const CColor& color) {
+  CRobotsCode::CheckShared(*this, "SetColor()");
   CLEDEntity::SetColor(color);
   MakeAppearance();
 }

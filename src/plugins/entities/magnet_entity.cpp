@@ -1,5 +1,6 @@
 #include <argos3/plugins/simulator/entities/magnet_entity.h>
 
+#include <argos3/core/simulator/entity/robots_code.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/utility/datatypes/digest.h>
 #include <argos3/plugins/simulator/entities/value_checks.h>
@@ -28,6 +29,9 @@ void CMagnetEntity::Reset() {
 }
 
 void CMagnetEntity::SetCurrent(Real current) {
+  if (CRobotsCode::MayRun()) {
+    CRobotsCode::CheckOwn(*this, "SetCurrent()");
+  }
   if (!std::isfinite(current)) {
     THROW_ARGOSEXCEPTION("magnet \"" << GetContext() << GetId()
                                      << "\": the current must be finite, got " << current);

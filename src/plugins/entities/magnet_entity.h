@@ -2,6 +2,7 @@
 #define ARGOS3_PLUGINS_ENTITIES_MAGNET_ENTITY_H
 
 #include <argos3/core/simulator/entity/entity.h>
+#include <argos3/core/simulator/entity/robots_code.h>
 #include <argos3/core/utility/math/vector3.h>
 
 namespace argos {
@@ -30,9 +31,15 @@ class CMagnetEntity : public CEntity {
   /** passive field + current * active field: dipole moment in the frame of the magnet's body. */
   CVector3 GetField() const { return m_passiveField + m_activeField * m_current; }
   const CVector3& GetPassiveField() const { return m_passiveField; }
-  void SetPassiveField(const CVector3& field) { m_passiveField = field; }
+  void SetPassiveField(const CVector3& field) {
+    CRobotsCode::CheckOwn(*this, "SetPassiveField()");
+    m_passiveField = field;
+  }
   const CVector3& GetActiveField() const { return m_activeField; }
-  void SetActiveField(const CVector3& field) { m_activeField = field; }
+  void SetActiveField(const CVector3& field) {
+    CRobotsCode::CheckOwn(*this, "SetActiveField()");
+    m_activeField = field;
+  }
   Real GetCurrent() const { return m_current; }
   /**
    * @param current  in units of the active field's current. @throws CARGoSException if not finite.

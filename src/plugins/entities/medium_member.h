@@ -2,6 +2,7 @@
 #define ARGOS3_PLUGINS_ENTITIES_MEDIUM_MEMBER_H
 
 #include <argos3/core/simulator/entity/positional_entity.h>
+#include <argos3/core/simulator/entity/robots_code.h>
 #include <argos3/core/utility/configuration/argos_exception.h>
 
 #include <string>
@@ -54,12 +55,24 @@ class CMediumMember : public CPositionalEntity {
     ClearMedium();
   }
 
+  /** By code of its own robot: takes effect when all robots have been controlled (CRobotsCode). */
   void SetEnabled(bool enabled) override {
+    if (EnablesLater(*this, enabled)) {
+      return;
+    }
     if (enabled != IsEnabled() && m_medium != nullptr) {
       // first: if the medium has no memory for it, the entity remains disabled
       enabled ? Join() : Leave();
     }
     CPositionalEntity::SetEnabled(enabled);
+  }
+
+  /** Joins the medium if robots' code has enabled the entity before it was in the space. */
+  void MarkStart() override {
+    CPositionalEntity::MarkStart();
+    if (IsEnabled() && m_medium != nullptr && !m_isMember) {
+      Join();
+    }
   }
 
   /** @return true if cameras and devices find it in the cells of its medium while it is enabled. */
@@ -75,6 +88,7 @@ class CMediumMember : public CPositionalEntity {
   }
   /** Moves the entity to @p medium, a MEDIUM. */
   void SetMedium(CRegistry& medium) {
+    CRobotsCode::CheckShared(*this, "SetMedium()");
     if (m_medium == &medium) {
       return;
     }
@@ -92,6 +106,10 @@ class CMediumMember : public CPositionalEntity {
 
  private:
   void Join() {
+    if (CRobotsCode::IsRunning()) {
+      // media must not change now: MarkStart() does this
+      return;
+    }
     m_medium->AddEntity(AsEntity());
     m_isMember = true;
   }

@@ -4,6 +4,7 @@
 #include <argos3/core/simulator/context/current.h>
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/core/simulator/entity/robots_code.h>
 #include <argos3/core/simulator/space/space_operations.h>
 #include <argos3/plugins/simulator/entities/anchor_use.h>
 
@@ -54,7 +55,7 @@ class CMountedEntities : public CComposableEntity {
    * Also enables or disables the use of the anchors; enabled entities move to their anchors' poses.
    */
   void SetEnabled(bool enabled) override {
-    if (enabled == IsEnabled()) {
+    if (enabled == IsEnabled() || EnablesLater(*this, enabled)) {
       return;
     }
     CComposableEntity::SetEnabled(enabled);

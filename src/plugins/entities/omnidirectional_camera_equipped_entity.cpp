@@ -1,6 +1,7 @@
 #include <argos3/plugins/simulator/entities/omnidirectional_camera_equipped_entity.h>
 
 #include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/simulator/entity/robots_code.h>
 #include <argos3/core/simulator/space/space_operations.h>
 #include <argos3/plugins/simulator/entities/value_checks.h>
 
@@ -26,6 +27,7 @@ COmnidirectionalCameraEquippedEntity::COmnidirectionalCameraEquippedEntity(
 }
 
 void COmnidirectionalCameraEquippedEntity::SetAperture(const CRadians& aperture) {
+  CRobotsCode::CheckOwn(*this, "SetAperture()");
   m_aperture = RequireAperture(aperture, "camera \"" + GetContext() + GetId() + "\"", "aperture");
 }
 

@@ -1,6 +1,7 @@
 #include <argos3/plugins/simulator/entities/passive_body_entity.h>
 
 #include <argos3/core/simulator/context/current.h>
+#include <argos3/core/simulator/entity/robots_code.h>
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
 #include <argos3/core/simulator/space/space_operations.h>
 #include <argos3/plugins/simulator/entities/new_component.h>
@@ -70,21 +71,25 @@ CRFIDTagEquippedEntity& CPassiveBodyEntity::GetRFIDTagEquippedEntity() {
 }
 
 void CPassiveBodyEntity::EnableLEDs(CLEDEntity::CRegistry& medium) {
+  CRobotsCode::CheckShared(*this, "EnableLEDs()");
   m_leds->SetMedium(medium);
   m_leds->Enable();
   m_leds->UpdateComponents();
 }
 
 void CPassiveBodyEntity::DisableLEDs() {
+  CRobotsCode::CheckShared(*this, "DisableLEDs()");
   m_leds->Disable();
 }
 
 void CPassiveBodyEntity::AddLED(const CVector3& offset, const CColor& color) {
+  CRobotsCode::CheckShared(*this, "AddLED()");
   m_leds->AddLED(offset, m_body->GetOriginAnchor(), color);
   MakeAppearance();
 }
 
 void CPassiveBodyEntity::SetMass(Real mass) {
+  CRobotsCode::CheckShared(*this, "SetMass()");
   m_mass = RequireIn(kMass, mass, GetTypeDescription() + " \"" + GetId() + "\"", "mass");
   Describe();
 }

@@ -1,6 +1,7 @@
 #include <argos3/plugins/simulator/entities/perspective_camera_equipped_entity.h>
 
 #include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/simulator/entity/robots_code.h>
 #include <argos3/core/simulator/space/space_operations.h>
 #include <argos3/core/utility/datatypes/digest.h>
 #include <argos3/plugins/simulator/entities/anchor_use.h>
@@ -62,18 +63,22 @@ void CPerspectiveCameraEquippedEntity::SetEnabled(bool enabled) {
 }
 
 void CPerspectiveCameraEquippedEntity::SetAperture(const CRadians& aperture) {
+  CRobotsCode::CheckOwn(*this, "SetAperture()");
   m_aperture = RequireAperture(aperture, Describe(), "aperture");
 }
 
 void CPerspectiveCameraEquippedEntity::SetFocalLength(Real focalLength) {
+  CRobotsCode::CheckOwn(*this, "SetFocalLength()");
   m_focalLength = RequirePositive(focalLength, Describe(), "focal length (m)");
 }
 
 void CPerspectiveCameraEquippedEntity::SetRange(Real range) {
+  CRobotsCode::CheckOwn(*this, "SetRange()");
   m_range = RequirePositive(range, Describe(), "range (m)");
 }
 
 void CPerspectiveCameraEquippedEntity::SetImagePxSize(SInt32 width, SInt32 height) {
+  CRobotsCode::CheckOwn(*this, "SetImagePxSize()");
   if (width < 1 || height < 1) {
     THROW_ARGOSEXCEPTION(Describe() << ": width and height of the image must be at least 1 pixel, "
                                     << "got " << width << " and " << height);
@@ -100,6 +105,7 @@ const SAnchor& CPerspectiveCameraEquippedEntity::GetAnchor() const {
 }
 
 void CPerspectiveCameraEquippedEntity::SetAnchor(SAnchor& anchor) {
+  CRobotsCode::CheckOwn(*this, "SetAnchor()");
   const bool enabled = IsEnabled();
   SetEnabled(false);
   m_anchor = &anchor;
@@ -108,12 +114,16 @@ void CPerspectiveCameraEquippedEntity::SetAnchor(SAnchor& anchor) {
 
 void CPerspectiveCameraEquippedEntity::SetMount(const CVector3& offset,
                                                 const CQuaternion& orientation) {
+  CRobotsCode::CheckOwn(*this, "SetMount()");
   m_offset = offset;
   m_orientation = orientation;
   SetPanTilt(m_pan, m_tilt);
 }
 
 void CPerspectiveCameraEquippedEntity::SetPanTilt(const CRadians& pan, const CRadians& tilt) {
+  if (CRobotsCode::MayRun()) {
+    CRobotsCode::CheckOwn(*this, "SetPanTilt()");
+  }
   m_pan = pan;
   m_tilt = tilt;
   m_mountAndTurn = m_orientation * CQuaternion(pan, CVector3::Z) * CQuaternion(tilt, CVector3::Y);

@@ -1,6 +1,7 @@
 #include <argos3/plugins/simulator/entities/planar_drive_entity.h>
 
 #include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/simulator/entity/robots_code.h>
 #include <argos3/core/simulator/space/space_operations.h>
 #include <argos3/core/utility/datatypes/digest.h>
 
@@ -17,6 +18,9 @@ void CPlanarDriveEntity::Reset() {
 }
 
 void CPlanarDriveEntity::SetCommand(const SDriveCommand& command) {
+  if (CRobotsCode::MayRun()) {
+    CRobotsCode::CheckOwn(*this, "SetCommand()");
+  }
   if (!command.IsFinite()) {
     THROW_ARGOSEXCEPTION("planar drive \"" << GetContext() << GetId()
                                            << "\": a command must be finite, got ahead = "

@@ -1,6 +1,7 @@
 #include <argos3/plugins/simulator/entities/quadrotor_entity.h>
 
 #include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/simulator/entity/robots_code.h>
 #include <argos3/core/simulator/space/space_operations.h>
 #include <argos3/core/utility/datatypes/digest.h>
 
@@ -45,11 +46,17 @@ void CQuadRotorEntity::ReturnToStart() {
 }
 
 void CQuadRotorEntity::SetPositionControlData(const SPositionControlData& data) {
+  if (CRobotsCode::MayRun()) {
+    CRobotsCode::CheckOwn(*this, "SetPositionControlData()");
+  }
   Check(data);
   m_position = data;
 }
 
 void CQuadRotorEntity::SetSpeedControlData(const SSpeedControlData& data) {
+  if (CRobotsCode::MayRun()) {
+    CRobotsCode::CheckOwn(*this, "SetSpeedControlData()");
+  }
   Check(data);
   m_speed = data;
 }

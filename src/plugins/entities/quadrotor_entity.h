@@ -2,6 +2,7 @@
 #define ARGOS3_PLUGINS_ENTITIES_QUADROTOR_ENTITY_H
 
 #include <argos3/core/simulator/entity/entity.h>
+#include <argos3/core/simulator/entity/robots_code.h>
 #include <argos3/core/utility/math/angles.h>
 #include <argos3/core/utility/math/vector3.h>
 
@@ -44,7 +45,10 @@ class CQuadRotorEntity : public CEntity {
   std::string GetTypeDescription() const override { return "quadrotor"; }
 
   EControlMethod GetControlMethod() const { return m_method; }
-  void SetControlMethod(EControlMethod method) { m_method = method; }
+  void SetControlMethod(EControlMethod method) {
+    CRobotsCode::CheckOwn(*this, "SetControlMethod()");
+    m_method = method;
+  }
 
   /**
    * The setters take effect in the next physics phase, while their control method is selected.
@@ -60,7 +64,10 @@ class CQuadRotorEntity : public CEntity {
    * no effect. Detached, it continues from rest.
    */
   bool IsAttached() const { return m_isAttached; }
-  void SetAttached(bool attached) { m_isAttached = attached; }
+  void SetAttached(bool attached) {
+    CRobotsCode::CheckOwn(*this, "SetAttached()");
+    m_isAttached = attached;
+  }
 
   /** @throws CARGoSException that names the robot if a value is not finite or above 1e9. */
   void Check(const SPositionControlData& data) const;

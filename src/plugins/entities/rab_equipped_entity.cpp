@@ -1,6 +1,7 @@
 #include <argos3/plugins/simulator/entities/rab_equipped_entity.h>
 
 #include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/simulator/entity/robots_code.h>
 #include <argos3/core/simulator/space/space_operations.h>
 #include <argos3/core/utility/datatypes/digest.h>
 #include <argos3/plugins/simulator/entities/anchor_use.h>
@@ -72,6 +73,9 @@ void CRABEquippedEntity::Update() {
 }
 
 void CRABEquippedEntity::SetEnabled(bool enabled) {
+  if (EnablesLater(*this, enabled)) {
+    return;
+  }
   if (enabled != IsEnabled() && m_psAnchor != nullptr) {
     UseAnchor(*m_psAnchor, enabled);
     CountFollower(*this, enabled);
@@ -88,10 +92,21 @@ void CRABEquippedEntity::SetData(const CByteArray& data) {
     THROW_ARGOSEXCEPTION(Describe()
                          << ": messages have " << m_unMsgSize << " bytes, got " << data.Size());
   }
+  if (CRobotsCode::ChangesLater(*this, "SetData()", [this, data] { SetData(data); })) {
+    return;
+  }
   m_cData = data;
 }
 
+void CRABEquippedEntity::ClearData() {
+  if (CRobotsCode::ChangesLater(*this, "ClearData()", [this] { ClearData(); })) {
+    return;
+  }
+  m_cData.Zero();
+}
+
 void CRABEquippedEntity::SetRange(Real range) {
+  CRobotsCode::CheckOwn(*this, "SetRange()");
   if (!(range >= 0.0 && range < HUGE_VAL)) {
     RequireNotNegative(range, Describe(), "range (m)");
   }

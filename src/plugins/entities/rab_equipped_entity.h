@@ -65,10 +65,13 @@ class CRABEquippedEntity : public CMediumMember<CRABEquippedEntity, CRABMedium> 
   /** The message, GetMsgSize() bytes. */
   CByteArray& GetData() { return m_cData; }
   const CByteArray& GetData() const { return m_cData; }
-  /** @throws CARGoSException unless @p data has GetMsgSize() bytes. */
+  /**
+   * By code of its own robot: takes effect when all robots have been controlled (CRobotsCode).
+   * @throws CARGoSException unless @p data has GetMsgSize() bytes.
+   */
   void SetData(const CByteArray& data);
-  /** Sets all bytes of the message to 0. */
-  void ClearData() { m_cData.Zero(); }
+  /** Sets all bytes of the message to 0; as SetData(). */
+  void ClearData();
 
   /** Range of messages, m. */
   Real GetRange() const { return m_fRange; }

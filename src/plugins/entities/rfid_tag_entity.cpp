@@ -2,6 +2,7 @@
 
 #include <argos3/core/simulator/context/current.h>
 #include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/simulator/entity/robots_code.h>
 #include <argos3/core/simulator/space/space_operations.h>
 #include <argos3/core/utility/datatypes/digest.h>
 #include <argos3/core/utility/string_utilities.h>
@@ -112,10 +113,16 @@ void CRFIDTagEntity::SetData(const CByteArray& data) {
     THROW_ARGOSEXCEPTION("RFID tag \"" << GetContext() << GetId() << "\" has a memory of "
                                        << m_data.Size() << " bytes, got " << data.Size());
   }
+  if (CRobotsCode::ChangesLater(*this, "SetData()", [this, data] { SetData(data); })) {
+    return;
+  }
   m_data = data;
 }
 
 bool CRFIDTagEntity::TryWrite(size_t offset, const CByteArray& bytes) {
+  if (CRobotsCode::MayRun()) {
+    CRobotsCode::CheckShared(*this, "TryWrite()");
+  }
   if (offset > m_data.Size() || bytes.Size() > m_data.Size() - offset) {
     return false;
   }

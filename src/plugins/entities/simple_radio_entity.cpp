@@ -1,5 +1,6 @@
 #include <argos3/plugins/simulator/entities/simple_radio_entity.h>
 
+#include <argos3/core/simulator/entity/robots_code.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/utility/datatypes/digest.h>
 #include <argos3/plugins/simulator/entities/value_checks.h>
@@ -48,14 +49,19 @@ void CSimpleRadioEntity::Reset() {
 }
 
 void CSimpleRadioEntity::SetRange(Real range) {
+  CRobotsCode::CheckOwn(*this, "SetRange()");
   m_range = RequireNotNegative(range, "radio \"" + GetContext() + GetId() + "\"", "range (m)");
 }
 
 void CSimpleRadioEntity::ReceiveMessage(const CByteArray& message) {
+  CRobotsCode::CheckOwn(*this, "ReceiveMessage()");
   m_spare.Append(m_messages) = message;
 }
 
 void CSimpleRadioEntity::Send(std::vector<CByteArray>& outbox) {
+  if (CRobotsCode::MayRun()) {
+    CRobotsCode::CheckOwn(*this, "Send()");
+  }
   if (m_outbox.empty()) {
     m_outbox.swap(outbox);
   } else {

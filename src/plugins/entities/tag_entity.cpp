@@ -1,5 +1,6 @@
 #include <argos3/plugins/simulator/entities/tag_entity.h>
 
+#include <argos3/core/simulator/entity/robots_code.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/utility/datatypes/digest.h>
 #include <argos3/plugins/simulator/entities/observable.h>
@@ -35,6 +36,7 @@ void CTagEntity::Reset() {
 }
 
 void CTagEntity::SetSideLength(Real sideLength) {
+  CRobotsCode::CheckShared(*this, "SetSideLength()");
   m_sideLength =
       RequirePositive(sideLength, "tag \"" + GetContext() + GetId() + "\"", "side length (m)");
 }
@@ -51,6 +53,7 @@ std::array<CVector3, 4> CTagEntity::ComputeCorners() const {
 }
 
 void CTagEntity::SetObservableAngle(const CRadians& angle) {
+  CRobotsCode::CheckShared(*this, "SetObservableAngle()");
   m_observableAngle = RequireObservableAngle(angle, "tag \"" + GetContext() + GetId() + "\"");
 }
 

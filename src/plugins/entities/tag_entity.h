@@ -1,6 +1,7 @@
 #ifndef ARGOS3_PLUGINS_ENTITIES_TAG_ENTITY_H
 #define ARGOS3_PLUGINS_ENTITIES_TAG_ENTITY_H
 
+#include <argos3/core/simulator/entity/robots_code.h>
 #include <argos3/core/utility/math/angles.h>
 #include <argos3/plugins/simulator/entities/cell_updaters.h>
 #include <argos3/plugins/simulator/entities/medium_member.h>
@@ -44,7 +45,14 @@ class CTagEntity : public CMediumMember<CTagEntity, CTagMedium> {
   std::string GetTypeDescription() const override { return "tag"; }
 
   const std::string& GetPayload() const { return m_payload; }
-  void SetPayload(const std::string& payload) { m_payload = payload; }
+  /** By code of its own robot: takes effect when all robots have been controlled (CRobotsCode). */
+  void SetPayload(const std::string& payload) {
+    if (CRobotsCode::ChangesLater(*this, "SetPayload()",
+                                  [this, payload] { SetPayload(payload); })) {
+      return;
+    }
+    m_payload = payload;
+  }
   const std::string& GetInitPayload() const { return m_initPayload; }
   void SetInitPayload(const std::string& payload) { m_initPayload = payload; }
 

@@ -1,6 +1,7 @@
 #include <argos3/plugins/simulator/entities/turret_entity.h>
 
 #include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/simulator/entity/robots_code.h>
 #include <argos3/core/simulator/physics_engine/physics_model.h>
 #include <argos3/core/simulator/space/space_operations.h>
 #include <argos3/core/utility/datatypes/digest.h>
@@ -41,21 +42,33 @@ void CTurretEntity::Reset() {
 }
 
 void CTurretEntity::SetMode(EMode mode) {
+  if (CRobotsCode::MayRun()) {
+    CRobotsCode::CheckOwn(*this, "SetMode()");
+  }
   m_mode = mode;
   m_hasLastError = m_hasLastError && mode == MODE_POSITION_CONTROL;
 }
 
 void CTurretEntity::SetDesiredRotation(const CRadians& rotation) {
+  if (CRobotsCode::MayRun()) {
+    CRobotsCode::CheckOwn(*this, "SetDesiredRotation()");
+  }
   RequireFinite(*this, "desired rotation (rad)", rotation);
   m_desiredRotation = Normalized(rotation);
 }
 
 void CTurretEntity::SetDesiredRotationSpeed(const CRadians& speed) {
+  if (CRobotsCode::MayRun()) {
+    CRobotsCode::CheckOwn(*this, "SetDesiredRotationSpeed()");
+  }
   RequireFinite(*this, "desired speed (rad/s)", speed);
   m_desiredSpeed = speed;
 }
 
 void CTurretEntity::SetRotation(const CRadians& rotation) {
+  if (CRobotsCode::MayRun()) {
+    CRobotsCode::CheckOwn(*this, "SetRotation()");
+  }
   m_rotation = Normalized(rotation);
   m_anchor.OffsetOrientation = CQuaternion(m_rotation, CVector3::Z);
 }

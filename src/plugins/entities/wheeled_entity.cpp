@@ -1,6 +1,7 @@
 #include <argos3/plugins/simulator/entities/wheeled_entity.h>
 
 #include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/simulator/entity/robots_code.h>
 #include <argos3/core/simulator/space/space_operations.h>
 #include <argos3/core/utility/datatypes/digest.h>
 #include <argos3/plugins/simulator/entities/value_checks.h>
@@ -29,6 +30,7 @@ void CWheeledEntity::Reset() {
 }
 
 void CWheeledEntity::EnableDrift() {
+  CRobotsCode::CheckOwn(*this, "EnableDrift()");
   if (m_ordered == nullptr) {
     m_ordered = std::make_unique<Real[]>(GetNumWheels());
     std::copy_n(GetVelocities(), GetNumWheels(), m_ordered.get());
@@ -36,6 +38,7 @@ void CWheeledEntity::EnableDrift() {
 }
 
 void CWheeledEntity::SetWheel(UInt32 index, const CVector3& position, Real radius) {
+  CRobotsCode::CheckOwn(*this, "SetWheel()");
   CheckIndex(index);
   if (!IsIn(kPositive, radius)) {
     RequirePositive(radius, "wheels \"" + GetContext() + GetId() + "\"", "wheel radius (m)");
@@ -69,6 +72,9 @@ void CWheeledEntity::RequireFinite(const Real* velocities) const {
 }
 
 void CWheeledEntity::SetVelocities(const Real* velocities) {
+  if (CRobotsCode::MayRun()) {
+    CRobotsCode::CheckOwn(*this, "SetVelocities()");
+  }
   RequireFinite(velocities);
   std::copy_n(velocities, GetNumWheels(), GetVelocities());
   if (m_ordered != nullptr) {
@@ -77,6 +83,9 @@ void CWheeledEntity::SetVelocities(const Real* velocities) {
 }
 
 void CWheeledEntity::SetDriftingVelocities(const Real* ordered, const Real* velocities) {
+  if (CRobotsCode::MayRun()) {
+    CRobotsCode::CheckOwn(*this, "SetDriftingVelocities()");
+  }
   ARGOS_ASSERT(m_ordered != nullptr, "SetDriftingVelocities() needs EnableDrift().");
   RequireFinite(ordered);
   RequireFinite(velocities);

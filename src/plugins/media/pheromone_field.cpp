@@ -1,5 +1,6 @@
 #include <argos3/plugins/simulator/media/pheromone_field.h>
 
+#include <argos3/core/simulator/entity/robots_code.h>
 #include <argos3/core/utility/threads/thread_pool.h>
 
 #include <algorithm>
@@ -82,6 +83,9 @@ bool CPheromoneField::Locate(SStencil& stencil, Real x, Real y) const {
 }
 
 void CPheromoneField::Deposit(Real x, Real y, Real amount) {
+  if (CRobotsCode::MayRun()) {
+    CRobotsCode::CheckShared("CPheromoneField::Deposit()");
+  }
   SStencil stencil;
   if (!Locate(stencil, x, y)) {
     return;
@@ -112,6 +116,9 @@ Real CPheromoneField::GetConcentration(Real x, Real y) const {
 }
 
 void CPheromoneField::Clear() {
+  if (CRobotsCode::MayRun()) {
+    CRobotsCode::CheckShared("CPheromoneField::Clear()");
+  }
   std::fill(m_cells.begin(), m_cells.end(), 0.0);
   m_scale = 1.0;
   m_isEmpty = true;
@@ -125,6 +132,9 @@ CVector2 CPheromoneField::GetCenter(size_t i, size_t j) const {
 }
 
 void CPheromoneField::SetCell(size_t i, size_t j, Real concentration) {
+  if (CRobotsCode::MayRun()) {
+    CRobotsCode::CheckShared("CPheromoneField::SetCell()");
+  }
   if (i >= m_grid.NumX || j >= m_grid.NumY) {
     THROW_ARGOSEXCEPTION("pheromone: there is no cell (" << i << "," << j << ") among "
                                                          << m_grid.NumX << " x " << m_grid.NumY);

@@ -1,6 +1,7 @@
 #ifndef ARGOS3_PLUGINS_MEDIA_POSITIONAL_MEDIUM_H
 #define ARGOS3_PLUGINS_MEDIA_POSITIONAL_MEDIUM_H
 
+#include <argos3/core/simulator/entity/robots_code.h>
 #include <argos3/core/simulator/medium/medium.h>
 #include <argos3/core/simulator/space/positional_indices/grid.h>
 #include <argos3/core/simulator/space/positional_indices/hash_index.h>
@@ -62,6 +63,7 @@ class CPositionalMedium : public CMedium, public ENTITY::CRegistry {
 
   /** Called by entities when they are enabled and disabled. */
   void AddEntity(ENTITY& entity) override {
+    CRobotsCode::CheckShared("AddEntity() of a medium");
     ++m_numEntities;
     if (m_index != nullptr) {
       m_index->AddEntity(entity);
@@ -70,6 +72,7 @@ class CPositionalMedium : public CMedium, public ENTITY::CRegistry {
     }
   }
   void RemoveEntity(ENTITY& entity) override {
+    CRobotsCode::CheckShared("RemoveEntity() of a medium");
     m_numEntities -= m_numEntities > 0 ? 1 : 0;
     m_points.Invalidate();
     if (m_index != nullptr) {

@@ -1,5 +1,6 @@
 #include <argos3/plugins/simulator/media/rab_medium.h>
 
+#include <argos3/core/simulator/entity/robots_code.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/utility/logging/argos_log.h>
@@ -80,10 +81,12 @@ void CRABMedium::Destroy() {
 }
 
 void CRABMedium::AddEntity(CRABEquippedEntity& entity) {
+  CRobotsCode::CheckShared("CRABMedium::AddEntity()");
   m_state->Members.Add(entity);
 }
 
 void CRABMedium::RemoveEntity(CRABEquippedEntity& entity) {
+  CRobotsCode::CheckShared("CRABMedium::RemoveEntity()");
   m_state->Members.Remove(entity);
   // a device that was switched off receives nothing: another one may get its number
   entity.SetNumberInMedium(CMediumMembers<CRABEquippedEntity>::kWaiting);

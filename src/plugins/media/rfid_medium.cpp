@@ -2,6 +2,7 @@
 
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
+#include <argos3/core/simulator/entity/robots_code.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/plugins/simulator/media/medium_manual.h>
 #include <argos3/plugins/simulator/media/medium_members.h>
@@ -53,10 +54,12 @@ void CRFIDMedium::Destroy() {
 }
 
 void CRFIDMedium::AddEntity(CRFIDTagEntity& tag) {
+  CRobotsCode::CheckShared("CRFIDMedium::AddEntity()");
   m_state->Tags.Add(tag);
 }
 
 void CRFIDMedium::RemoveEntity(CRFIDTagEntity& tag) {
+  CRobotsCode::CheckShared("CRFIDMedium::RemoveEntity()");
   m_state->Tags.Remove(tag);
 }
 

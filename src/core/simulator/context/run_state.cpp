@@ -85,24 +85,29 @@ void CRunState::DeferRemoval(const void* entity, std::function<void()> change) {
   m_changes.push_back({place, requester, std::move(change)});
 }
 
-bool CRunState::TakeChanges(std::vector<SChange>& changes) {
+void CRunState::DeferComponentChange(std::function<void()> change) {
+  const std::string requester = SRunningCode::OfThread().ToText();
+  const std::lock_guard<std::mutex> lock(m_mutex);
+  m_componentChanges.push_back({CARGoSLog::GetSequence(), requester, std::move(change)});
+}
+
+bool CRunState::Take(std::vector<SChange>& noted, std::vector<SChange>& changes) {
   const std::lock_guard<std::mutex> lock(m_mutex);
   changes.clear();
-  changes.swap(m_changes);
-  m_removals.clear();
+  changes.swap(noted);
+  if (&noted == &m_changes) {
+    m_removals.clear();
+  }
   // the requests of one robot have one place, and come from one thread
   std::stable_sort(changes.begin(), changes.end(),
                    [](const SChange& a, const SChange& b) { return a.Place < b.Place; });
   return !changes.empty();
 }
 
-void CRunState::ApplyChanges() {
-  if (m_changes.empty() || DefersChanges()) {
-    return;
-  }
-  const CScope scope(*this, EActivity::Changing);
+// also what the changes request
+void CRunState::Apply(std::vector<SChange>& noted) {
   std::vector<SChange> changes;
-  while (TakeChanges(changes)) {
+  while (Take(noted, changes)) {
     for (SChange& change : changes) {
       try {
         change.Apply();
@@ -117,9 +122,24 @@ void CRunState::ApplyChanges() {
   }
 }
 
+void CRunState::ApplyChanges() {
+  if (m_changes.empty() || DefersChanges()) {
+    return;
+  }
+  const CScope scope(*this, EActivity::Changing);
+  Apply(m_changes);
+}
+
+void CRunState::ApplyComponentChanges() {
+  if (!m_componentChanges.empty()) {
+    Apply(m_componentChanges);
+  }
+}
+
 void CRunState::DiscardChanges() {
   std::vector<SChange> changes;
-  TakeChanges(changes);
+  Take(m_changes, changes);
+  Take(m_componentChanges, changes);
 }
 
 }  // namespace argos

@@ -20,6 +20,8 @@ namespace argos {
  *   possible; Destroy() etc. are errors.
  * - Robots act, sense or are controlled, or engines and media are updated: entities are added and
  *   removed at the end of the tick; Reset(), Destroy() etc. are errors.
+ *   What robots change of their own components that other robots read is changed when all robots
+ *   have been controlled; what they must not change is an error (CRobotsCode).
  * - Robots are reset, or an entity is removed: entities are added and removed when that is
  * complete; Reset(), Destroy() etc. are errors.
  * - The experiment is loaded: entities are added and removed at once; Reset(), Destroy() etc. are
@@ -92,7 +94,12 @@ class CRunState {
    */
   void Defer(std::function<void()> change);
   /**
-   * The same for the removal of @p entity, which is only compared.
+   * The same for a change of the requesting robot's own components, which is applied when all
+   * robots have been sensed and controlled, before PostStep().
+   */
+  void DeferComponentChange(std::function<void()> change);
+  /**
+   * The same as Defer() for the removal of @p entity, which is only compared.
    * @throws CARGoSException if the robot that runs now has already requested it in this tick: code
    *   that removes until nothing is left would never end.
    */
@@ -104,6 +111,8 @@ class CRunState {
    *   dropped.
    */
   void ApplyChanges();
+  /** The same for changes of components. Main thread, after a loop over robots. */
+  void ApplyComponentChanges();
   /** Drops the noted changes: after an error, or when everything is destroyed. */
   void DiscardChanges();
 
@@ -115,12 +124,14 @@ class CRunState {
   };
 
   [[noreturn]] void Refuse(const char* call, const char* hint) const;
-  bool TakeChanges(std::vector<SChange>& changes);
+  bool Take(std::vector<SChange>& noted, std::vector<SChange>& changes);
+  void Apply(std::vector<SChange>& noted);
 
   EActivity m_activity = EActivity::None;
   bool m_isExecuting = false;
   std::mutex m_mutex;  // guards what follows; locked only by code that changes the space
   std::vector<SChange> m_changes;
+  std::vector<SChange> m_componentChanges;
   std::set<std::pair<UInt64, const void*>> m_removals;  // hashes of requesters, and entities
 };
 

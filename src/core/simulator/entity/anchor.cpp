@@ -1,6 +1,7 @@
 #include <argos3/core/simulator/entity/anchor.h>
 
 #include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/core/simulator/entity/robots_code.h>
 
 #include <algorithm>
 
@@ -17,6 +18,7 @@ SAnchor::SAnchor(CEmbodiedEntity& body, const std::string& id, UInt32 index,
       OffsetOrientation(offsetOrientation) {}
 
 void SAnchor::Enable() {
+  CRobotsCode::CheckOwn(Body, "SAnchor::Enable()");
   if (InUseCount++ == 0) {
     auto& enabled = Body.m_vecEnabledAnchors;
     enabled.push_back(this);
@@ -31,6 +33,7 @@ void SAnchor::Enable() {
 }
 
 void SAnchor::Disable() {
+  CRobotsCode::CheckOwn(Body, "SAnchor::Disable()");
   if (InUseCount == 0) {
     return;
   }

@@ -2,6 +2,7 @@
 
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/entity/lazy_components.h>
+#include <argos3/core/simulator/entity/robots_code.h>
 #include <argos3/core/utility/text/string_utilities.h>
 
 #include <algorithm>
@@ -126,6 +127,7 @@ void CComposableEntity::InsertComponent(CEntity& component, const CEntity& next)
 }
 
 CEntity& CComposableEntity::RemoveComponent(const std::string& path) {
+  CRobotsCode::CheckShared(*this, "RemoveComponent()");
   CEntity& component = GetComponent(path);
   CComposableEntity& parent = component.GetParent();
   auto& siblings = parent.m_components;
@@ -144,6 +146,7 @@ void CComposableEntity::CreateLazyComponents(const std::string& type) {
 }
 
 CEntity* CComposableEntity::TryGetComponent(const std::string& path) {
+  const auto lock = CRobotsCode::LockLazy();
   if (path.find_first_of(".[") == std::string::npos) {
     // a type
     CreateLazyComponents(path);
@@ -198,6 +201,7 @@ CEntity::TMultiMap::iterator CComposableEntity::FindComponent(const std::string&
 }
 
 CEntity::TMultiMap& CComposableEntity::GetComponentMap() {
+  const auto lock = CRobotsCode::LockLazy();
   CreateLazyComponents(std::string());
   if (m_componentMap == nullptr) {
     m_componentMap = std::make_unique<TMultiMap>();
@@ -209,6 +213,7 @@ CEntity::TMultiMap& CComposableEntity::GetComponentMap() {
 }
 
 CEntity::TVector& CComposableEntity::GetComponentVector() {
+  const auto lock = CRobotsCode::LockLazy();
   CreateLazyComponents(std::string());
   return m_components;
 }

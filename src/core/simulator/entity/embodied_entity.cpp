@@ -2,6 +2,7 @@
 
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/pose_digest.h>
+#include <argos3/core/simulator/entity/robots_code.h>
 #include <argos3/core/simulator/geometry/articulation.h>
 #include <argos3/core/simulator/geometry/body_description.h>
 #include <argos3/core/simulator/geometry/body_index.h>
@@ -85,6 +86,7 @@ void CEmbodiedEntity::ReturnToStart() {
 
 SAnchor& CEmbodiedEntity::AddAnchor(const std::string& id, const CVector3& offset,
                                     const CQuaternion& relativeOrientation) {
+  CRobotsCode::CheckOwn(*this, "AddAnchor()");
   if (m_mapAnchors.find(id) != m_mapAnchors.end()) {
     THROW_ARGOSEXCEPTION("body \"" << GetContext() << GetId() << "\" already has an anchor \"" << id
                                    << "\"");
@@ -150,6 +152,7 @@ UInt32 CEmbodiedEntity::GetPhysicsModelsNum() const {
 }
 
 void CEmbodiedEntity::AddPhysicsModel(const std::string& engineId, CPhysicsModel& model) {
+  CRobotsCode::CheckShared(*this, "AddPhysicsModel()");
   if (m_bMovable && !m_tPhysicsModelVector.empty()) {
     THROW_ARGOSEXCEPTION("movable body \""
                          << GetContext() << GetId() << "\" is already in the physics engine \""
@@ -171,6 +174,7 @@ void CEmbodiedEntity::AddPhysicsModel(const std::string& engineId, CPhysicsModel
 }
 
 void CEmbodiedEntity::RemovePhysicsModel(const std::string& engineId) {
+  CRobotsCode::CheckShared(*this, "RemovePhysicsModel()");
   const auto found = m_tPhysicsModelMap.find(engineId);
   if (found == m_tPhysicsModelMap.end()) {
     THROW_ARGOSEXCEPTION("body \"" << GetContext() << GetId()
@@ -239,6 +243,7 @@ void CEmbodiedEntity::MoveModelsTo(const CVector3& position, const CQuaternion& 
 
 bool CEmbodiedEntity::MoveTo(const CVector3& position, const CQuaternion& newOrientation,
                              bool checkOnly, bool ignoreCollisions) {
+  CRobotsCode::CheckShared(*this, "MoveTo()");
   const CQuaternion orientation =
       CheckPose([this] { return "MoveTo() of " + NameOfBody(*this); }, position, newOrientation);
   const CVector3 oldPosition = m_psOriginAnchor->Position;
@@ -266,6 +271,7 @@ bool CEmbodiedEntity::IsCollidingWithSomething() const {
 }
 
 void CEmbodiedEntity::SetBodyDescription(std::shared_ptr<const SBodyDescription> description) {
+  CRobotsCode::CheckShared(*this, "SetBodyDescription()");
   m_description = std::move(description);
   const SArticulation* const articulation =
       m_description != nullptr ? m_description->Articulation.get() : nullptr;
@@ -281,6 +287,7 @@ void CEmbodiedEntity::SetBodyDescription(std::shared_ptr<const SBodyDescription>
 }
 
 void CEmbodiedEntity::SetMovable(bool movable) {
+  CRobotsCode::CheckShared(*this, "SetMovable()");
   m_bMovable = movable;
   NotifyIndex();
 }
@@ -314,6 +321,9 @@ void CEmbodiedEntity::ThrowNotFinite(const CVector3& position,
 }
 
 void CEmbodiedEntity::SetOriginPose(const CVector3& position, const CQuaternion& orientation) {
+  if (CRobotsCode::MayRun()) {
+    CRobotsCode::CheckShared(*this, "SetOriginPose()");
+  }
   if (!IsFinitePose(position, orientation)) {
     ThrowNotFinite(position, orientation);
   }
@@ -325,6 +335,9 @@ void CEmbodiedEntity::SetOriginPose(const CVector3& position, const CQuaternion&
 }
 
 void CEmbodiedEntity::SetLinkPose(UInt32 link, const SBodyPose& pose) {
+  if (CRobotsCode::MayRun()) {
+    CRobotsCode::CheckShared(*this, "SetLinkPose()");
+  }
   ARGOS_ASSERT(m_links != nullptr && link < m_links->Poses.size(), "there is no link " << link);
   if (!IsFinitePose(pose.Position, pose.Orientation)) {
     ThrowNotFinite(pose.Position, pose.Orientation);

@@ -1,6 +1,7 @@
 #include <argos3/core/simulator/entity/entity.h>
 
 #include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/simulator/entity/robots_code.h>
 #include <argos3/core/utility/datatypes/digest.h>
 
 namespace argos {
@@ -74,6 +75,9 @@ const CEntity& CEntity::GetRootEntity() const {
 }
 
 void CEntity::SetEnabled(bool enabled) {
+  if (CRobotsCode::MayRun()) {
+    CRobotsCode::CheckOwn(*this, enabled ? "Enable()" : "Disable()");
+  }
   m_enabled = enabled;
   if (m_index < 0) {
     m_enabledAtStart = enabled;

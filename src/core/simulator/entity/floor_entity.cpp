@@ -3,6 +3,7 @@
 #include <argos3/core/simulator/context/current.h>
 #include <argos3/core/simulator/context/simulation_context.h>
 #include <argos3/core/simulator/entity/floor_painter.h>
+#include <argos3/core/simulator/entity/robots_code.h>
 #include <argos3/core/simulator/images/image_decoding.h>
 #include <argos3/core/simulator/images/image_encoding.h>
 #include <argos3/core/utility/files/file_replacement.h>
@@ -147,6 +148,12 @@ void CFloorEntity::LoadImage(const std::string& fileName) {
         std::max(m_image->GetWidth() / size.GetX(), m_image->GetHeight() / size.GetY());
     m_pixelsPerMeter = static_cast<UInt32>(std::clamp(std::ceil(density), 1.0, 1e6));
   }
+}
+
+void CFloorEntity::SetImageSize(UInt32 width, UInt32 height) {
+  CRobotsCode::CheckShared(*this, "SetImageSize()");
+  m_imageWidth = width;
+  m_imageHeight = height;
 }
 
 CColor CFloorEntity::GetColorAtPoint(Real x, Real y) {

@@ -4,6 +4,7 @@
 #include <argos3/core/simulator/entity/entity.h>
 #include <argos3/core/utility/datatypes/color.h>
 
+#include <atomic>
 #include <memory>
 
 namespace argos {
@@ -51,21 +52,19 @@ class CFloorEntity : public CEntity {
   /** Rows of its image, which cover the arena's y; 0 if it has none. */
   UInt32 GetImageHeight() const { return m_imageHeight; }
   /** Of a floor that loop functions paint: they paint an image of so many pixels. */
-  void SetImageSize(UInt32 width, UInt32 height) {
-    m_imageWidth = width;
-    m_imageHeight = height;
-  }
+  void SetImageSize(UInt32 width, UInt32 height);
   /** Resolution for drawing, pixels per metre. */
   UInt32 GetPixelsPerMeter() const { return m_pixelsPerMeter; }
   /** True after SetChanged() until ClearChanged(): viewers redraw their texture. */
-  bool HasChanged() const { return m_changed; }
+  bool HasChanged() const { return m_changed.load(std::memory_order_relaxed); }
+  /** Any thread: robots may call it in ControlStep(). */
   void SetChanged() {
-    m_changed = true;
-    ++m_version;
+    m_changed.store(true, std::memory_order_relaxed);
+    m_version.fetch_add(1, std::memory_order_relaxed);
   }
-  void ClearChanged() { m_changed = false; }
+  void ClearChanged() { m_changed.store(false, std::memory_order_relaxed); }
   /** Changes whenever SetChanged() is called: for outputs that do not show the floor alone. */
-  UInt64 GetVersion() const { return m_version; }
+  UInt64 GetVersion() const { return m_version.load(std::memory_order_relaxed); }
 
   /** Writes the floor as an image; the format follows the extension. @throws CARGoSException */
   void SaveAsImage(const std::string& path);
@@ -79,8 +78,8 @@ class CFloorEntity : public CEntity {
   UInt32 m_pixelsPerMeter = 0;
   UInt32 m_imageWidth = 0;  // pixels
   UInt32 m_imageHeight = 0;  // pixels
-  bool m_changed = true;
-  UInt64 m_version = 0;
+  std::atomic<bool> m_changed{true};
+  std::atomic<UInt64> m_version{0};
   std::unique_ptr<CImage> m_image;
   const SSimulationContext& m_context;
 };

@@ -26,12 +26,14 @@ void CPositionalEntity::Init(TConfigurationNode& tree) {
 }
 
 void CPositionalEntity::Reset() {
+  CheckMayMove("Reset()");
   CEntity::Reset();
   m_cPosition = m_cInitPosition;
   m_cOrientation = m_cInitOrientation;
 }
 
 void CPositionalEntity::MoveTo(const CVector3& position, const CQuaternion& orientation) {
+  CheckMayMove("MoveTo()");
   m_cOrientation =
       CheckPose([this] { return "MoveTo() of entity \"" + GetContext() + GetId() + '"'; }, position,
                 orientation);

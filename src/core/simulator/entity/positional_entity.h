@@ -2,6 +2,7 @@
 #define ARGOS3_CORE_SIMULATOR_ENTITY_POSITIONAL_ENTITY_H
 
 #include <argos3/core/simulator/entity/entity.h>
+#include <argos3/core/simulator/entity/robots_code.h>
 #include <argos3/core/utility/math/quaternion.h>
 #include <argos3/core/utility/math/vector3.h>
 
@@ -24,9 +25,15 @@ class CPositionalEntity : public CEntity {
   std::string GetTypeDescription() const override { return "position"; }
 
   const CVector3& GetPosition() const { return m_cPosition; }
-  void SetPosition(const CVector3& position) { m_cPosition = position; }
+  void SetPosition(const CVector3& position) {
+    CheckMayMove("SetPosition()");
+    m_cPosition = position;
+  }
   const CQuaternion& GetOrientation() const { return m_cOrientation; }
-  void SetOrientation(const CQuaternion orientation) { m_cOrientation = orientation; }
+  void SetOrientation(const CQuaternion orientation) {
+    CheckMayMove("SetOrientation()");
+    m_cOrientation = orientation;
+  }
   const CVector3& GetInitPosition() const { return m_cInitPosition; }
   void SetInitPosition(const CVector3& position) { m_cInitPosition = position; }
   const CQuaternion& GetInitOrientation() const { return m_cInitOrientation; }
@@ -37,6 +44,13 @@ class CPositionalEntity : public CEntity {
   void UpdateDigest(CDigest& digest) const override;
 
  protected:
+  /** @throws CARGoSException in robots' code: cameras and media read poses. */
+  void CheckMayMove(const char* call) const {
+    if (CRobotsCode::MayRun()) {
+      CRobotsCode::CheckShared(*this, call);
+    }
+  }
+
   CVector3 m_cPosition;
   CQuaternion m_cOrientation;
   CVector3 m_cInitPosition;

@@ -2,6 +2,7 @@
 
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/core/simulator/entity/robots_code.h>
 #include <argos3/core/simulator/geometry/body_description.h>
 #include <argos3/core/simulator/physics_engine/recorded_body.h>
 #include <argos3/core/utility/memory/room.h>
@@ -66,6 +67,7 @@ std::unique_ptr<CRecordedBody> CDescribedBodyEngine::Record(CEntity& root) {
 }
 
 bool CDescribedBodyEngine::AddEntity(CEntity& entity) {
+  CRobotsCode::CheckShared("AddEntity() of a physics engine");
   std::unique_ptr<CRecordedBody> recorded = Record(entity);
   CEmbodiedEntity* const body = FindDescribedBody(entity);
   if (body == nullptr || !Accepts(*body)) {
@@ -102,6 +104,7 @@ void CDescribedBodyEngine::Update() {
 }
 
 bool CDescribedBodyEngine::RemoveEntity(CEntity& entity) {
+  CRobotsCode::CheckShared("RemoveEntity() of a physics engine");
   CEmbodiedEntity* const body = FindDescribedBody(entity);
   CDescribedBodyModel* const model = body != nullptr ? FindModel(*body) : nullptr;
   if (model == nullptr) {

@@ -3,6 +3,7 @@
 #include <argos3/core/simulator/context/simulation_context.h>
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/core/simulator/entity/robots_code.h>
 #include <argos3/core/simulator/geometry/body_description.h>
 #include <argos3/core/simulator/geometry/body_index.h>
 #include <argos3/core/simulator/physics_engine/described_body_engine.h>
@@ -32,6 +33,7 @@ CDescribedBodyEngine& CDescribedBodyModel::GetDescribedBodyEngine() {
 }
 
 void CDescribedBodyModel::MoveTo(const CVector3& position, const CQuaternion& orientation) {
+  CRobotsCode::CheckShared("CPhysicsModel::MoveTo()");
   if (!std::isfinite(position.Length()) || !std::isfinite(orientation.SquareLength())) {
     THROW_ARGOSEXCEPTION("\"" << m_cEmbodiedEntity.GetRootEntity().GetId()
                               << "\" cannot be moved to (" << position << "), turned by ("

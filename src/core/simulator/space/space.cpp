@@ -7,6 +7,7 @@
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/entity/entity_type.h>
 #include <argos3/core/simulator/entity/floor_entity.h>
+#include <argos3/core/simulator/entity/robots_code.h>
 #include <argos3/core/simulator/geometry/body_index.h>
 #include <argos3/core/simulator/geometry/pose_check.h>
 #include <argos3/core/simulator/medium/medium.h>
@@ -17,6 +18,7 @@
 #include <argos3/core/simulator/space/root_places.h>
 #include <argos3/core/utility/datatypes/digest.h>
 #include <argos3/core/utility/errors/exception_text.h>
+#include <argos3/core/utility/errors/running_code.h>
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/logging/log_order.h>
 #include <argos3/core/utility/plugins/unknown_label.h>
@@ -111,11 +113,17 @@ void CSpace::Init(TConfigurationNode& tree) {
   m_bodyIndex->SetArea(arena.Limits);
 }
 
+void CSpace::SetSimulationClock(UInt32 ticks) {
+  CRobotsCode::CheckShared("CSpace::SetSimulationClock()");
+  m_simulationClock = ticks;
+}
+
 const CVector3& CSpace::GetArenaSize() const {
   return m_context.Arena.Size;
 }
 
 void CSpace::SetArenaSize(const CVector3& size) {
+  CRobotsCode::CheckShared("CSpace::SetArenaSize()");
   m_context.Arena.Size = size;
 }
 
@@ -124,6 +132,7 @@ const CVector3& CSpace::GetArenaCenter() const {
 }
 
 void CSpace::SetArenaCenter(const CVector3& center) {
+  CRobotsCode::CheckShared("CSpace::SetArenaCenter()");
   m_context.Arena.Center = center;
 }
 
@@ -136,6 +145,7 @@ CSimulator& CSpace::GetSimulator() {
 }
 
 void CSpace::AddEntityType(const std::string& tag, std::unique_ptr<CEntityType> type) {
+  CheckMayChange();
   if (HasEntityType(tag) || tag == "distribute") {
     THROW_ARGOSEXCEPTION("there are already entities <" << tag << ">: another id is needed");
   }
@@ -167,6 +177,7 @@ std::unique_ptr<CEntity> CSpace::MakeEntity(const std::string& tag) const {
 }
 
 void CSpace::TryEntity(TConfigurationNode& node) {
+  CheckMayChange();
   // initialises robots without their controllers
   m_context.Loading.SetProbing(true);
   try {
@@ -211,6 +222,7 @@ void CSpace::OrderRoots(const std::vector<ssize_t>& indices) {
 }
 
 void CSpace::ReserveRoots(size_t number) {
+  CheckMayChange();
   const size_t size = m_roots.size() + number;
   m_roots.reserve(size);
   m_robots.reserve(size);
@@ -400,25 +412,31 @@ void CSpace::RemoveEntityFromPhysicsEngines(CEmbodiedEntity& body) {
 void CSpace::IterateOverControllableEntities(const TControllableEntityIterCBType& callback) {
   m_context.Run.CheckIsNotInPhase("IterateOverControllableEntities()",
                                   "it is possible in PreStep() and PostStep()");
+  constexpr char kCallback[] = "a callback of IterateOverControllableEntities()";
   const bool isOutermost = !m_context.Run.DefersChanges();
+  const CRobotsCode::CLoop loop;
   std::optional<CRunState::CScope> scope(std::in_place, m_context.Run, CRunState::EActivity::Phase);
   CMetrics& metrics = GetExtension<CMetrics>();
   metrics.GetRobotRecords().Begin(m_robots.size(), m_context.Pool->GetNumThreads());
   InLogOrder(m_robots.size(), [&](UInt64 firstPlace) {
     const size_t grain =
         DivideIntoRuns(m_robots.size(), m_context.Pool->GetNumThreads(), kRobotsPerRun);
-    m_context.Pool->ParallelFor(m_robots.size(), grain,
-                                [&](size_t begin, size_t end, UInt32 thread) {
-                                  CRobotRecords::CScope records(metrics.GetRobotRecords(), thread);
-                                  for (size_t i = begin; i < end; ++i) {
-                                    CARGoSLog::SetSequence(firstPlace + i);
-                                    records.SetRobot(i);
-                                    callback(m_robots[i]);
-                                  }
-                                });
+    m_context.Pool->ParallelFor(
+        m_robots.size(), grain, [&](size_t begin, size_t end, UInt32 thread) {
+          CRobotRecords::CScope records(metrics.GetRobotRecords(), thread);
+          CRunningCodeScope running(
+              {kCallback, &CControllableEntity::Describe, nullptr, &m_simulationClock, true});
+          for (size_t i = begin; i < end; ++i) {
+            CARGoSLog::SetSequence(firstPlace + i);
+            running.SetSubject(m_robots[i]);
+            records.SetRobot(i);
+            callback(m_robots[i]);
+          }
+        });
   });
   TakeRecords(metrics,
               [this](size_t robot) -> const CEntity& { return m_robots[robot]->GetRootEntity(); });
+  m_context.Run.ApplyComponentChanges();
   scope.reset();
   if (isOutermost) {
     m_context.Run.ApplyChanges();
@@ -434,6 +452,8 @@ void CSpace::Update() {
 }
 
 CRandom::CRNG& CSpace::GetRNG() {
+  CRobotsCode::CheckShared("CSpace::GetRNG()",
+                           "CRandom::CreateRNG(\"argos\") makes a generator of the robot's own");
   if (m_rng == nullptr) {
     THROW_ARGOSEXCEPTION("the space has no random generator before the arena is initialised");
   }

@@ -122,8 +122,10 @@ class CSpace : public CBaseConfigurableResource {
   }
 
   UInt32 GetSimulationClock() const { return m_simulationClock; }
-  void SetSimulationClock(UInt32 ticks) { m_simulationClock = ticks; }
-  void IncreaseSimulationClock(UInt32 increase = 1) { m_simulationClock += increase; }
+  void SetSimulationClock(UInt32 ticks);
+  void IncreaseSimulationClock(UInt32 increase = 1) {
+    SetSimulationClock(m_simulationClock + increase);
+  }
 
   /** m. */
   const CVector3& GetArenaSize() const;

@@ -104,6 +104,7 @@ const CSpace::TMapPerType& CSpace::GetEntitiesByType(const std::string& type) co
 }
 
 void CSpace::SetFloorEntity(CFloorEntity& floor) {
+  CheckMayChange();
   m_floor = &floor;
 }
 

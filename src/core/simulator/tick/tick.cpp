@@ -2,6 +2,7 @@
 
 #include <argos3/core/simulator/context/simulation_context.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
+#include <argos3/core/simulator/entity/robots_code.h>
 #include <argos3/core/simulator/geometry/body_index.h>
 #include <argos3/core/simulator/medium/medium.h>
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
@@ -80,7 +81,7 @@ template <typename STEP, typename LOOK_AHEAD>
 void ForRobots(SSimulationContext& context, const SVisitsOfPhase& phase, STEP&& step,
                LOOK_AHEAD&& lookAhead) {
   CRunningCodeScope running(
-      {phase.Call.Name, &CControllableEntity::Describe, nullptr, context.Clock});
+      {phase.Call.Name, &CControllableEntity::Describe, nullptr, context.Clock, true});
   CRandom::COwner::CScope randomOwner(nullptr, *context.Clock);
   CRobotRecords::CScope records(context.Metrics->GetRobotRecords(), phase.Thread);
   for (size_t current = phase.Begin; current < phase.End; ++current) {
@@ -183,7 +184,10 @@ void CTick::Run() {
   phase(EActivity::Phase, &STickTimes::Media, [&] { UpdateMedia(); });
   phase(EActivity::Hook, &STickTimes::PreStep,
         [&] { CallHook(m_context, "PreStep()", [&] { m_context.LoopFunctions->PreStep(); }); });
-  phase(EActivity::Phase, &STickTimes::SenseAndControl, [&] { SenseAndControl(); });
+  phase(EActivity::Phase, &STickTimes::SenseAndControl, [&] {
+    SenseAndControl();
+    m_context.Run.ApplyComponentChanges();
+  });
   phase(EActivity::Hook, &STickTimes::PostStep,
         [&] { CallHook(m_context, "PostStep()", [&] { m_context.LoopFunctions->PostStep(); }); });
   m_context.Run.ApplyChanges();
@@ -290,6 +294,7 @@ void CTick::UpdateMedia() {
 }
 
 void CTick::SenseAndControl() {
+  const CRobotsCode::CLoop loop;
   PlanVisits();
   BeginRecords();
   const CPhysicsEngine::TVector& engines = m_context.Engines;

@@ -21,6 +21,7 @@ struct SRunningCode {
   TDescribe Describe = nullptr; /**< null: the subject is a text */
   const void* Subject = nullptr; /**< whose function is called; null: nothing to be named */
   const std::uint32_t* Tick = nullptr; /**< the simulation's clock; null: outside of ticks */
+  bool IsBesideOthers = false; /**< code of a robot: that of others may run at the same time */
 
   /** That of the calling thread. */
   static SRunningCode& OfThread();

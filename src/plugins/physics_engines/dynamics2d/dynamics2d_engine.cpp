@@ -2,6 +2,7 @@
 
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/core/simulator/entity/robots_code.h>
 #include <argos3/core/simulator/geometry/body_description.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/utility/memory/load_ahead.h>
@@ -136,6 +137,7 @@ bool CDynamics2DEngine::GetMotion(const CEmbodiedEntity& body, SBodyMotion& moti
 }
 
 void CDynamics2DEngine::SetMotion(CEmbodiedEntity& body, const SBodyMotion& motion) {
+  CRobotsCode::CheckShared("CPhysicsEngine::SetMotion()");
   if (m_world != nullptr) {
     const SPlanarHandle& handle = GetModel(body).m_handle;
     m_world->SetVelocity(handle,

@@ -2,6 +2,7 @@
 
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/core/simulator/entity/robots_code.h>
 #include <argos3/core/simulator/geometry/body_description.h>
 #include <argos3/core/simulator/physics_engine/planar_motion.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/dynamics2d_engine.h>
@@ -41,6 +42,7 @@ void CDynamics2DModel::UpdateEntityStatus() {
 }
 
 void CDynamics2DModel::MoveTo(const CVector3& position, const CQuaternion& orientation) {
+  CRobotsCode::CheckShared("CPhysicsModel::MoveTo()");
   PlaceParts(position, orientation);
   CalculateBoundingBox();
 }

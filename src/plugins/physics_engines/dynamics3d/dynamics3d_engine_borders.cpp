@@ -1,6 +1,7 @@
 // The borders of a dynamics3d engine: walls, ghosts, and transfers to other engines.
 
 #include <argos3/core/simulator/geometry/body_description.h>
+#include <argos3/core/simulator/entity/robots_code.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/math/angles.h>
@@ -165,6 +166,7 @@ bool CDynamics3DEngine::GetMotion(const CEmbodiedEntity& body, SBodyMotion& moti
 }
 
 void CDynamics3DEngine::SetMotion(CEmbodiedEntity& body, const SBodyMotion& motion) {
+  CRobotsCode::CheckShared("CPhysicsEngine::SetMotion()");
   auto* const model = static_cast<CDynamics3DModel*>(FindModel(body));
   if (model == nullptr || model->m_body == nullptr) {
     return;

@@ -2,6 +2,7 @@
 
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/core/simulator/entity/robots_code.h>
 #include <argos3/core/simulator/geometry/body_description.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/utility/threads/thread_pool.h>
@@ -107,6 +108,7 @@ bool CKinematics2DEngine::GetMotion(const CEmbodiedEntity& body, SBodyMotion& mo
 }
 
 void CKinematics2DEngine::SetMotion(CEmbodiedEntity& body, const SBodyMotion& motion) {
+  CRobotsCode::CheckShared("CPhysicsEngine::SetMotion()");
   const auto& model = static_cast<const CKinematics2DModel&>(body.GetPhysicsModel(size_t(0)));
   if (m_world != nullptr && model.m_drive) {
     m_world->SetLastCommand(model.m_handle, FindCommand(motion, body));

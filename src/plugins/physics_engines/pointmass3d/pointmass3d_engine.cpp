@@ -1,6 +1,7 @@
 #include <argos3/plugins/simulator/physics_engines/pointmass3d/pointmass3d_engine.h>
 
 #include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/simulator/entity/robots_code.h>
 #include <argos3/core/simulator/geometry/body_description.h>
 #include <argos3/core/simulator/geometry/body_index.h>
 #include <argos3/core/simulator/physics_engine/flight_loop.h>
@@ -303,6 +304,7 @@ bool CPointMass3DEngine::GetMotion(const CEmbodiedEntity& body, SBodyMotion& mot
 }
 
 void CPointMass3DEngine::SetMotion(CEmbodiedEntity& body, const SBodyMotion& motion) {
+  CRobotsCode::CheckShared("CPhysicsEngine::SetMotion()");
   const CPointMass3DBody* const model = FindBody(body);
   if (model == nullptr || model->m_kind != EKind::Flyer) {
     return;

@@ -1,6 +1,7 @@
 #include <argos3/plugins/simulator/physics_engines/pointmass3d/pointmass3d_model.h>
 
 #include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/core/simulator/entity/robots_code.h>
 #include <argos3/plugins/simulator/physics_engines/pointmass3d/pointmass3d_engine.h>
 
 namespace argos {
@@ -13,6 +14,7 @@ CPointMass3DModel::CPointMass3DModel(CPointMass3DEngine& engine, CEmbodiedEntity
 }
 
 void CPointMass3DModel::MoveTo(const CVector3& position, const CQuaternion&) {
+  CRobotsCode::CheckShared("CPhysicsModel::MoveTo()");
   m_cPosition = position;
   m_cVelocity = CVector3();
   m_cAcceleration = CVector3();

@@ -1,5 +1,6 @@
 #include <argos3/plugins/robots/generic/simulator/robot_entity.h>
 
+#include <argos3/core/simulator/entity/robots_code.h>
 #include <argos3/core/simulator/space/space_operations.h>
 #include <argos3/plugins/simulator/entities/directional_led_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/magnet_equipped_entity.h>
@@ -92,6 +93,9 @@ void CRobotEntity::UpdateComponents() {
 }
 
 void CRobotEntity::SetEnabled(bool enabled) {
+  if (EnablesLater(*this, enabled)) {
+    return;
+  }
   const size_t num = m_onDemand != nullptr ? m_type.OnDemand.size() : 0;
   ARGOS_ASSERT(num <= 32, "a robot type has at most 32 components on demand");
   if (IsEnabled()) {
