@@ -6,6 +6,8 @@
 #include <argos3/core/simulator/entity/robots_code.h>
 #include <argos3/core/simulator/images/image_decoding.h>
 #include <argos3/core/simulator/images/image_encoding.h>
+#include <argos3/core/utility/errors/exception_text.h>
+#include <argos3/core/utility/errors/running_code.h>
 #include <argos3/core/utility/files/file_replacement.h>
 #include <argos3/core/utility/text/string_utilities.h>
 
@@ -156,13 +158,33 @@ void CFloorEntity::SetImageSize(UInt32 width, UInt32 height) {
   m_imageHeight = height;
 }
 
+namespace {
+
+CColor CallPainter(CFloorPainter& painter, const UInt32* clock, const CVector2& point) {
+  // robots call it on several threads
+  const bool isBesideOthers = SRunningCode::OfThread().IsBesideOthers;
+  const CRunningCodeScope running(
+      {"GetFloorColor()", nullptr, "loop functions", clock, isBesideOthers});
+  try {
+    return painter.GetFloorColor(point);
+  } catch (...) {
+    try {
+      ThrowWithCause(SRunningCode::OfThread().ToText() + " threw");
+    } catch (const CARGoSException& error) {
+      throw CFloorPainterError(error);
+    }
+  }
+}
+
+}  // namespace
+
 CColor CFloorEntity::GetColorAtPoint(Real x, Real y) {
   if (m_source != FROM_IMAGE) {
     if (m_context.FloorPainter == nullptr) {
       THROW_ARGOSEXCEPTION("the floor \""
                            << GetId() << "\" is coloured by loop functions, and there are none");
     }
-    return m_context.FloorPainter->GetFloorColor(CVector2(x, y));
+    return CallPainter(*m_context.FloorPainter, m_context.Clock, CVector2(x, y));
   }
   const CVector3& size = m_context.Arena.Size;
   const CVector3& center = m_context.Arena.Center;

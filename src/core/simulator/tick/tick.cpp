@@ -2,6 +2,7 @@
 
 #include <argos3/core/simulator/context/simulation_context.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
+#include <argos3/core/simulator/entity/floor_painter.h>
 #include <argos3/core/simulator/entity/robots_code.h>
 #include <argos3/core/simulator/geometry/body_index.h>
 #include <argos3/core/simulator/medium/medium.h>
@@ -62,11 +63,22 @@ struct SVisitsOfPhase {
   SCall Call;
 };
 
+// in a catch block
+bool IsErrorOfLoopFunctions() {
+  try {
+    throw;
+  } catch (const CFloorPainterError&) {
+    return true;
+  } catch (...) {
+    return false;
+  }
+}
+
 // in a catch block: ends the run, or stops the robot
 void HandleFailure(SSimulationContext& context, const SCall& call, CControllableEntity& robot) {
   const std::string where = "robot \"" + robot.GetRootEntity().GetId() + "\": " + call.Name +
                             " threw in tick " + std::to_string(*context.Clock);
-  if (robot.GetOnError() == EOnError::EndRun) {
+  if (robot.GetOnError() == EOnError::EndRun || IsErrorOfLoopFunctions()) {
     ThrowWithCause(where);
   }
   robot.Stop(call.IsDevice, where, DescribeCurrentException());

@@ -1,6 +1,7 @@
 #include <argos3/plugins/simulator/loop_functions/lua/lua_loop_functions.h>
 
 #include <argos3/core/simulator/simulator.h>
+#include <argos3/core/utility/errors/running_code.h>
 #include <argos3/core/wrappers/lua/lua_limits.h>
 #include <argos3/core/wrappers/lua/lua_metrics.h>
 #include <argos3/core/wrappers/lua/lua_script.h>
@@ -237,6 +238,9 @@ CColor CLuaLoopFunctions::GetFloorColor(const CVector2& positionOnFloor) {
   if (m_state == nullptr || m_hasFailed) {
     return color;
   }
+  const SRunningCode& caller = SRunningCode::OfThread();
+  const CRunningCodeScope running(
+      {"floor_color()", nullptr, "Lua loop functions", caller.Tick, caller.IsBesideOthers});
   Run("floor_color", [&](lua_State* state) {
     if (PushHook(state, "floor_color")) {
       lua_pushnumber(state, positionOnFloor.GetX());

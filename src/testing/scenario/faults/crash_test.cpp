@@ -81,6 +81,12 @@ TEST_CASE("crash: loop functions, devices, media and Init() are named", "[faults
     experiment.Loop = "where='destroy'" + segv;
     expected = "[FATAL] loop functions: Destroy() in tick 10\n";
   }
+  SECTION("the colour of the floor, which a sensor reads") {
+    experiment.Loop = "where='floor_color' tick='2'" + segv;
+    experiment.Sensors = "<ground implementation='rot_z_only'/>";
+    experiment.Entities = "<floor id='floor' source='loop_functions' pixels_per_meter='1'/>";
+    expected = "[FATAL] loop functions: GetFloorColor() in tick 2\n";
+  }
   SECTION("a sensor") {
     experiment.Sensors =
         "<test_misbehaving implementation='default' where='update' robot='ep2'" + segv + "/>";
@@ -104,12 +110,6 @@ TEST_CASE("crash: loop functions, devices, media and Init() are named", "[faults
   CHECK_THAT(run.Err, Contains(expected));
 }
 
-TEST_CASE("crash: what was logged in the tick of the crash is written", "[faults][crash]") {
-  if (kHasSanitizer) {
-    return;
-  }
-  SFaultExperiment experiment;
-  experiment.Params = "where='step' what='segv' tick='2' robot='ep2' logs='true'";
 TEST_CASE("crash: with a damaged heap the report is complete, and takes no long time",
           "[faults][crash]") {
   if (kHasSanitizer) {
@@ -134,6 +134,12 @@ TEST_CASE("crash: with a damaged heap the report is complete, and takes no long 
   CHECK(time.count() < 25.0);
 }
 
+TEST_CASE("crash: what was logged in the tick of the crash is written", "[faults][crash]") {
+  if (kHasSanitizer) {
+    return;
+  }
+  SFaultExperiment experiment;
+  experiment.Params = "where='step' what='segv' tick='2' robot='ep2' logs='true'";
   const CTestFolder folder;
   SECTION("to the standard output") {
     const SProgramRun run = RunCrash(folder, experiment);

@@ -272,4 +272,26 @@ TEST_CASE("on_error: the report of many failed robots takes linear time", "[faul
   TakeLogErr();
 }
 
+TEST_CASE("on_error: an error of loop functions ends the run with status 1, whatever hook",
+          "[faults][on_error][command_line]") {
+  const std::string hook = GENERATE("init", "pre_step", "post_step", "is_experiment_finished",
+                                    "post_experiment", "destroy", "floor_color");
+  const std::string onError = GENERATE("end_run", "quarantine");
+  CAPTURE(hook, onError);
+  SFaultExperiment experiment;
+  experiment.Threads = 2;
+  experiment.ControllerAttributes = "on_error='" + onError + "'";
+  experiment.Sensors = "<ground implementation='rot_z_only'/>";
+  experiment.Entities = "<floor id='floor' source='loop_functions' pixels_per_meter='1'/>";
+  experiment.Loop = "where='" + hook + "' what='throw'";
+  const CTestFolder folder;
+  folder.Write("e.argos", experiment.ToXml());
+  const SProgramRun run = folder.Run({"-c", "e.argos"});
+  CHECK(run.Status == 1);
+  CHECK_THAT(run.Err, Contains("deliberate error"));
+  if (hook == "floor_color") {
+    CHECK_THAT(run.Err, Contains("loop functions: GetFloorColor() in tick 1 threw"));
+  }
+}
+
 }  // namespace on_error_test

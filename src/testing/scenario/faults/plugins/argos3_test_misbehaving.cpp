@@ -243,6 +243,10 @@ class CMisbehavingLoop : public CLoopFunctions {
     return false;
   }
   void PostExperiment() override { m_plan.Do("post_experiment", "ep0"); }
+  CColor GetFloorColor(const CVector2&) override {
+    m_plan.Do("floor_color", "ep0");
+    return CColor::WHITE;
+  }
 
  private:
   // what hooks add and remove is added and removed at once
