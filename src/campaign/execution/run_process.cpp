@@ -173,8 +173,12 @@ void CRunProcess::Start(const SRunRequest& request) {
 
 // In the child. It ends by _exit(): exit handlers and static objects are the worker's, too.
 void CRunProcess::Serve(const SRunRequest& first) {
-  const auto execute = [this](const SRunRequest& request) {
+  const auto execute = [this, process = getpid()](const SRunRequest& request) {
     const SRunResult result = ExecuteRun(m_setup, request);
+    if (getpid() != process) {
+      // a copy that code of the run has made by fork(): the result is that of the original
+      _exit(0);
+    }
     if (!WriteMessage(m_results, SMessage::EKind::Result, EncodeResult(request.Id, result))) {
       _exit(kLostResult);
     }

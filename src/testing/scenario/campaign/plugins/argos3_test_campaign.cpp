@@ -66,6 +66,9 @@ void Misbehave(const std::string& what) {
     PrintMuch();
   } else if (what == "flood") {
     Flood();
+  } else if (what == "fork") {
+    // both processes go on
+    static_cast<void>(fork());
   } else if (what == "exit") {
     std::exit(7);
   } else if (what == "throw") {
