@@ -3,6 +3,7 @@
 #include "program_run.h"
 
 #include <argos3/testing/support/paths.h>
+#include <argos3/testing/support/sanitizers.h>
 
 #include <catch2/catch.hpp>
 
@@ -377,6 +378,22 @@ TEST_CASE("argos3: users' libraries in the plug-in path are loaded after those o
   REQUIRE(own != std::string::npos);
   REQUIRE(users != std::string::npos);
   CHECK(own < users);
+}
+
+TEST_CASE("argos3: an element with 200,000 attributes takes linear time", "[command_line]") {
+  const int attributes = static_cast<int>(FewerIfSanitized(200000));
+  std::string params = "<params";
+  for (int i = 0; i < attributes; ++i) {
+    params += " attribute_" + std::to_string(i) + "=\"1\"";
+  }
+  std::string xml = Experiment();
+  xml.replace(xml.find("<params"), 7, params);
+  const CTestFolder folder;
+  folder.Write("e.argos", xml);
+  // comparing each name with all others takes minutes
+  const SProgramRun run = folder.Run({"--check", "e.argos"});
+  CHECK(run.Status == 0);
+  CHECK_THAT(run.Err, Contains("attribute \"attribute_0\" is not used by anything"));
 }
 
 TEST_CASE("argos3: every line of an error has its level", "[command_line]") {
