@@ -1,6 +1,7 @@
 #include <argos3/core/utility/files/file_replacement.h>
 
 #include <argos3/core/utility/files/lock_file.h>
+#include <argos3/core/utility/files/writing.h>
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -25,7 +26,6 @@ constexpr int kPartAttempts = 100;
 class CDescriptor {
  public:
   explicit CDescriptor(int number) : m_number(number) {}
-  CDescriptor(CDescriptor&& other) noexcept : m_number(std::exchange(other.m_number, -1)) {}
   ~CDescriptor() {
     if (m_number >= 0) {
       close(m_number);
@@ -33,7 +33,6 @@ class CDescriptor {
   }
   CDescriptor(const CDescriptor&) = delete;
   CDescriptor& operator=(const CDescriptor&) = delete;
-  CDescriptor& operator=(CDescriptor&&) = delete;
 
   int Get() const { return m_number; }
 
@@ -47,56 +46,55 @@ bool CheckByClosing(int file) {
   return copy < 0 || close(copy) == 0 || errno == EINTR;
 }
 
-bool WriteAll(int file, std::string_view content) {
-  while (!content.empty()) {
-    const ssize_t count = write(file, content.data(), content.size());
-    if (count >= 0) {
-      content.remove_prefix(static_cast<std::size_t>(count));
-    } else if (errno != EINTR) {
-      return false;
-    }
-  }
-  return true;
-}
-
 // @return the reason if that failed
 std::string WriteDirectly(const std::string& path, std::string_view content) {
-  const CDescriptor file(open(path.c_str(), O_WRONLY | O_CLOEXEC));
-  const bool isDone =
-      file.Get() >= 0 && WriteAll(file.Get(), content) && CheckByClosing(file.Get());
-  return isDone ? "" : std::strerror(errno);
-}
-
-// @return what symbolic links lead to; the path itself if there is no such file
-std::string FollowLinks(const std::string& path) {
-  std::error_code error;
-  const fs::path target = fs::canonical(path, error);
-  return error ? path : target.string();
-}
-
-// opens a new part, or one that a killed process has left, and locks it
-CDescriptor OpenPart(const std::string& part, std::string& problem) {
-  problem.clear();
-  for (int attempt = 0; attempt < kPartAttempts; ++attempt) {
-    CDescriptor file(open(part.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666));
-    if (file.Get() < 0) {
-      problem = std::strerror(errno);
-      return file;
-    }
-    if (!TryToLock(file.Get())) {
-      problem = DescribeLockHolder(file.Get()) + " is writing it";
-      return file;
-    }
-    // before it was locked, another writer of the path may have renamed or removed it
-    if (LeadsTo(part, file.Get())) {
-      return file;
-    }
+  std::string problem;
+  const CDescriptor file(OpenForWriting(path, 0, problem));
+  if (file.Get() >= 0 && WriteBytes(file.Get(), content, problem) == content.size() &&
+      !CheckByClosing(file.Get())) {
+    problem = std::strerror(errno);
   }
-  problem = "others replace \"" + part + "\" again and again";
-  return CDescriptor(-1);
+  return problem;
 }
 
 }  // namespace
+
+std::string FollowLinks(const std::string& path) {
+  constexpr int kMostLinks = 40;  // as the system follows
+  fs::path target = path;
+  std::error_code error;
+  for (int links = 0; links < kMostLinks && fs::is_symlink(target, error); ++links) {
+    const fs::path next = fs::read_symlink(target, error);
+    if (error) {
+      return path;
+    }
+    target = target.parent_path() / next;
+  }
+  return target.string();
+}
+
+int OpenPart(const std::string& part, std::string& problem) {
+  problem.clear();
+  for (int attempt = 0; attempt < kPartAttempts; ++attempt) {
+    const int file = open(part.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
+    if (file < 0) {
+      problem = std::strerror(errno);
+      return -1;
+    }
+    if (!TryToLock(file)) {
+      problem = DescribeLockHolder(file) + " is writing it";
+      close(file);
+      return -1;
+    }
+    // before it was locked, another writer of the path may have renamed or removed it
+    if (LeadsTo(part, file)) {
+      return file;
+    }
+    close(file);
+  }
+  problem = "others replace \"" + part + "\" again and again";
+  return -1;
+}
 
 bool ReplaceFile(const std::string& path, std::string_view content, std::string& problem) {
   struct stat information {};
@@ -106,17 +104,19 @@ bool ReplaceFile(const std::string& path, std::string_view content, std::string&
   }
   const std::string target = FollowLinks(path);
   const std::string part = target + kPartSuffix;
-  const CDescriptor file = OpenPart(part, problem);
+  const CDescriptor file(OpenPart(part, problem));
   if (!problem.empty()) {
     return false;
   }
-  if (ftruncate(file.Get(), 0) != 0 || !WriteAll(file.Get(), content) ||
-      !CheckByClosing(file.Get()) || std::rename(part.c_str(), target.c_str()) != 0) {
+  if (ftruncate(file.Get(), 0) != 0 ||
+      (WriteBytes(file.Get(), content, problem) == content.size() &&
+       (!CheckByClosing(file.Get()) || std::rename(part.c_str(), target.c_str()) != 0))) {
     problem = std::strerror(errno);
-    unlink(part.c_str());
-    return false;
   }
-  return true;
+  if (!problem.empty()) {
+    unlink(part.c_str());
+  }
+  return problem.empty();
 }
 
 void RemoveStaleParts(const std::string& folder) {

@@ -10,6 +10,20 @@ namespace argos {
 constexpr char kPartSuffix[] = ".argos3.part";
 
 /**
+ * @return where a path leads over symbolic links in its last name, also if there is no such file
+ *   yet: what is renamed to that replaces the file, not the link.
+ */
+std::string FollowLinks(const std::string& path);
+
+/**
+ * Opens a file that is to be renamed when it is complete, and locks it: a new one, or one that a
+ * killed process has left, which is not empty then.
+ * @param problem  set to the reason if that fails: the system's, or the process that is writing it.
+ * @return the descriptor, -1 if that fails.
+ */
+[[nodiscard]] int OpenPart(const std::string& part, std::string& problem);
+
+/**
  * Writes a whole file, such as a picture.
  *
  * The file has its name only when it is complete: it is written as `path + kPartSuffix`, closed,

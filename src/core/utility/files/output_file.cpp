@@ -1,16 +1,21 @@
 #include <argos3/core/utility/files/output_file.h>
 
 #include <argos3/core/utility/errors/argos_exception.h>
+#include <argos3/core/utility/files/file_replacement.h>
 #include <argos3/core/utility/files/lock_file.h>
+#include <argos3/core/utility/files/writing.h>
 
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <mutex>
 #include <streambuf>
+#include <system_error>
 #include <utility>
 
 namespace argos {
@@ -45,15 +50,19 @@ class COutputFile::CBuffer : public std::streambuf {
   void Open(const std::string& path, EStart start) {
     const bool append = start == EStart::Append;
     m_path = path;
+    // code may change the working directory
+    std::error_code error;
+    m_target = std::filesystem::absolute(FollowLinks(path), error).string();
     m_reason.clear();
     m_failure.clear();
     m_isRegular = false;
     m_pending.clear();
     m_size = 0;
-    m_file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | (append ? O_APPEND : 0), 0666);
+    std::string problem;
+    m_file = OpenForWriting(path, O_CREAT | (append ? O_APPEND : 0), problem);
     struct stat information {};
     if (m_file < 0 || fstat(m_file, &information) != 0) {
-      Fail(std::strerror(errno));
+      Fail(problem.empty() ? std::strerror(errno) : problem);
     }
     m_isRegular = S_ISREG(information.st_mode);
     if (m_isRegular && !TryToLock(m_file, append)) {
@@ -95,16 +104,37 @@ class COutputFile::CBuffer : public std::streambuf {
       return;
     }
     m_endOfLine = m_size;
-    std::size_t done = 0;
-    while (done < record.size()) {
-      const ssize_t count = ::write(m_file, record.data() + done, record.size() - done);
-      if (count >= 0) {
-        done += static_cast<std::size_t>(count);
-      } else if (errno != EINTR) {
-        Fail(std::strerror(errno));
-      }
+    std::string problem;
+    if (WriteBytes(m_file, record, problem) < record.size()) {
+      Fail(problem);
     }
-    m_size += done;
+    m_size += record.size();
+    m_endOfLine = m_size;
+  }
+
+  bool CanReplace() const { return m_isRegular; }
+  const std::string& GetTarget() const { return m_target; }
+
+  // the other file is locked before it has the name, so that there is no moment without a lock
+  void Replace(std::string_view content) {
+    const std::string part = m_target + kPartSuffix;
+    std::string problem;
+    const int file = OpenPart(part, problem);
+    if (file < 0) {
+      Fail(problem);
+    }
+    if (ftruncate(file, 0) != 0 || (WriteBytes(file, content, problem) == content.size() &&
+                                    std::rename(part.c_str(), m_target.c_str()) != 0)) {
+      problem = std::strerror(errno);
+    }
+    if (!problem.empty()) {
+      ::unlink(part.c_str());
+      ::close(file);
+      Fail(problem);
+    }
+    ::close(std::exchange(m_file, file));
+    m_pending.clear();
+    m_size = content.size();
     m_endOfLine = m_size;
   }
 
@@ -157,18 +187,13 @@ class COutputFile::CBuffer : public std::streambuf {
 
   // writes the first part of the pending text
   void Write(std::size_t length) {
-    std::size_t done = 0;
-    while (done < length) {
-      const ssize_t count = ::write(m_file, m_pending.data() + done, length - done);
-      if (count >= 0) {
-        done += static_cast<std::size_t>(count);
-      } else if (errno != EINTR) {
-        const std::string reason = std::strerror(errno);
-        NoteWritten(done);
-        Fail(reason);
-      }
+    std::string problem;
+    const std::size_t done =
+        WriteBytes(m_file, std::string_view(m_pending).substr(0, length), problem);
+    NoteWritten(done);
+    if (done < length) {
+      Fail(problem);
     }
-    NoteWritten(length);
   }
 
   // moves the ends of the file and of its last line
@@ -193,6 +218,7 @@ class COutputFile::CBuffer : public std::streambuf {
   }
 
   std::string m_path;
+  std::string m_target;  // absolute, without a link
   std::string m_reason;
   std::string m_failure;
   std::string m_pending;
@@ -238,6 +264,21 @@ void COutputFile::WriteRecord(std::string_view record) {
     THROW_ARGOSEXCEPTION(GetFailure());
   }
   m_buffer->WriteRecord(record);
+}
+
+bool COutputFile::CanReplace() const {
+  return m_buffer->CanReplace();
+}
+
+const std::string& COutputFile::GetTarget() const {
+  return m_buffer->GetTarget();
+}
+
+void COutputFile::Replace(std::string_view content) {
+  if (!GetFailure().empty()) {
+    THROW_ARGOSEXCEPTION(GetFailure());
+  }
+  m_buffer->Replace(content);
 }
 
 void COutputFile::Close() {

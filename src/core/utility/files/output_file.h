@@ -54,6 +54,17 @@ class COutputFile : public std::ostream {
    */
   void WriteRecord(std::string_view record);
 
+  /** Absolute path of the file, to which links lead; of the last one if none is open. */
+  const std::string& GetTarget() const;
+  /** @return true if the file is a regular one, whose content can be replaced. */
+  bool CanReplace() const;
+  /**
+   * Replaces what was written by a text of whole lines, or any bytes: a reader finds either of
+   * them. Drops what is buffered.
+   * @throws CARGoSException with the file's name and the reason; the file is then as it was.
+   */
+  void Replace(std::string_view content);
+
   /**
    * Writes what is buffered, and closes the file. Does nothing if none is open.
    * @throws CARGoSException if not all could be written. Silent if that was thrown before.

@@ -1,6 +1,7 @@
 #include <argos3/core/utility/processes/child_process.h>
 
 #include <argos3/core/utility/errors/argos_exception.h>
+#include <argos3/core/utility/errors/output_timeout.h>
 
 #include <fcntl.h>
 #include <poll.h>
@@ -15,8 +16,12 @@
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <sstream>
+#include <system_error>
+#include <thread>
 
 extern char** environ;
 
@@ -27,6 +32,7 @@ namespace {
 // used by glibc, too, if PATH is not set
 constexpr char kDefaultPath[] = "/bin:/usr/bin";
 constexpr int kEndCheckPeriod = 20;  // ms
+constexpr int kProgressCheckPeriod = 200;  // ms
 
 bool IsProgram(const std::string& path) {
   struct stat information {};
@@ -57,6 +63,40 @@ SProcessEnd DescribeEnd(int status) {
   }
   const int signal = WTERMSIG(status);
   return {false, "signal " + std::to_string(signal) + " (" + strsignal(signal) + ")"};
+}
+
+// of all processes of the group; terminated ones are counted when their parent has waited for them
+std::chrono::milliseconds ReadCPUTimeOfGroup(pid_t group) {
+  long ticks = 0;
+  std::error_code error;
+  for (std::filesystem::directory_iterator entry("/proc", error), end; !error && entry != end;
+       entry.increment(error)) {
+    std::ifstream file(entry->path() / "stat");
+    std::string line;
+    if (!std::getline(file, line)) {
+      continue;
+    }
+    // the name may contain anything
+    std::istringstream words(line.substr(std::min(line.rfind(')') + 1, line.size())));
+    std::string state;
+    long parent = 0;
+    long itsGroup = 0;
+    words >> state >> parent >> itsGroup;
+    constexpr int kSkipped = 8;  // session, terminal and its group, flags, four numbers of faults
+    std::string skipped;
+    for (int i = 0; i < kSkipped; ++i) {
+      words >> skipped;
+    }
+    long user = 0;
+    long system = 0;
+    long userOfChildren = 0;
+    long systemOfChildren = 0;
+    words >> user >> system >> userOfChildren >> systemOfChildren;
+    if (words && itsGroup == group) {
+      ticks += user + system + userOfChildren + systemOfChildren;
+    }
+  }
+  return std::chrono::milliseconds(1000 * ticks / sysconf(_SC_CLK_TCK));
 }
 
 // what posix_spawn() does in the child, freed by the destructor
@@ -178,30 +218,37 @@ CChildProcess::~CChildProcess() {
 
 void CChildProcess::Kill() {
   if (m_isRunning) {
-    kill(m_id, SIGKILL);
+    kill(-m_id, SIGKILL);
     Finish();
   }
 }
 
 bool CChildProcess::Write(const void* data, std::size_t size) {
   const char* from = static_cast<const char*>(data);
+  NoteProgress();
   while (size > 0 && m_input >= 0) {
     // a child whose messages are not read would wait, and not read its input
     std::array<pollfd, 2> files = {pollfd{m_input, POLLOUT, 0}, pollfd{m_errors, POLLIN, 0}};
-    if (poll(files.data(), files.size(), -1) < 0) {
+    const int count = poll(files.data(), files.size(), kProgressCheckPeriod);
+    if (count < 0) {
       if (errno != EINTR) {
         return false;
       }
+      continue;
+    }
+    if (count == 0) {
+      CheckProgress();
       continue;
     }
     if (files[1].revents != 0 && !ReadErrors()) {
       Close(m_errors);  // poll() ignores negative numbers
     }
     if (files[0].revents != 0) {
-      const ssize_t count = send(m_input, from, size, MSG_NOSIGNAL | MSG_DONTWAIT);
-      if (count >= 0) {
-        from += count;
-        size -= static_cast<std::size_t>(count);
+      const ssize_t sent = send(m_input, from, size, MSG_NOSIGNAL | MSG_DONTWAIT);
+      if (sent >= 0) {
+        from += sent;
+        size -= static_cast<std::size_t>(sent);
+        NoteProgress();
       } else if (errno != EAGAIN && errno != EINTR) {
         return false;
       }
@@ -215,7 +262,12 @@ SProcessEnd CChildProcess::Finish() {
     return m_end;
   }
   Close(m_input);
+  NoteProgress();
   ReadErrorsUntilEnd();
+  while (!HasEnded()) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(kEndCheckPeriod));
+    CheckProgress();
+  }
   int status = 0;
   pid_t ended = 0;
   do {
@@ -224,7 +276,43 @@ SProcessEnd CChildProcess::Finish() {
   m_isRunning = false;
   // users' code may wait for all children, or ignore SIGCHLD
   m_end = ended == m_id ? DescribeEnd(status) : SProcessEnd{false, "unknown exit status"};
+  if (m_hasHung) {
+    m_end = {false, "no sign of life for " + DescribeOutputTimeout() + ": it was killed"};
+  }
   return m_end;
+}
+
+bool CChildProcess::HasEnded() const {
+  siginfo_t information{};
+  return waitid(P_PID, static_cast<id_t>(m_id), &information, WEXITED | WNOHANG | WNOWAIT) != 0 ||
+         information.si_pid == m_id;
+}
+
+void CChildProcess::NoteProgress() {
+  m_idleStart = std::chrono::steady_clock::now();
+  m_lastCheck = m_idleStart;
+  m_idleStartCPU = std::chrono::milliseconds(-1);  // read at the first check
+}
+
+void CChildProcess::CheckProgress() {
+  const auto now = std::chrono::steady_clock::now();
+  if (m_hasHung || now - m_lastCheck < std::chrono::milliseconds(kProgressCheckPeriod)) {
+    return;
+  }
+  m_lastCheck = now;
+  const std::chrono::milliseconds limit = GetOutputTimeout();
+  const std::chrono::milliseconds used = ReadCPUTimeOfGroup(m_id);
+  if (m_idleStartCPU.count() < 0) {
+    m_idleStartCPU = used;
+  }
+  // a child that only waits uses some, too
+  constexpr int kShare = 100;
+  if (used - m_idleStartCPU >= limit / kShare) {
+    NoteProgress();
+  } else if (now - m_idleStart > limit) {
+    m_hasHung = true;
+    kill(-m_id, SIGKILL);
+  }
 }
 
 // until the child closes its standard error or ends: its own children may keep the stream open
@@ -232,10 +320,8 @@ void CChildProcess::ReadErrorsUntilEnd() {
   while (m_errors >= 0) {
     pollfd file = {m_errors, POLLIN, 0};
     const int count = poll(&file, 1, kEndCheckPeriod);
-    siginfo_t information{};
-    const bool hasEnded =
-        waitid(P_PID, static_cast<id_t>(m_id), &information, WEXITED | WNOHANG | WNOWAIT) != 0 ||
-        information.si_pid == m_id;
+    const bool hasEnded = HasEnded();
+    CheckProgress();
     if ((count > 0 && !ReadErrors()) || (hasEnded && count == 0)) {
       Close(m_errors);
     }

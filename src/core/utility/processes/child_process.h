@@ -3,6 +3,7 @@
 
 #include <sys/types.h>
 
+#include <chrono>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -51,15 +52,20 @@ class CChildProcess {
 
   /**
    * Writes to the standard input of the child. Waits until the child has read most of it: the
-   * system buffers some 100 kB.
+   * system buffers some 100 kB. A child that neither reads nor computes for as long as
+   * GetOutputTimeout() says is killed.
    * @return false if the child does not read any more; Finish() tells why.
    */
   [[nodiscard]] bool Write(const void* data, std::size_t size);
 
-  /** Closes the standard input, and waits for the end of the child. Repeated: the same result. */
+  /**
+   * Closes the standard input, and waits for the end of the child, which is killed if it does
+   * nothing for as long as GetOutputTimeout() says. Repeated: the same result.
+   */
   SProcessEnd Finish();
 
-  /** Ends the child at once (SIGKILL); Finish() describes it. */
+  /** Ends the child and the processes that it has started at once (SIGKILL); Finish() describes it.
+   */
   void Kill();
 
   /**
@@ -76,6 +82,10 @@ class CChildProcess {
   // reads what is there. @return false at the end
   bool ReadErrors();
   void ReadErrorsUntilEnd();
+  bool HasEnded() const;
+  // kills the child if it has done nothing for too long
+  void CheckProgress();
+  void NoteProgress();
 
   pid_t m_id = -1;
   bool m_isRunning = false;  // it was not waited for
@@ -84,6 +94,12 @@ class CChildProcess {
   std::string m_errorText;  // at most twice as long as what is kept
   bool m_isErrorTextCut = false;
   SProcessEnd m_end;
+
+  // since the last progress that was noticed
+  std::chrono::steady_clock::time_point m_idleStart;
+  std::chrono::steady_clock::time_point m_lastCheck;
+  std::chrono::milliseconds m_idleStartCPU{0};  // time used by the child until then
+  bool m_hasHung = false;  // and was killed
 };
 
 }  // namespace argos

@@ -184,4 +184,25 @@ TEST_CASE("output file: errors of opening have file and reason", "[core][files]"
   CHECK_THROWS(closed << "lost");
 }
 
+TEST_CASE("output file: its content is replaced at once, and what follows is appended",
+          "[core][files]") {
+  const CName name;
+  COutputFile file(name);
+  file << "one\ntwo\n" << std::flush;
+  std::ifstream reader(name);
+  file.Replace("three\n");
+  CHECK(Content(name) == "three\n");
+  CHECK(file.GetSize() == 6);
+  file.WriteRecord("four\n");
+  CHECK(Content(name) == "three\nfour\n");
+  // who had opened it still has the old one
+  std::ostringstream old;
+  old << reader.rdbuf();
+  CHECK(old.str() == "one\ntwo\n");
+  // it is still locked
+  CHECK_THROWS_WITH(COutputFile(name), Contains("this process is writing it"));
+  file.Close();
+  CHECK(Content(name) == "three\nfour\n");
+}
+
 }  // namespace output_file_test

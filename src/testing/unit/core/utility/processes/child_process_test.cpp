@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -52,6 +53,24 @@ TEST_CASE("child process: a program reads all that is written to it", "[core][pr
   content << std::ifstream(file).rdbuf();
   CHECK(content.str() == text);
   std::filesystem::remove(file);
+}
+
+TEST_CASE("child process: one that does nothing is killed, but not one that computes",
+          "[core][processes]") {
+  setenv("ARGOS_OUTPUT_TIMEOUT", "0.4", 1);
+  const std::string block(1 << 20, '\n');
+  CChildProcess idle(Shell("sleep 60"));
+  CHECK_FALSE(idle.Write(block.data(), block.size()));
+  SProcessEnd end = idle.Finish();
+  CHECK_FALSE(end.IsSuccess);
+  CHECK_THAT(end.Description, Contains("no sign of life for 0.4 s (ARGOS_OUTPUT_TIMEOUT)"));
+  CChildProcess slow(Shell("sleep 60"));
+  CHECK_FALSE(slow.Finish().IsSuccess);
+  // long, because a busy machine may leave it little time
+  setenv("ARGOS_OUTPUT_TIMEOUT", "3", 1);
+  CChildProcess busy(Shell("i=0; while [ $i -lt 400000 ]; do i=$((i + 1)); done"));
+  CHECK(busy.Finish().IsSuccess);
+  unsetenv("ARGOS_OUTPUT_TIMEOUT");
 }
 
 TEST_CASE("child process: one that ends early is an error, not a SIGPIPE", "[core][processes]") {
