@@ -1,5 +1,7 @@
 #include <argos3/plugins/simulator/visualizations/offscreen/film_encoding.h>
 
+#include <argos3/core/utility/text/shell_quoting.h>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -81,22 +83,6 @@ std::vector<std::string> MakeOutputArguments(const SFilmSettings& settings,
   add({"-color_primaries", "bt709", "-color_trc", "bt709", "-colorspace", "bt709", "-f",
        settings.Format == EFilmFormat::Mp4 ? "mp4" : "webm"});
   return arguments;
-}
-
-// in single quotes, if a shell would change it
-std::string Quote(const std::string& word) {
-  const auto isPlain = [](char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
-           std::string_view("_-+=:,./").find(c) != std::string_view::npos;
-  };
-  if (!word.empty() && std::all_of(word.begin(), word.end(), isPlain)) {
-    return word;
-  }
-  std::string quoted = "'";
-  for (const char c : word) {
-    quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  }
-  return quoted + "'";
 }
 
 // a name may look like an option or a protocol, and patterns have no protocol
@@ -215,7 +201,7 @@ std::string MakeFilmCommand(const SFilmSettings& settings, const SFrameRate& rat
   std::string command;
   for (const std::string& word : words) {
     command += command.empty() ? "" : " ";
-    command += Quote(word);
+    command += QuoteForShell(word);
   }
   return command;
 }

@@ -1,9 +1,10 @@
 #include <argos3/plugins/simulator/visualizations/offscreen/film_writer.h>
 
+#include <argos3/core/simulator/loading/loading_check.h>
 #include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/files/file_replacement.h>
-#include <argos3/core/utility/files/lock_file.h>
 #include <argos3/core/utility/files/numbered_file.h>
+#include <argos3/core/utility/files/writing.h>
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/processes/child_process.h>
 #include <argos3/core/utility/text/string_utilities.h>
@@ -11,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <fcntl.h>
+#include <sys/statvfs.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -27,17 +29,13 @@ namespace fs = std::filesystem;
 /* The file that ffmpeg writes, locked so that others neither write nor remove it. */
 class CPartFile {
  public:
-  explicit CPartFile(const std::string& file) : m_path(file + kPartSuffix) {
-    m_lock = open(m_path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
+  explicit CPartFile(const std::string& file)
+      : m_target(FollowLinks(file)), m_path(m_target + kPartSuffix) {
+    std::string problem;
+    m_lock = OpenPart(m_path, problem);
     if (m_lock < 0) {
       THROW_ARGOSEXCEPTION("The film \"" << file << "\" cannot be written: \"" << m_path
-                                         << "\": " << std::strerror(errno));
-    }
-    if (!TryToLock(m_lock)) {
-      const std::string holder = DescribeLockHolder(m_lock);
-      close(m_lock);
-      THROW_ARGOSEXCEPTION("The film \"" << file << "\" cannot be written now: " << holder
-                                         << " is writing it");
+                                         << "\": " << problem);
     }
   }
   ~CPartFile() {
@@ -51,12 +49,13 @@ class CPartFile {
 
   const std::string& GetPath() const { return m_path; }
 
-  bool Rename(const std::string& file) {
-    m_isRenamed = std::rename(m_path.c_str(), file.c_str()) == 0;
+  bool Rename() {
+    m_isRenamed = std::rename(m_path.c_str(), m_target.c_str()) == 0;
     return m_isRenamed;
   }
 
  private:
+  std::string m_target;
   std::string m_path;
   int m_lock = -1;
   bool m_isRenamed = false;
@@ -69,6 +68,14 @@ constexpr double kBytesPerMegabyte = 1e6;
 std::string FolderOf(const std::string& file) {
   const std::string folder = fs::path(file).parent_path().string();
   return folder.empty() ? "." : folder;
+}
+
+bool IsDiskFull(const std::string& file) {
+  struct statvfs disk {};
+  if (statvfs(file.c_str(), &disk) != 0 || disk.f_blocks == 0) {
+    return false;
+  }
+  return (geteuid() == 0 ? disk.f_bfree : disk.f_bavail) == 0;
 }
 
 std::string Indent(std::string text) {
@@ -84,21 +91,17 @@ std::string FindFfmpeg() {
 }
 
 void PrepareFilmFile(const std::string& file) {
-  const std::string folder = FolderOf(file);
   std::error_code error;
-  fs::create_directories(folder, error);
-  if (error && !fs::is_directory(folder)) {
-    THROW_ARGOSEXCEPTION("The folder \"" << folder << "\" of the film \"" << file
-                                         << "\" cannot be created: " << error.message());
-  }
-  if (access(folder.c_str(), W_OK | X_OK) != 0) {
-    THROW_ARGOSEXCEPTION("The film \"" << file << "\" cannot be written into the folder \""
-                                       << folder << "\": " << std::strerror(errno));
-  }
   if (fs::exists(file, error) && !fs::is_regular_file(file, error)) {
     THROW_ARGOSEXCEPTION("The film \"" << file
                                        << "\" cannot be written: there is something of this name "
                                           "that is no file");
+  }
+  const std::string problem =
+      FindFolderProblem(FolderOf(file), CLoadingCheck::IsActive() ? EMissingFolder::WillBeCreated
+                                                                  : EMissingFolder::IsCreated);
+  if (!problem.empty()) {
+    THROW_ARGOSEXCEPTION("The film \"" << file << "\" cannot be written: " << problem);
   }
 }
 
@@ -111,7 +114,7 @@ CFilmWriter::~CFilmWriter() = default;
 
 void CFilmWriter::Begin() {
   m_file = NumberFile(m_settings.File, ++m_run);
-  RemoveStaleParts(FolderOf(m_file));
+  RemoveStaleParts(FolderOf(FollowLinks(m_file)));
   m_part = std::make_unique<CPartFile>(m_file);
 }
 
@@ -149,6 +152,13 @@ void CFilmWriter::StartEncoder(std::uint32_t ticks) {
 }
 
 void CFilmWriter::Encode(const SPicture& picture) {
+  if (IsDiskFull(m_part->GetPath())) {
+    // ffmpeg notices it only when its buffers are full
+    m_encoder->Kill();
+    DropRun();
+    THROW_ARGOSEXCEPTION("The film \"" << m_file
+                                       << "\" cannot be written: no space is left on its disk");
+  }
   if (!m_encoder->Write(picture.Pixels.data(), picture.Pixels.size())) {
     ThrowFailure();
   }
@@ -189,7 +199,7 @@ void CFilmWriter::Finish() {
   if (!m_encoder->Finish().IsSuccess) {
     ThrowFailure();
   }
-  if (!m_part->Rename(m_file)) {
+  if (!m_part->Rename()) {
     const int error = errno;
     DropRun();
     THROW_ARGOSEXCEPTION("The film \"" << m_file

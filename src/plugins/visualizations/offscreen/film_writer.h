@@ -17,7 +17,7 @@ class CPartFile;
 std::string FindFfmpeg();
 
 /**
- * Checks the path of a film, and creates its folder.
+ * Checks the path of a film, and creates its folder, but not in a CLoadingCheck.
  * @throws CARGoSException if the folder cannot be created or written, or if the path leads to
  * something that is no file.
  */

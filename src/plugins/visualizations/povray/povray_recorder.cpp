@@ -8,6 +8,7 @@
 #include <argos3/core/utility/files/lock_file.h>
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/processes/child_process.h>
+#include <argos3/core/utility/text/shell_quoting.h>
 #include <argos3/plugins/simulator/visualizations/scene/drawing_to_scene.h>
 
 #include <fmt/format.h>
@@ -71,11 +72,12 @@ void CPovrayRecorder::Begin() {
   if (renders) {
     m_renderer = std::make_unique<CPovrayRenderer>(MakeJob());
   } else if (m_settings.Render == SPovrayRecording::ERender::IfInstalled) {
-    std::string command = "cd " + m_files.GetDirectory() + " && " + GetPovrayProgram();
+    std::string command =
+        "cd " + QuoteForShell(m_files.GetDirectory()) + " && " + QuoteForShell(GetPovrayProgram());
     const std::string name = NameOf(scene);
     for (const std::string& argument : MakePovrayArguments(
              MakeJob(), name, std::filesystem::path(name).stem().string() + ".png")) {
-      command += ' ' + argument;
+      command += ' ' + QuoteForShell(argument);
     }
     LOG << "[INFO] <povray> renders nothing, because \"" << GetPovrayProgram()
         << "\" is not installed. Where it is: " << command << std::endl;

@@ -18,10 +18,19 @@ std::string GetPovrayProgram() {
   return program == nullptr || *program == '\0' ? "povray" : program;
 }
 
+namespace {
+
+// POV-Ray takes an argument with a blank for several ones
+std::string QuoteFile(const std::string& name) {
+  return name.find(' ') == std::string::npos ? name : '"' + name + '"';
+}
+
+}  // namespace
+
 std::vector<std::string> MakePovrayArguments(const SPovrayJob& job, const std::string& scene,
                                              const std::string& picture) {
-  std::vector<std::string> arguments = {"+I" + scene,
-                                        "+O" + picture,
+  std::vector<std::string> arguments = {"+I" + QuoteFile(scene),
+                                        "+O" + QuoteFile(picture),
                                         fmt::format("+W{}", job.Width),
                                         fmt::format("+H{}", job.Height),
                                         "-D",

@@ -1,8 +1,10 @@
 #include <argos3/plugins/simulator/visualizations/scene/frame_files.h>
 
+#include <argos3/core/simulator/loading/loading_check.h>
 #include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/files/file_replacement.h>
 #include <argos3/core/utility/files/lock_file.h>
+#include <argos3/core/utility/files/writing.h>
 #include <argos3/core/utility/text/classic_locale.h>
 
 #include <filesystem>
@@ -45,6 +47,14 @@ void CFrameFiles::CheckDirectory(bool create) {
   }
   if (std::filesystem::exists(m_directory, error)) {
     THROW_ARGOSEXCEPTION("Frames cannot go to \"" << m_directory << "\": it is not a directory");
+  }
+  if (create && CLoadingCheck::IsActive()) {
+    const std::string problem = FindFolderProblem(m_directory, EMissingFolder::WillBeCreated);
+    if (!problem.empty()) {
+      THROW_ARGOSEXCEPTION("The directory \"" << m_directory
+                                              << "\" for frames cannot be created: " << problem);
+    }
+    return;
   }
   if (!create) {
     THROW_ARGOSEXCEPTION("Frames cannot go to \""

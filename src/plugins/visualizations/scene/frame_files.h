@@ -15,7 +15,8 @@ class CFrameFiles {
   /**
    * @param directory  relative to the working directory; a trailing slash is dropped; "" is ".".
    * @param baseName   begins the names; without a slash.
-   * @param create     create the directory; otherwise one that does not exist is an error.
+   * @param create     create the directory (not in a CLoadingCheck); otherwise one that does not
+   *                   exist is an error.
    * @throws CARGoSException if the directory does not exist and is not to be created, or cannot be
    *         created; if the base name contains a slash.
    */

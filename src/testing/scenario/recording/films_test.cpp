@@ -212,13 +212,27 @@ TEST_CASE("films: a limit of the size of files is an error", "[scenario][recordi
   CHECK(ListParts(folder).empty());
 }
 
+TEST_CASE("films: an encoder that does nothing is killed, and is an error",
+          "[scenario][recording][films]") {
+  const CTestFolder folder;
+  const std::string ffmpeg = folder.Write("ffmpeg", "#!/bin/sh\nsleep 100\n");
+  std::filesystem::permissions(ffmpeg, std::filesystem::perms::owner_all);
+  SCircumstances circumstances;
+  circumstances.Environment = {"ARGOS_FFMPEG=" + ffmpeg, "ARGOS_OUTPUT_TIMEOUT=0.5"};
+  const SProgramRun run = RunProgramUnder(folder, Flocking({"--video", "a.mp4"}), circumstances);
+  CHECK(run.Status == 1);
+  CHECK_THAT(run.Err, Contains("The film \"a.mp4\" cannot be written") &&
+                          Contains("no sign of life for 0.5 s (ARGOS_OUTPUT_TIMEOUT)"));
+  CHECK(ListParts(folder).empty());
+}
+
 TEST_CASE("films: places and names that cannot be written are errors before the run",
           "[scenario][recording][films]") {
   const CTestFolder folder;
   folder.Write("file", "");
   const auto [film, complaint] = GENERATE(table<std::string, std::string>(
       {{"a.avi", "its name must end in .mp4, .webm or .gif"},
-       {"file/a.mp4", "The folder \"file\" of the film \"file/a.mp4\" cannot be created"}}));
+       {"file/a.mp4", "The film \"file/a.mp4\" cannot be written: the folder \"file\""}}));
   CAPTURE(film);
   const SProgramRun run = folder.Run(Flocking({"--video", film}));
   CHECK(run.Status == 1);
