@@ -5,6 +5,7 @@
 
 #include <FreeImage.h>
 
+#include <cstdio>
 #include <filesystem>
 #include <memory>
 
@@ -32,6 +33,25 @@ struct SMemoryDeleter {
   void operator()(FIMEMORY* memory) const { FreeImage_CloseMemory(memory); }
 };
 
+// a compressed file of some kilobytes may need more memory than there is
+void CheckSize(FREE_IMAGE_FORMAT format, FIMEMORY& memory, const std::string& fileName,
+               const std::string& what) {
+  if (FreeImage_FIFSupportsNoPixels(format) == 0) {
+    return;
+  }
+  const TBitmap header(FreeImage_LoadFromMemory(format, &memory, FIF_LOAD_NOPIXELS));
+  FreeImage_SeekMemory(&memory, 0, SEEK_SET);
+  if (header) {
+    const size_t width = FreeImage_GetWidth(header.get());
+    const size_t height = FreeImage_GetHeight(header.get());
+    if (width * height > kMostImagePixels) {
+      THROW_ARGOSEXCEPTION("the " << what << " " << DescribePath(fileName) << " has " << width
+                                  << " x " << height << " pixels; at most " << kMostImagePixels
+                                  << " are possible, such as 16384 x 16384");
+    }
+  }
+}
+
 TBitmap ReadBitmap(const std::string& fileName, const std::string& what) {
   std::string content;
   std::string problem;
@@ -54,6 +74,7 @@ TBitmap ReadBitmap(const std::string& fileName, const std::string& what) {
                                 << " is in no image format that can be read, such as "
                                    "PNG, JPEG, BMP or TIFF");
   }
+  CheckSize(format, *memory, fileName, what);
   const TBitmap asStored(FreeImage_LoadFromMemory(format, memory.get(), 0));
   if (!asStored) {
     THROW_ARGOSEXCEPTION("cannot read the " << what << " " << DescribePath(fileName) << " as "

@@ -2,11 +2,14 @@
 
 #include <argos3/core/simulator/space/space_operations.h>
 
+#include <argos3/core/simulator/context/simulation_context.h>
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/entity/floor_entity.h>
 #include <argos3/core/simulator/entity/positional_entity.h>
+#include <argos3/core/utility/configuration/argos_configuration.h>
+#include <argos3/core/utility/errors/argos_exception.h>
 
 namespace argos {
 
@@ -74,6 +77,14 @@ class CSpaceOperationRemoveCControllableEntity : public CSpaceOperationRemoveEnt
 class CSpaceOperationAddCFloorEntity : public CSpaceOperationAddEntity {
  public:
   void ApplyTo(CSpace& space, CFloorEntity& floor) {
+    if (space.HasFloorEntity() && !space.GetContext().IsReplay) {
+      CFloorEntity& other = space.GetFloorEntity();
+      const TConfigurationNode* const node = other.GetConfigurationNode();
+      THROW_ARGOSEXCEPTION("there is already a floor, \""
+                           << other.GetId() << '"'
+                           << (node != nullptr ? " at " + node->GetLocation() : std::string())
+                           << ": an arena has one at most");
+    }
     space.AddEntity(floor);
     space.SetFloorEntity(floor);
   }

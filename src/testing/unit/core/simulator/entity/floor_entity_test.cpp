@@ -305,6 +305,31 @@ TEST_CASE("floor: a file that is not an image is refused", "[core][floor]") {
   CHECK_THAT(ErrorOf(ImageFloor(folder.Path("broken.png"))), Contains("broken.png"));
 }
 
+TEST_CASE("floor: an image that is too large is refused before its pixels are read",
+          "[core][floor]") {
+  // a PNG file of which only the head is there: 60,000 x 60,000 pixels would take 10.8 GB
+  const CTemporaryFolder folder;
+  const unsigned char head[] = {0x89, 'P',  'N', 'G', 0x0d, 0x0a, 0x1a, 0x0a, 0,    0,    0,
+                                13,   'I',  'H', 'D', 'R',  0,    0,    0xea, 0x60, 0,    0,
+                                0xea, 0x60, 8,   2,   0,    0,    0,    0x0f, 0xb0, 0xe2, 0x15,
+                                0,    0,    0,   1,   'I',  'D',  'A',  'T'};
+  std::ofstream(folder.Path("large.png"), std::ios::binary)
+      .write(reinterpret_cast<const char*>(head), sizeof(head));
+  CHECK_THAT(ErrorOf(ImageFloor(folder.Path("large.png"))),
+             Contains("has 60000 x 60000 pixels; at most 268435456 are possible"));
+}
+
+TEST_CASE("floor: two are an error that names the first", "[core][floor]") {
+  const std::string floor =
+      "<floor id=\"NAME\" source=\"loop_functions\" pixels_per_meter=\"10\"/>\n";
+  std::string two = floor + floor;
+  two.replace(two.find("NAME"), 4, "one");
+  two.replace(two.find("NAME"), 4, "two");
+  CHECK_THAT(ErrorOf(two),
+             Contains("floor.argos:5") &&
+                 Contains("there is already a floor, \"one\" at floor.argos:4: an arena has one"));
+}
+
 TEST_CASE("floor: wrong attributes are refused", "[core][floor]") {
   CHECK_THAT(ErrorOf("<floor id=\"f\" source=\"imgae\"/>"), Contains("\"image\""));
   CHECK_THAT(ErrorOf("<floor id=\"f\" source=\"image\"/>"), Contains("path"));
