@@ -10,6 +10,7 @@
 #include <cctype>
 #include <iterator>
 #include <sstream>
+#include <string_view>
 
 namespace argos {
 
@@ -57,9 +58,20 @@ bool IsWord(const std::string& text) {
   });
 }
 
-// words in quotation marks, each once
-std::set<std::string> QuotedWords(const std::string& error) {
+// words in quotation marks, and those of a list after "known: ", each once
+std::set<std::string> ListedWords(const std::string& error) {
   std::set<std::string> words;
+  constexpr std::string_view kKnown = "; known: ";
+  const size_t list = error.rfind(kKnown);
+  if (list != std::string::npos) {
+    std::istringstream items(error.substr(list + kKnown.size()));
+    for (std::string item; items >> item;) {
+      item.erase(item.find_last_not_of(',') + 1);
+      if (IsWord(item)) {
+        words.insert(item);
+      }
+    }
+  }
   for (size_t begin = error.find('"'); begin != std::string::npos;) {
     const size_t end = error.find('"', begin + 1);
     if (end == std::string::npos) {
@@ -215,7 +227,7 @@ void CRecordedGrammar::RecordVariants(const SSampleElement& element) {
       ParseElements(wrong, element.Text)[i].SetAttribute(name, std::string(kNoValue));
       const std::string error =
           m_catalogue.GetLoader().Load(MakeSample({element.Section, element.Key, TextOf(wrong)}));
-      for (const std::string& other : QuotedWords(error)) {
+      for (const std::string& other : ListedWords(error)) {
         if (other != value && other != name) {
           RecordVariant(element, i, name, other);
         }

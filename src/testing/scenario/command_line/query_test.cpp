@@ -279,6 +279,38 @@ TEST_CASE("schemas: misspelt names and texts in place of numbers are not valid",
   }
 }
 
+TEST_CASE(
+    "schemas: attributes of every model of batteries, and noise of every algorithm of cameras",
+    "[command_line][schema]") {
+  const CSchema schema;
+  for (const char* const battery :
+       {"discharge_model='time' delta='1e-4'",
+        "discharge_model='motion' pos_delta='1e-3' orient_delta='1e-3'",
+        "discharge_model='time_motion' time_factor='1' pos_factor='1' orient_factor='1'"}) {
+    CAPTURE(battery);
+    const std::string robots = "<foot-bot id='f'><controller config='c' /><battery " +
+                               std::string(battery) +
+                               " /></foot-bot><e-puck id='e'><controller "
+                               "config='c' /><battery " +
+                               battery + " /></e-puck><box ";
+    CHECK(schema.Accepts(Replaced(kExperiment, "<box ", robots)));
+    CHECK_FALSE(schema.Accepts(
+        Replaced(kExperiment, "<box ", Replaced(robots, "discharge_model", "discharge_mode"))));
+  }
+  const std::string noise =
+      "<noise on='x' model='gaussian' std_dev='0.5' bias='1' /><noise "
+      "model='rayleigh' sigma='1' relative='true' />";
+  std::string cameras =
+      "<sensors><cameras implementation='default'><camera id='c' anchor='origin' "
+      "position='0,0,0' orientation='0,0,0' range='0:2' focal_length='500,500' "
+      "principal_point='320,240' resolution='640,480'>";
+  for (const char* const name : {"led_detector", "directional_led_detector", "tag_detector"}) {
+    cameras += "<" + std::string(name) + " medium='m'>" + noise + "</" + name + ">";
+  }
+  cameras += "</camera></cameras>";
+  CHECK(schema.Accepts(Replaced(kExperiment, "<sensors>", cameras)));
+}
+
 TEST_CASE("schemas: robots of <robot_types> have any tag", "[command_line][schema]") {
   const CSchema schema;
   const std::string types = R"(<robot_types><robot-type id="disc"><body mass="0.4">

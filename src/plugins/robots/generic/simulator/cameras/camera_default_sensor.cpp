@@ -153,6 +153,12 @@ The sensor is disabled until the controller calls Enable(); for Lua controllers 
       <led_detector medium="leds" show_rays="true">
         <noise on="x" model="gaussian" std_dev="0.5" />
       </led_detector>
+      <directional_led_detector medium="directional_leds" show_rays="true">
+        <noise on="x" model="gaussian" std_dev="0.5" />
+      </directional_led_detector>
+      <tag_detector medium="tags" show_rays="true">
+        <noise on="x" model="gaussian" std_dev="0.5" />
+      </tag_detector>
     </camera>
   </cameras>)") +
         R"(
