@@ -11,7 +11,7 @@ void CLoadState::Begin() {
 
 void CLoadState::AddController(const std::string& id, TConfigurationNode& node) {
   const auto [other, inserted] =
-      m_controllers.emplace(id, SControllerSetup{id, &node, std::nullopt});
+      m_controllers.emplace(id, SControllerSetup{id, &node, std::nullopt, false});
   if (!inserted) {
     THROW_ARGOSEXCEPTION(node.GetLocation()
                          << ": there is already a controller with id \"" << id << "\" at "
@@ -33,6 +33,16 @@ const SControllerSetup& CLoadState::GetSetup(const std::string& id) const {
                                                              << DidYouMean(id, known));
   }
   return found->second;
+}
+
+std::vector<const SControllerSetup*> CLoadState::ListUnusedControllers() const {
+  std::vector<const SControllerSetup*> unused;
+  for (const auto& [id, setup] : m_controllers) {
+    if (!setup.IsUsed) {
+      unused.push_back(&setup);
+    }
+  }
+  return unused;
 }
 
 void CLoadState::MarkBroken(const std::string& id) {

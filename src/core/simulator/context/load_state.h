@@ -19,6 +19,7 @@ struct SControllerSetup {
   std::string Id;
   TConfigurationNode* Node = nullptr; /**< the child of `<controllers>` */
   std::optional<EOnError> OnError; /**< of this element, or else of `<experiment>` */
+  mutable bool IsUsed = false; /**< a robot has it */
 };
 
 /** State of the loading of an experiment, and the controllers that the experiment declares. */
@@ -39,6 +40,8 @@ class CLoadState {
    * @throws CARGoSException with the nearest ids.
    */
   const SControllerSetup& GetSetup(const std::string& id) const;
+  /** The controllers that no robot has had so far, in the order of their ids. */
+  std::vector<const SControllerSetup*> ListUnusedControllers() const;
   /** The child of `<controllers>` with that id. @throws CARGoSException with the nearest ids. */
   TConfigurationNode& GetController(const std::string& id) const { return *GetSetup(id).Node; }
 

@@ -323,6 +323,7 @@ void CControllableEntity::SetController(const std::string& controllerId,
   if (m_context.Loading.IsProbing()) {
     return;
   }
+  setup.IsUsed = true;
   if (m_context.Run.IsInPhase()) {
     SetController(controllerId);
     m_lateController->Params = &params;

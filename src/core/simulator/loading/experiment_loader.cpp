@@ -151,7 +151,9 @@ void CExperimentLoader::Load() {
   errors.ThrowIfAny();
   m_context.Loading.End();
   m_context.Space->MarkStart();
-  PrintWarnings(FindLoadWarnings(*m_experiment.Document, m_context));
+  const bool mayAddRobots = NodeExists(root, "loop_functions") && !CLoadingCheck::IsActive();
+  PrintWarnings(FindLoadWarnings(*m_experiment.Document, m_context, mayAddRobots));
+  m_experiment.ChecksControllersAtEnd = mayAddRobots;
   LOG.Flush();
   LOGERR.Flush();
 }

@@ -1,5 +1,6 @@
 #include <argos3/core/simulator/loading/experiment_parts.h>
 
+#include <argos3/core/simulator/loading/load_warnings.h>
 #include <argos3/core/simulator/medium/medium.h>
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
 #include <argos3/core/simulator/replay/replay.h>
@@ -14,6 +15,8 @@
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/profiler/profiler.h>
 #include <argos3/core/utility/threads/thread_pool.h>
+
+#include <utility>
 
 namespace argos {
 
@@ -60,6 +63,9 @@ SExperimentParts::~SExperimentParts() = default;
 std::exception_ptr SExperimentParts::Destroy() {
   CFirstFailure failure;
   failure.Try([this] { Outputs.Finish(m_context.Simulator); });
+  if (std::exchange(ChecksControllersAtEnd, false)) {
+    failure.Try([this] { PrintWarnings(FindUnusedControllers(*Document, m_context)); });
+  }
   // users' Destroy() may rely on their Init()
   if (AreLoopFunctionsReady) {
     AreLoopFunctionsReady = false;

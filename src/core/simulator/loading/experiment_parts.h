@@ -60,6 +60,7 @@ struct SExperimentParts {
   std::vector<std::unique_ptr<CMedium>> Media;
   std::unique_ptr<CLoopFunctions> OwnLoopFunctions; /**< null if the program owns them */
   bool AreLoopFunctionsReady = false; /**< initialised and not destroyed */
+  bool ChecksControllersAtEnd = false; /**< whether robots have used those of the file */
   std::unique_ptr<CVisualization> Visualization;
   CRunOutputs Outputs;
   CEngineLookup EngineLookup;

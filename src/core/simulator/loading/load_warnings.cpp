@@ -5,6 +5,7 @@
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/geometry/body_description.h>
 #include <argos3/core/simulator/geometry/body_index.h>
+#include <argos3/core/simulator/loading/loading_check.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/utility/configuration/configuration_document.h>
 #include <argos3/core/utility/logging/argos_log.h>
@@ -166,10 +167,26 @@ void CheckBodies(const SSimulationContext& context, TLines& lines) {
 
 }  // namespace
 
+std::vector<std::string> FindUnusedControllers(const CConfigurationDocument& document,
+                                               const SSimulationContext& context) {
+  TLines lines;
+  for (const SControllerSetup* setup : context.Loading.ListUnusedControllers()) {
+    const TLines unread = document.DescribeUnread(*setup->Node);
+    lines.insert(lines.end(), unread.begin(), unread.end());
+  }
+  return lines;
+}
+
 std::vector<std::string> FindLoadWarnings(CConfigurationDocument& document,
-                                          const SSimulationContext& context) {
+                                          const SSimulationContext& context, bool mayAddRobots) {
   // before the checks below visit elements
-  const TLines unread = document.DescribeUnread();
+  TLines unread = document.DescribeUnread();
+  if (mayAddRobots) {
+    const TLines later = FindUnusedControllers(document, context);
+    std::erase_if(unread, [&later](const std::string& line) {
+      return std::find(later.begin(), later.end(), line) != later.end();
+    });
+  }
   TLines lines;
   TConfigurationNode& root = document.GetRoot();
   for (const char* const section : {"physics_engines", "media", "arena"}) {
@@ -186,7 +203,8 @@ std::vector<std::string> FindLoadWarnings(CConfigurationDocument& document,
 }
 
 void PrintWarnings(const std::vector<std::string>& lines) {
-  const size_t printed = std::min(lines.size(), kMostWarnings);
+  const size_t printed =
+      CLoadingCheck::IsActive() ? lines.size() : std::min(lines.size(), kMostWarnings);
   for (size_t i = 0; i < printed; ++i) {
     LOGERR << "[WARNING] " << lines[i] << std::endl;
   }

@@ -288,6 +288,13 @@ std::vector<std::string> CConfigurationDocument::DescribeUnread() const {
   return lines;
 }
 
+std::vector<std::string> CConfigurationDocument::DescribeUnread(
+    const CConfigurationNode& node) const {
+  std::vector<std::string> lines;
+  m_store->DescribeUnread(*node.Record().Element, lines);
+  return lines;
+}
+
 std::vector<std::string> CConfigurationDocument::DescribeUnreadSettings() const {
   return m_store->DescribeUnreadSettings();
 }

@@ -85,6 +85,8 @@ class CConfigurationDocument {
    * 'file:12: <tag>: attribute "x" is not used by anything; did you mean "y"?'.
    */
   std::vector<std::string> DescribeUnread() const;
+  /** The same of the contents of an element of this document. */
+  std::vector<std::string> DescribeUnread(const CConfigurationNode& node) const;
 
   /**
    * Describes the calls of SetByPath() that have no effect, because the attribute was read of none
