@@ -1,5 +1,6 @@
 #include <argos3/campaign/execution/metric_collection.h>
 
+#include <argos3/core/simulator/outputs/run_output.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/metrics.h>
 #include <argos3/core/simulator/space/space.h>
@@ -7,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace argos {
 
@@ -50,27 +52,71 @@ void CMetricCollection::Begin(CSimulator& simulator) {
   }
 }
 
-void CMetricCollection::Observe(CSimulator& simulator) {
-  const UInt32 tick = simulator.GetSpace().GetSimulationClock();
+/* Has the rows of a table of metrics that is written in each tick, but for that of the start. */
+class CMetricCollection::COutput : public CRunOutput {
+ public:
+  explicit COutput(CMetricCollection& collection) : m_collection(collection) {}
+
+  void Observe(CSimulator& simulator) override {
+    m_collection.TakePending();
+    if (std::exchange(m_hasBegun, true)) {
+      m_collection.Keep(simulator);
+    }
+  }
+
+  void Finish(CSimulator& simulator) override {
+    if (m_collection.m_pendingTick == simulator.GetSpace().GetSimulationClock()) {
+      m_collection.Keep(simulator);
+    }
+    m_collection.TakePending();
+  }
+
+  void Reset() override { m_hasBegun = false; }
+
+ private:
+  CMetricCollection& m_collection;
+  bool m_hasBegun = false;  // a run
+};
+
+std::unique_ptr<CRunOutput> CMetricCollection::MakeOutput() {
+  return m_isObserver ? std::make_unique<COutput>(*this) : nullptr;
+}
+
+void CMetricCollection::Keep(CSimulator& simulator) {
+  m_pendingTick = simulator.GetSpace().GetSimulationClock();
+  for (size_t i = 0; i < m_metrics.size(); ++i) {
+    if (IsObserved(m_metrics[i])) {
+      SReading reading = Read(simulator, m_metrics[i]);
+      m_states[i].Pending = reading.Value;
+      m_states[i].Unit = std::move(reading.Unit);
+    }
+  }
+}
+
+void CMetricCollection::TakePending() {
+  if (!m_pendingTick) {
+    return;
+  }
   for (size_t i = 0; i < m_metrics.size(); ++i) {
     const SCollectedMetric& metric = m_metrics[i];
     if (!IsObserved(metric)) {
       continue;
     }
-    const SReading reading = Read(simulator, metric);
     SState& state = m_states[i];
-    if (!std::isnan(reading.Value)) {
-      state.Min = state.Count == 0 ? reading.Value : std::min(state.Min, reading.Value);
-      state.Max = state.Count == 0 ? reading.Value : std::max(state.Max, reading.Value);
-      state.Sum += reading.Value;
+    const Real value = state.Pending;
+    if (!std::isnan(value)) {
+      state.Min = state.Count == 0 ? value : std::min(state.Min, value);
+      state.Max = state.Count == 0 ? value : std::max(state.Max, value);
+      state.Sum += value;
       ++state.Count;
     }
-    if (metric.IsSeries && tick % std::max(1U, metric.Every) == 0) {
-      state.Series.Unit = reading.Unit;
-      state.Series.Ticks.push_back(tick);
-      state.Series.Values.push_back(reading.Value);
+    if (metric.IsSeries && *m_pendingTick % std::max(1U, metric.Every) == 0) {
+      state.Series.Unit = state.Unit;
+      state.Series.Ticks.push_back(*m_pendingTick);
+      state.Series.Values.push_back(value);
     }
   }
+  m_pendingTick.reset();
 }
 
 Real CMetricCollection::Reduce(const SState& state, SCollectedMetric::EReduction reduction) {

@@ -4,11 +4,14 @@
 #include <argos3/campaign/design/campaign.h>
 #include <argos3/campaign/execution/run_result.h>
 
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace argos {
 
+class CRunOutput;
 class CSimulator;
 
 /**
@@ -28,24 +31,34 @@ class CMetricCollection {
    * @throws CARGoSException if the experiment has not what one is computed from.
    */
   void Begin(CSimulator& simulator);
-  /** @return true if Observe() is needed: the last values are read after the run. */
-  bool IsObserver() const { return m_isObserver; }
-  /** Call it after each tick. */
-  void Observe(CSimulator& simulator);
+  /**
+   * @return an output that collects the values of each tick, to be added to the experiment; null if
+   *   none are needed, because the last values are read after the run. Outlived by this.
+   */
+  std::unique_ptr<CRunOutput> MakeOutput();
   /** Call it after the main loop. @param result  metrics and series are added. */
   void Finish(CSimulator& simulator, SRunResult& result);
 
  private:
+  class COutput;
+
   struct SState {
+    Real Pending = 0.0; /**< of the last tick: PostExperiment() may replace it */
+    std::string Unit;
     UInt64 Count = 0;
     Real Sum = 0.0, Min = 0.0, Max = 0.0;
     SMetricSeries Series;
   };
 
+  // the values of the present tick, which count when the tick is over
+  void Keep(CSimulator& simulator);
+  void TakePending();
+
   static Real Reduce(const SState& state, SCollectedMetric::EReduction reduction);
 
   const std::vector<SCollectedMetric>& m_metrics;
   std::vector<SState> m_states;  // (metrics)
+  std::optional<UInt32> m_pendingTick;
   bool m_isObserver = false;
 };
 

@@ -4,6 +4,7 @@
 #include <argos3/campaign/execution/experiment_paths.h>
 #include <argos3/campaign/execution/metric_collection.h>
 
+#include <argos3/core/simulator/outputs/run_output.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/utility/configuration/configuration_document.h>
@@ -23,6 +24,7 @@
 #include <cstring>
 #include <new>
 #include <string_view>
+#include <utility>
 
 namespace argos {
 
@@ -98,8 +100,8 @@ class CExecution {
     MakeInputPathsAbsolute(m_document, m_setup.StartFolder);
     m_simulator.Load(m_document, true);
     m_metrics.Begin(m_simulator);
-    if (m_metrics.IsObserver()) {
-      m_simulator.SetTickObserver([this](CSimulator& simulator) { m_metrics.Observe(simulator); });
+    if (auto output = m_metrics.MakeOutput()) {
+      m_simulator.AddOutput(std::move(output));
     }
     m_result.StartUpTime = GetSecondsSince(m_start);
   }
@@ -114,7 +116,6 @@ class CExecution {
       throw;
     }
     Measure(start, cpuTime);
-    m_simulator.SetTickObserver(nullptr);
     m_metrics.Finish(m_simulator, m_result);
     m_result.Digest = m_simulator.GetSpace().ComputeDigest();
     if (!m_simulator.GetRobotFailures().IsEmpty()) {

@@ -67,6 +67,7 @@ CSimulator::CSimulator(std::unique_ptr<CRandom::CRegistry> registry)
   m_context.RunTick = [this] {
     if (m_experiment->Replay != nullptr) {
       m_experiment->Replay->Advance(*m_space);
+      m_context.Metrics->EndTick();
     } else {
       m_tick->Run();
     }
@@ -252,6 +253,13 @@ void CSimulator::AddOutput(const std::string& tag,
   m_settings.Outputs.push_back({tag, attributes, false, {}});
 }
 
+void CSimulator::AddOutput(std::unique_ptr<CRunOutput> output) {
+  if (!m_experiment->IsLoaded()) {
+    THROW_ARGOSEXCEPTION("no experiment is loaded: there is nothing of which to write an output");
+  }
+  m_experiment->Outputs.Add(std::move(output));
+}
+
 void CSimulator::AddVideo(const std::string& file, const std::string& speed) {
   SRunSettings::SOutput output;
   output.Tag = "offscreen";
@@ -366,6 +374,7 @@ void CSimulator::Init() {
 void CSimulator::Reset() {
   m_context.Run.CheckAllowsReset();
   const CScope scope(*this);
+  ShowUnseenTick();
   m_experiment->Outputs.Reset(*this);
   const CRunState::CScope resetting(m_context.Run, CRunState::EActivity::Resetting);
   m_context.Run.DiscardChanges();
@@ -397,6 +406,40 @@ void CSimulator::Reset() {
   }
   LOG.Flush();
   LOGERR.Flush();
+}
+
+// a hook that ends the run in a tick
+void CSimulator::ShowUnseenTick() {
+  if (m_experiment->Outputs.HasUnseenTick()) {
+    {
+      const CRunState::CScope scope(m_context.Run, CRunState::EActivity::Phase);
+      m_context.Metrics->UpdateBuiltIns();
+    }
+    m_experiment->Outputs.Observe(*this);
+  }
+}
+
+void CSimulator::CompleteOutputs() {
+  const CScope scope(*this);
+  std::exception_ptr failure;
+  const auto guard = [&failure](const std::function<void()>& step) {
+    try {
+      step();
+    } catch (...) {
+      failure = failure != nullptr ? failure : std::current_exception();
+    }
+  };
+  CRunOutputs& outputs = m_experiment->Outputs;
+  if (!m_context.Run.IsInPhase() && !outputs.IsBusy()) {
+    guard([&] {
+      ShowUnseenTick();
+      outputs.Finish(*this);
+    });
+  }
+  outputs.Destroy(guard);
+  if (failure != nullptr) {
+    std::rethrow_exception(failure);
+  }
 }
 
 void CSimulator::Reset(UInt32 newRandomSeed) {

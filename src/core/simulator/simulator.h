@@ -25,6 +25,7 @@ namespace argos {
 class CLoopFunctions;
 class CMetrics;
 class CProfiler;
+class CRunOutput;
 class CRunOutputs;
 class CSpace;
 class CThreadPool;
@@ -163,6 +164,12 @@ class CSimulator {
   void AddOutput(const std::string& tag,
                  const std::vector<std::pair<std::string, std::string>>& attributes);
   /**
+   * Adds an output of the program to the experiment that is loaded: it is called after those of the
+   * file, which it does not change.
+   * @throws CARGoSException if no experiment is loaded.
+   */
+  void AddOutput(std::unique_ptr<CRunOutput> output);
+  /**
    * Adds a film of the run to `<outputs>` (`--video`), in the view of the first `<offscreen>` in
    * `<visualization>`, if there is one; call it before loading.
    * @param file  its extension chooses the format: .mp4, .webm or .gif.
@@ -222,6 +229,12 @@ class CSimulator {
   /** One tick, and its outputs. @throws CARGoSException in a tick. */
   void UpdateSpace();
   bool IsExperimentFinished() const;
+  /**
+   * For a process that ends within users' code: finishes and destroys the outputs. In a hook of the
+   * loop functions, they see the present state; otherwise what was written until then stays.
+   * @throws the first exception, after all outputs are destroyed.
+   */
+  void CompleteOutputs();
 
   /** Called after every tick, for progress displays; an empty function stops it. */
   void SetTickObserver(std::function<void(CSimulator&)> observer) {
@@ -238,6 +251,7 @@ class CSimulator {
   explicit CSimulator(std::unique_ptr<CRandom::CRegistry> registry);
   CMedium& GetMediumBase(const std::string& id);
   void ThrowIfLoaded() const;
+  void ShowUnseenTick();
 
   CObjectSlabs::TOwner m_slabs;  // of the entities, devices and controllers
   std::unique_ptr<CRandom::CRegistry> m_ownRegistry;  // null: the process's default one

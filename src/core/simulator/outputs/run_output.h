@@ -18,7 +18,8 @@ class CSimulator;
 class CRunOutput : public CBaseConfigurableResource {
  public:
   /**
-   * Called after the rest of the experiment was initialised.
+   * Called after the rest of the experiment was initialised. Checks what can be checked, and
+   * creates and changes no file in a CLoadingCheck.
    * @param tree its element. @throws CARGoSException if a value is wrong.
    */
   void Init(TConfigurationNode&) override {}

@@ -2,6 +2,8 @@
 
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/processes/fork_count.h>
+#include <argos3/core/simulator/context/current.h>
+#include <argos3/core/simulator/context/simulation_context.h>
 
 #include <chrono>
 #include <utility>
@@ -10,11 +12,16 @@ namespace argos {
 
 namespace {
 
-// adds the time of its lifetime
+// notes that outputs are called during its lifetime, and adds its time
 class CStopwatch {
  public:
-  explicit CStopwatch(double& seconds) : m_seconds(seconds) {}
-  ~CStopwatch() { m_seconds += std::chrono::duration<double>(TClock::now() - m_start).count(); }
+  CStopwatch(double& seconds, bool& isBusy) : m_seconds(seconds), m_isBusy(isBusy) {
+    m_isBusy = true;
+  }
+  ~CStopwatch() {
+    m_isBusy = false;
+    m_seconds += std::chrono::duration<double>(TClock::now() - m_start).count();
+  }
   CStopwatch(const CStopwatch&) = delete;
   CStopwatch& operator=(const CStopwatch&) = delete;
 
@@ -22,6 +29,7 @@ class CStopwatch {
   using TClock = std::chrono::steady_clock;
 
   double& m_seconds;
+  bool& m_isBusy;
   TClock::time_point m_start = TClock::now();
 };
 
@@ -43,7 +51,8 @@ void CRunOutputs::LeaveToParent() {
 }
 
 void CRunOutputs::Show(CSimulator& simulator) {
-  const CStopwatch stopwatch(m_seconds);
+  const CStopwatch stopwatch(m_seconds, m_isBusy);
+  m_lastTick = *CurrentContext().Clock;
   for (const std::unique_ptr<CRunOutput>& output : m_outputs) {
     output->Observe(simulator);
   }
@@ -66,13 +75,17 @@ void CRunOutputs::Observe(CSimulator& simulator) {
   }
 }
 
+bool CRunOutputs::HasUnseenTick() const {
+  return m_stage == EStage::Running && m_lastTick != *CurrentContext().Clock;
+}
+
 void CRunOutputs::Finish(CSimulator& simulator) {
   LeaveToParent();
   if (m_stage != EStage::Running) {
     return;
   }
   m_stage = EStage::Over;
-  const CStopwatch stopwatch(m_seconds);
+  const CStopwatch stopwatch(m_seconds, m_isBusy);
   for (const std::unique_ptr<CRunOutput>& output : m_outputs) {
     output->Finish(simulator);
   }

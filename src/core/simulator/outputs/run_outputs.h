@@ -2,10 +2,12 @@
 #define ARGOS3_CORE_SIMULATOR_OUTPUTS_RUN_OUTPUTS_H
 
 #include <argos3/core/simulator/outputs/run_output.h>
+#include <argos3/core/utility/datatypes/datatypes.h>
 
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace argos {
@@ -25,10 +27,14 @@ class CRunOutputs {
   void Begin(CSimulator& simulator);
   /** Shows the state after a tick; if the experiment was reset in it, this is the first state. */
   void Observe(CSimulator& simulator);
+  /** @return true in a tick: the present state has not been shown. */
+  bool HasUnseenTick() const;
   /** Ends the run, unless it has not begun, has ended or has failed. */
   void Finish(CSimulator& simulator);
   /** An error has ended the run: outputs are not called again before Reset() or Destroy(). */
   void Abandon() { m_stage = EStage::Over; }
+  /** @return true while a function of an output is called. */
+  bool IsBusy() const { return m_isBusy; }
   /** Ends the run as Finish(), and prepares for another one. */
   void Reset(CSimulator& simulator);
   /**
@@ -49,6 +55,8 @@ class CRunOutputs {
   std::vector<std::unique_ptr<CRunOutput>> m_outputs;
   EStage m_stage = EStage::NotBegun;
   std::uint32_t m_numForks = 0;  // of the process that shows the first state
+  std::optional<UInt32> m_lastTick;  // that was shown
+  bool m_isBusy = false;
   double m_seconds = 0.0;
 };
 

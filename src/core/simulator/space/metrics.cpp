@@ -9,6 +9,7 @@
 #include <argos3/core/utility/text/string_utilities.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace argos {
@@ -30,9 +31,21 @@ void CheckName(std::string_view name) {
         "\""
         << name << '"');
   }
+  if (CMetrics::IsReserved(name)) {
+    THROW_ARGOSEXCEPTION("a metric must not have the name \""
+                         << name
+                         << "\", because every table of metrics has a column of that name (run, "
+                            "tick, time, robots, stopped): record it under another name");
+  }
 }
 
 }  // namespace
+
+bool CMetrics::IsReserved(std::string_view name) {
+  constexpr std::array<std::string_view, 5> kReserved = {"run", "tick", "time", "robots",
+                                                         "stopped"};
+  return std::find(kReserved.begin(), kReserved.end(), name) != kReserved.end();
+}
 
 CMetrics::CMetrics() : m_records(std::make_unique<CRobotRecords>()) {}
 
@@ -116,7 +129,7 @@ UInt32 CMetrics::GetTick() const {
 }
 
 void CMetrics::Add(SMetric& metric, Real value) const {
-  if (metric.Count == 0 || metric.Tick != GetTick()) {
+  if (metric.Count == 0 || metric.Tick != GetTick() || metric.Period != m_period) {
     Replace(metric, value);
     return;
   }
@@ -132,6 +145,13 @@ void CMetrics::Replace(SMetric& metric, Real value) const {
   metric.Value = metric.Sum = metric.Min = metric.Max = metric.Last = value;
   metric.Count = std::isnan(value) ? 0 : 1;
   metric.Tick = GetTick();
+  metric.Period = m_period;
+}
+
+bool CMetrics::HasLateRecords() const {
+  return std::any_of(m_metrics.begin(), m_metrics.end(), [this](const SMetric& metric) {
+    return metric.Count > 0 && metric.Period == m_period && metric.Tick == GetTick();
+  });
 }
 
 const std::vector<CMetrics::SFailure>& CMetrics::TakeRobotRecords() {

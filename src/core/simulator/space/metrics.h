@@ -28,6 +28,9 @@ struct SSimulationContext;
  * PreStep(), sensors and controllers, PostStep(); robots in their order in the space; and what one
  * robot, or a hook, records, in the order of its calls. So the results are equal, to the bit, for
  * any number of threads and any schedule.
+ *
+ * What is recorded when the tick is over, such as in PostExperiment(), is reduced separately, and
+ * replaces what was recorded in the tick: outputs then have it in the row of this tick.
  */
 class CMetrics : public CSpaceExtension {
  public:
@@ -41,6 +44,7 @@ class CMetrics : public CSpaceExtension {
 
     // of what was recorded in Tick
     UInt32 Tick = 0; /**< the last in which it was recorded; 0 before the first tick */
+    UInt64 Period = 0; /**< in which it was recorded, see EndTick() */
     UInt64 Count = 0; /**< 0: nothing, and NaN below */
     Real Sum = kNone; /**< in the order above */
     Real Min = kNone;
@@ -63,11 +67,12 @@ class CMetrics : public CSpaceExtension {
    * For robots, which call it on several threads at a time, and on the main thread for hooks of the
    * loop functions and between ticks. Allocates nothing once the metric exists.
    *
-   * @param name  letters, digits and '_', beginning with a letter.
+   * @param name  letters, digits and '_', beginning with a letter; not that of a column that every
+   *   table of metrics has, see IsReserved().
    * @param unit  such as "m"; empty: as in the call that created the metric.
-   * @throws CARGoSException if the name is none or that of a built-in metric, if the unit has
-   *   changed, if the value is NaN or infinite; if an engine or a medium calls it. If the calls
-   *   that create a metric differ in the unit, the robots of the later ones fail, see EOnError.
+   * @throws CARGoSException if the name is none, reserved, or that of a built-in metric, if the
+   *   unit has changed, if the value is NaN or infinite; if an engine or a medium calls it. If the
+   * calls that create a metric differ in the unit, the robots of the later ones fail, see EOnError.
    */
   void Record(std::string_view name, Real value, std::string_view unit = {});
 
@@ -81,6 +86,9 @@ class CMetrics : public CSpaceExtension {
   const std::vector<SMetric>& GetAll() const { return m_metrics; }
   /** Null if there is no such metric. */
   const SMetric* Find(std::string_view name) const;
+
+  /** @return true for run, tick, time, robots and stopped: columns of each table of metrics. */
+  static bool IsReserved(std::string_view name);
 
   /** The names of all built-in metrics, in alphabetical order. `argos3 -q` describes them. */
   static std::vector<std::string> ListBuiltIns();
@@ -103,6 +111,10 @@ class CMetrics : public CSpaceExtension {
   void Attach(SSimulationContext& context) { m_context = &context; }
   /** Computes the built-in metrics of this tick. @throws CARGoSException with the metric. */
   void UpdateBuiltIns();
+  /** The tick is over: what is recorded from now on replaces what was recorded in it. */
+  void EndTick() { ++m_period; }
+  /** @return true if something was recorded since the last tick was over. */
+  bool HasLateRecords() const;
   /** For loops over robots, see CRobotRecords. */
   CRobotRecords& GetRobotRecords() { return *m_records; }
   /** A robot whose records cannot be used. */
@@ -132,6 +144,7 @@ class CMetrics : public CSpaceExtension {
   void Update(const SBuiltIn& builtIn);
 
   SSimulationContext* m_context = nullptr;
+  UInt64 m_period = 0;  // number of ticks that are over
   std::vector<SMetric> m_metrics;
   std::map<std::string, size_t, std::less<>> m_numbers;  // by name; not written in a phase
   std::unique_ptr<CRobotRecords> m_records;

@@ -207,6 +207,7 @@ void CTick::Run() {
     const CRunState::CScope scope(m_context.Run, EActivity::Phase);
     m_context.Metrics->UpdateBuiltIns();
   }
+  m_context.Metrics->EndTick();
   m_context.RobotFailures.Report();
 
   LOG.Flush();

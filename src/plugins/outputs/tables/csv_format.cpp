@@ -1,19 +1,27 @@
 // Tables as text: comma-separated values, also compressed.
 
 #include <argos3/core/utility/errors/argos_exception.h>
+#include <argos3/core/utility/files/input_file.h>
 #include <argos3/core/utility/files/output_file.h>
+#include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/plugins/simulator/outputs/tables/number_text.h>
 #include <argos3/plugins/simulator/outputs/tables/table_format.h>
 
 #include <zlib.h>
 
+#include <algorithm>
+#include <array>
 #include <cstring>
+#include <limits>
 #include <string_view>
 #include <vector>
 
 namespace argos {
 
 namespace {
+
+// begins the line before that with the names of the columns
+constexpr std::string_view kUnits = "# units: ";
 
 /* A text that a program reads as one value. */
 std::string Quote(std::string_view text) {
@@ -52,6 +60,7 @@ class CGrowingText {
 class CCSVFormat : public CTableFormat {
  public:
   void Open(const std::string& path, const STableSchema& schema) override {
+    m_path = path;
     m_schema = schema;
     m_file.Open(path);
     m_text.Clear();
@@ -63,16 +72,30 @@ class CCSVFormat : public CTableFormat {
       }
       m_text.Append(line + '\n');
     }
-    std::string units = "# units: time [s]";
-    std::string names = schema.HasRobots ? "run,tick,time,robot" : "run,tick,time";
-    for (const SColumn& column : schema.Columns) {
-      names += ',' + column.Name;
-      if (!column.Unit.empty()) {
-        units += ", " + column.Name + " [" + column.Unit + ']';
-      }
+    m_text.Append(MakeColumnLines());
+    WriteText(m_text.Get());
+  }
+
+  void AddColumns(const std::vector<SColumn>& columns) override {
+    ARGOS_ASSERT(!m_schema.HasRobots, "lines of rows with texts may have several lines");
+    const std::size_t numOld = m_schema.Columns.size();
+    m_schema.AddColumns(columns);
+    if (!m_file.CanReplace()) {
+      // what was written cannot be changed: the numbers of the new columns are left out
+      m_schema.Columns.resize(numOld);
+      LOGERR << "[WARNING] \"" << m_path << "\" is no regular file, so the metric \""
+             << columns.front().Name
+             << "\", which was first recorded when the table had begun, is left out" << std::endl;
+      return;
     }
-    m_text.Append(units + '\n' + names + '\n');
-    WriteText(m_file, m_text.Get());
+    std::string old;
+    std::string problem;
+    if (!ReadInputFile(m_file.GetTarget(), old, problem)) {
+      THROW_ARGOSEXCEPTION("cannot read the file \"" << m_path << "\": " << problem);
+    }
+    m_text.Clear();
+    m_text.Append(WidenLines(Unpack(old), columns.size()));
+    m_file.Replace(Pack(m_text.Get()));
   }
 
   void Write(const SRowBlock& block) override {
@@ -90,15 +113,55 @@ class CCSVFormat : public CTableFormat {
       WriteRows(block, tick, row);
       row += tick.NumRows;
     }
-    WriteText(m_file, m_text.Get());
+    WriteText(m_text.Get());
   }
 
   void Close() override { m_file.Close(); }
 
  protected:
-  virtual void WriteText(COutputFile& file, std::string_view text) { file.WriteRecord(text); }
+  /** What is written instead of a piece of text. */
+  virtual std::string_view Pack(std::string_view text) { return text; }
+  /** @return the text of a whole file. */
+  virtual std::string Unpack(const std::string& bytes) { return bytes; }
 
  private:
+  void WriteText(std::string_view text) { m_file.WriteRecord(Pack(text)); }
+
+  std::string MakeColumnLines() const {
+    std::string units = std::string(kUnits) + "time [s]";
+    std::string names = m_schema.HasRobots ? "run,tick,time,robot" : "run,tick,time";
+    for (const SColumn& column : m_schema.Columns) {
+      names += ',' + column.Name;
+      if (!column.Unit.empty()) {
+        units += ", " + column.Name + " [" + column.Unit + ']';
+      }
+    }
+    return units + '\n' + names + '\n';
+  }
+
+  // @return the lines with the present columns, the last ones of which are new and empty
+  std::string WidenLines(std::string_view text, std::size_t numNew) const {
+    std::string wider;
+    wider.reserve(text.size() + text.size() / 8);
+    bool isNames = false;  // the line with the columns' names, after that of their units
+    while (!text.empty()) {
+      const std::size_t end = std::min(text.find('\n'), text.size() - 1);
+      const std::string_view line = text.substr(0, end);
+      text.remove_prefix(end + 1);
+      if (isNames) {
+        isNames = false;
+      } else if (line.substr(0, kUnits.size()) == kUnits) {
+        isNames = true;
+        wider += MakeColumnLines();
+      } else {
+        wider += line;
+        wider.append(line.substr(0, 1) == "#" ? 0 : numNew, ',');
+        wider += '\n';
+      }
+    }
+    return wider;
+  }
+
   void WriteRows(const SRowBlock& block, const SRowBlock::STick& tick, std::size_t first) {
     char start[4 * kLongestNumber];
     char* end = WriteNumber(start, tick.Run, 0);
@@ -140,6 +203,7 @@ class CCSVFormat : public CTableFormat {
     return to;
   }
 
+  std::string m_path;
   STableSchema m_schema;
   COutputFile m_file;
   CGrowingText m_text;
@@ -162,7 +226,7 @@ class CGzipCSVFormat : public CCSVFormat {
   CGzipCSVFormat& operator=(const CGzipCSVFormat&) = delete;
 
  protected:
-  void WriteText(COutputFile& file, std::string_view text) override {
+  std::string_view Pack(std::string_view text) override {
     deflateReset(&m_stream);
     m_packed.resize(deflateBound(&m_stream, text.size()));
     m_stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(text.data()));
@@ -172,7 +236,31 @@ class CGzipCSVFormat : public CCSVFormat {
     if (deflate(&m_stream, Z_FINISH) != Z_STREAM_END) {
       THROW_ARGOSEXCEPTION("a part of a table cannot be compressed");
     }
-    file.WriteRecord({m_packed.data(), m_packed.size() - m_stream.avail_out});
+    return {m_packed.data(), m_packed.size() - m_stream.avail_out};
+  }
+
+  std::string Unpack(const std::string& bytes) override {
+    z_stream stream{};
+    std::string text;
+    std::array<char, 1 << 15> piece{};
+    bool isGood = bytes.size() <= std::numeric_limits<uInt>::max() &&
+                  inflateInit2(&stream, MAX_WBITS + 16) == Z_OK;
+    int result = Z_OK;
+    stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
+    stream.avail_in = static_cast<uInt>(bytes.size());
+    while (isGood && (stream.avail_in > 0 || result != Z_STREAM_END)) {
+      stream.next_out = reinterpret_cast<Bytef*>(piece.data());
+      stream.avail_out = static_cast<uInt>(piece.size());
+      result = inflate(&stream, Z_NO_FLUSH);
+      text.append(piece.data(), piece.size() - stream.avail_out);
+      // a member ends, and another one follows
+      isGood = result == Z_OK || (result == Z_STREAM_END && inflateReset(&stream) == Z_OK);
+    }
+    inflateEnd(&stream);
+    if (!isGood) {
+      THROW_ARGOSEXCEPTION("a compressed table cannot be read again");
+    }
+    return text;
   }
 
  private:

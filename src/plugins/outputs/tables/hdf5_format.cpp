@@ -1,11 +1,13 @@
 // Tables as HDF5 files: a data set for each column.
 
 #include <argos3/core/utility/errors/argos_exception.h>
+#include <argos3/core/utility/files/lock_file.h>
 #include <argos3/plugins/simulator/outputs/tables/table_format.h>
 
 #include <hdf5.h>
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -26,6 +28,7 @@ constexpr hsize_t kChunk = 2048;  // rows that are stored together
 // for what the library stores beside the rows, bytes
 constexpr std::uint64_t kMargin = 1 << 20;
 constexpr std::size_t kShortestText = 32;  // bytes of an element in a column of texts
+constexpr char kSeeds[] = "seeds";  // data set that every file has
 
 // the library of HDF5 is not thread safe in every build
 std::mutex& GetLibraryMutex() {
@@ -100,6 +103,14 @@ class CColumn {
     return chunks * kChunk * GetElementSize();
   }
 
+  hsize_t GetSize() const { return m_size; }
+
+  /** Appends elements without a value (NaN). */
+  void AppendNone(hsize_t count) {
+    m_size += count;
+    Check(H5Dset_extent(m_set.Get(), &m_size));
+  }
+
   void Append(const void* elements, hsize_t count, hid_t memoryType) {
     if (count == 0) {
       return;
@@ -150,6 +161,10 @@ class CColumn {
     const CHandle space(H5Screate_simple(1, &size, &most), H5Sclose);
     const CHandle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
     Check(H5Pset_chunk(properties.Get(), 1, &kChunk));
+    if (H5Tget_class(m_type.Get()) == H5T_FLOAT) {
+      const double none = std::numeric_limits<double>::quiet_NaN();
+      Check(H5Pset_fill_value(properties.Get(), H5T_NATIVE_DOUBLE, &none));
+    }
     CHandle set(H5Dcreate2(m_file, name.c_str(), m_type.Get(), space.Get(), H5P_DEFAULT,
                            properties.Get(), H5P_DEFAULT),
                 H5Dclose);
@@ -207,6 +222,16 @@ class CHDF5Format : public CTableFormat {
     Guard([this] { Create(); });
   }
 
+  void AddColumns(const std::vector<SColumn>& columns) override {
+    Guard([&] {
+      for (const SColumn& column : columns) {
+        m_columns.push_back(MakeColumn(column));
+        m_columns.back()->AppendNone(m_own[Tick]->GetSize());
+      }
+      m_schema.AddColumns(columns);
+    });
+  }
+
   void Write(const SRowBlock& block) override {
     Guard([&] { WriteRows(block); });
   }
@@ -243,6 +268,8 @@ class CHDF5Format : public CTableFormat {
   template <typename CALL>
   void Guard(CALL&& call) {
     const std::lock_guard<std::mutex> lock(GetLibraryMutex());
+    // its function at the exit of the process would close files before they are complete
+    H5dont_atexit();
     // messages of the library would go to the terminal
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
     try {
@@ -255,19 +282,8 @@ class CHDF5Format : public CTableFormat {
   }
 
   void Create() {
-    const CHandle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-    // Octave 7 and h5py read version 1.8 and later
-    Check(H5Pset_libver_bounds(access.Get(), H5F_LIBVER_EARLIEST, H5F_LIBVER_V18));
-    m_descriptor = open(m_path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-    if (m_descriptor < 0) {
-      m_reason = std::strerror(errno);
-      THROW_ARGOSEXCEPTION(m_reason);
-    }
-    const hid_t file = H5Fcreate(m_path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.Get());
-    if (file < 0) {
-      m_reason = "it is in use, or no regular file";
-    }
-    m_file = std::make_unique<CHandle>(file, H5Fclose);
+    CreateFile();
+    const hid_t file = m_file->Get();
     Reserve(0);
     WriteTextAttribute(file, "argos3", m_schema.Version);
     WriteHeader(file);
@@ -283,14 +299,45 @@ class CHDF5Format : public CTableFormat {
       m_own.push_back(std::make_unique<CColumn>(file, "robots", "", MakeTextType(kShortestText)));
     }
     m_seeds =
-        std::make_unique<CColumn>(file, "seeds", "", CHandle(H5Tcopy(H5T_STD_I64LE), H5Tclose));
+        std::make_unique<CColumn>(file, kSeeds, "", CHandle(H5Tcopy(H5T_STD_I64LE), H5Tclose));
     for (const SColumn& column : m_schema.Columns) {
-      m_columns.push_back(std::make_unique<CColumn>(
-          file, column.Name, column.Unit,
-          column.Kind == EColumnKind::Text ? MakeTextType(kShortestText)
-                                           : CHandle(H5Tcopy(H5T_IEEE_F64LE), H5Tclose)));
+      m_columns.push_back(MakeColumn(column));
     }
     Check(H5Fflush(file, H5F_SCOPE_GLOBAL));
+  }
+
+  // an empty file, which nothing else writes
+  void CreateFile() {
+    m_descriptor = open(m_path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NONBLOCK, 0666);
+    struct stat information {};
+    if (m_descriptor < 0 || fstat(m_descriptor, &information) != 0) {
+      m_reason = std::strerror(errno);
+    } else if (!S_ISREG(information.st_mode)) {
+      m_reason = "it is no regular file";
+    } else if (!TryToLock(m_descriptor)) {
+      m_reason = DescribeLockHolder(m_descriptor) + " is writing it";
+    }
+    if (!m_reason.empty()) {
+      THROW_ARGOSEXCEPTION(m_reason);
+    }
+    const CHandle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+    // Octave 7 and h5py read version 1.8 and later
+    Check(H5Pset_libver_bounds(access.Get(), H5F_LIBVER_EARLIEST, H5F_LIBVER_V18));
+    // the library locks a file only after it has emptied it, and the lock above would stop it
+    Check(H5Pset_file_locking(access.Get(), 0, 1));
+    m_file = std::make_unique<CHandle>(
+        H5Fcreate(m_path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.Get()), H5Fclose);
+  }
+
+  std::unique_ptr<CColumn> MakeColumn(const SColumn& column) {
+    if (column.Name == kSeeds) {
+      m_reason = "the file has a data set \"seeds\" of its own: a column needs another name";
+      THROW_ARGOSEXCEPTION(m_reason);
+    }
+    return std::make_unique<CColumn>(m_file->Get(), column.Name, column.Unit,
+                                     column.Kind == EColumnKind::Text
+                                         ? MakeTextType(kShortestText)
+                                         : CHandle(H5Tcopy(H5T_IEEE_F64LE), H5Tclose));
   }
 
   // entries with one key are lines of one attribute

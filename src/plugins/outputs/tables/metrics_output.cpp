@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
+#include <vector>
 
 namespace argos {
 
@@ -28,67 +30,106 @@ class CMetricsOutput : public CTableBase {
     }
   }
 
+  void Observe(CSimulator& simulator) override {
+    if (IsWanted(simulator)) {
+      AppendPending(simulator);
+      Keep(simulator);
+    }
+  }
+
+  // PostExperiment() may have recorded results, or replaced those of the last tick
+  void Finish(CSimulator& simulator) override {
+    const UInt32 tick = simulator.GetSpace().GetSimulationClock();
+    if (m_pending && m_pending->Tick.Tick != tick && simulator.GetMetrics().HasLateRecords()) {
+      AppendPending(simulator);
+      Keep(simulator);
+    } else if (m_pending && m_pending->Tick.Tick == tick) {
+      Keep(simulator);
+    }
+    AppendPending(simulator);
+    CTableBase::Finish(simulator);
+  }
+
+  // after an error the row of the last tick is still missing
+  void Destroy() override {
+    try {
+      AppendPending(CurrentSimulator());
+    } catch (...) {
+      CTableBase::Destroy();
+      throw;
+    }
+    CTableBase::Destroy();
+  }
+
  private:
-  static constexpr std::size_t kNumOwn = 2;  // robots, stopped
+  /* The row of the last tick, which waits: code may record results when the tick is over. */
+  struct SRow {
+    SRowBlock::STick Tick;
+    std::vector<double> Numbers;
+  };
+
   static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-  // the first row waits for the second: by then code has recorded what it records in each tick
-  bool Update(CSimulator& simulator, SRowBlock& block, bool isLast) override {
-    const CMetrics& metrics = simulator.GetMetrics();
-    if (!m_areColumnsKnown && block.NumRows == 0 && !isLast) {
-      return false;
+  void Keep(CSimulator& simulator) {
+    if (!m_pending) {
+      m_pending.emplace();
     }
-    if (!m_areColumnsKnown) {
-      m_areColumnsKnown = true;
+    m_pending->Tick = MakeTick(simulator);
+    std::vector<double>& numbers = m_pending->Numbers;
+    const auto& robots = simulator.GetSpace().GetControllableEntities();
+    numbers.assign(1, static_cast<double>(robots.size()));
+    numbers.push_back(static_cast<double>(
+        std::count_if(robots.begin(), robots.end(),
+                      [](const CControllableEntity* robot) { return robot->IsStopped(); })));
+    for (const CMetrics::SMetric& metric : simulator.GetMetrics().GetAll()) {
+      numbers.push_back(metric.Value);
+    }
+  }
+
+  void AppendPending(CSimulator& simulator) {
+    if (m_pending) {
+      AppendTick(simulator, m_pending->Tick);
+      m_pending.reset();
+    }
+  }
+
+  // metrics that are recorded for the first time later on get columns then
+  bool Update(CSimulator& simulator) override {
+    const std::vector<CMetrics::SMetric>& metrics = simulator.GetMetrics().GetAll();
+    const bool isFirst = m_columns.empty();
+    if (isFirst) {
       m_columns = {{"robots", ""}, {"stopped", ""}};
-      for (const CMetrics::SMetric& metric : metrics.GetAll()) {
-        m_columns.push_back({metric.Name, metric.Unit});
-      }
-      m_numReported = metrics.GetAll().size();
-      block.Numbers.resize(block.NumRows * m_columns.size(), kNone);
     }
-    for (; m_numReported < metrics.GetAll().size(); ++m_numReported) {
-      const std::string& name = metrics.GetAll()[m_numReported].Name;
-      LOGERR << "[WARNING] " << GetLocation() << ": the metric \"" << name
-             << "\" was first recorded in tick " << simulator.GetSpace().GetSimulationClock()
-             << ", when the table had begun: it is left out. Record it in Init() or in the first "
-                "tick, "
-                "to any value"
-             << std::endl;
+    std::vector<SColumn> added;
+    for (std::size_t i = m_columns.size() - kNumOwn; i < metrics.size(); ++i) {
+      added.push_back({metrics[i].Name, metrics[i].Unit});
+    }
+    m_columns.insert(m_columns.end(), added.begin(), added.end());
+    if (!isFirst && !added.empty()) {
+      AddColumns(added);
     }
     return true;
   }
 
   void Describe(STableSchema& schema) const override {
     schema.HasRobots = false;
-    schema.Columns = m_columns;
-    schema.NumNumbers = m_columns.size();
-    for (std::size_t i = 0; i < m_columns.size(); ++i) {
-      schema.Places.push_back(i);
-    }
+    schema.AddColumns(m_columns);
   }
 
-  std::size_t Read(CSimulator& simulator, SRowBlock& block) override {
-    CSpace& space = simulator.GetSpace();
-    const auto& robots = space.GetControllableEntities();
-    block.Numbers.push_back(static_cast<double>(robots.size()));
-    block.Numbers.push_back(static_cast<double>(
-        std::count_if(robots.begin(), robots.end(),
-                      [](const CControllableEntity* robot) { return robot->IsStopped(); })));
-    const std::vector<CMetrics::SMetric>& metrics = simulator.GetMetrics().GetAll();
-    const std::size_t numMetrics = m_areColumnsKnown ? m_columns.size() - kNumOwn : metrics.size();
-    for (std::size_t i = 0; i < numMetrics; ++i) {
-      block.Numbers.push_back(metrics[i].Value);
-    }
+  std::size_t Read(CSimulator& /*simulator*/, SRowBlock& block) override {
+    std::vector<double>& numbers = m_pending->Numbers;
+    numbers.resize(m_columns.size(), kNone);
+    block.Numbers.insert(block.Numbers.end(), numbers.begin(), numbers.end());
     ++block.NumRows;
     return 1;
   }
 
   const char* ExplainEmptyTable() const override { return "there was no tick"; }
 
-  bool m_areColumnsKnown = false;
+  static constexpr std::size_t kNumOwn = 2;  // robots, stopped
+
   std::vector<SColumn> m_columns;
-  std::size_t m_numReported = 0;  // metrics that are columns, or were reported
+  std::optional<SRow> m_pending;
 };
 
 REGISTER_RUN_OUTPUT(
@@ -116,8 +157,9 @@ OPTIONAL XML
   digits   from 1 to 17: significant digits of numbers in texts. Default: as many as needed.
 
 Columns: run (the number of resets before), tick, time (s), robots (in the arena), stopped (those that
-errors have stopped), and the metrics in the order in which they were first recorded. A metric is a
-column if it was recorded before the second row is written.
+errors have stopped), and the metrics in the order in which they were first recorded; rows before
+that are empty there. The row of the last tick has what PostExperiment() records, which replaces what
+was recorded in the tick; that row is written even if "every" would leave it out.
 )",
     "Usable")
 

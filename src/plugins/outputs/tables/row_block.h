@@ -28,6 +28,14 @@ struct STableSchema {
   std::string Version; /**< of the program that writes it */
   /** Key and value of what is known about the run; a key may be repeated. */
   std::vector<std::pair<std::string, std::string>> Header;
+
+  /** Adds columns of numbers, which follow the other numbers of a row. */
+  void AddColumns(const std::vector<SColumn>& columns) {
+    for (const SColumn& column : columns) {
+      Columns.push_back(column);
+      Places.push_back(NumNumbers++);
+    }
+  }
 };
 
 /** Rows on their way to the thread that writes them. Blocks are used again. */
@@ -47,6 +55,7 @@ struct SRowBlock {
   CRowTexts Texts;
   /** Ids of robots with rows from this block on; their numbers follow those of earlier blocks. */
   std::vector<std::string> NewRobots;
+  std::vector<SColumn> NewColumns; /**< of numbers: rows from this block on have them, too */
   std::size_t NumRows = 0;
 
   void Clear() {
@@ -55,6 +64,7 @@ struct SRowBlock {
     Robots.clear();
     Texts.Clear();
     NewRobots.clear();
+    NewColumns.clear();
     NumRows = 0;
   }
 };

@@ -1,18 +1,15 @@
 #include <argos3/plugins/simulator/outputs/tables/table_base.h>
 
+#include <argos3/core/simulator/loading/loading_check.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/utility/errors/argos_exception.h>
+#include <argos3/core/utility/files/writing.h>
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/plugins/dynamic_loading.h>
 #include <argos3/plugins/simulator/outputs/tables/run_header.h>
 
-#include <unistd.h>
-
-#include <cerrno>
 #include <cmath>
-#include <cstring>
-#include <filesystem>
 
 namespace argos {
 
@@ -49,23 +46,10 @@ std::unique_ptr<CTableFormat> MakeFormat(const std::string& path) {
 
 // so that a file that cannot be written is found before the run; an old file stays as it is
 void CheckCanBeWritten(const std::string& path) {
-  namespace fs = std::filesystem;
-  const fs::path parent = fs::path(path).parent_path();
-  std::error_code error;
-  if (!parent.empty()) {
-    fs::create_directories(parent, error);
-  }
-  if (error) {
-    THROW_ARGOSEXCEPTION("the folder of the file \""
-                         << path << "\" cannot be created: " << error.message());
-  }
-  const bool exists = fs::exists(path, error);
-  if (exists && fs::is_directory(path, error)) {
-    THROW_ARGOSEXCEPTION("\"file\" must be a file, found the folder \"" << path << '"');
-  }
-  const std::string checked = exists ? path : parent.empty() ? "." : parent.string();
-  if (access(checked.c_str(), W_OK) != 0) {
-    THROW_ARGOSEXCEPTION("cannot write the file \"" << path << "\": " << std::strerror(errno));
+  const std::string problem = FindOutputProblem(
+      path, CLoadingCheck::IsActive() ? EMissingFolder::WillBeCreated : EMissingFolder::IsCreated);
+  if (!problem.empty()) {
+    THROW_ARGOSEXCEPTION("cannot write the file \"" << path << "\": " << problem);
   }
 }
 
@@ -112,19 +96,30 @@ void CTableBase::Open(CSimulator& simulator) {
   m_writer->Open(schema);
 }
 
-void CTableBase::Observe(CSimulator& simulator) {
+bool CTableBase::IsWanted(const CSimulator& simulator) const {
+  return simulator.GetSpace().GetSimulationClock() % m_every == 0;
+}
+
+SRowBlock::STick CTableBase::MakeTick(const CSimulator& simulator) const {
   const UInt32 tick = simulator.GetSpace().GetSimulationClock();
-  if (tick % m_every != 0) {
-    return;
-  }
-  SRowBlock& block = m_writer->GetBlock();
-  if (Update(simulator, block, false) && !m_writer->IsOpen()) {
-    Open(simulator);
-  }
-  const std::size_t numRows = Read(simulator, block);
   // a quotient has fewer digits than a multiple of 0.1
   const double time = tick / std::round(1.0 / simulator.GetTickLength());
-  block.Ticks.push_back({m_run, simulator.GetRandomSeed(), tick, time, numRows});
+  return {m_run, simulator.GetRandomSeed(), tick, time, 0};
+}
+
+void CTableBase::Observe(CSimulator& simulator) {
+  if (IsWanted(simulator)) {
+    AppendTick(simulator, MakeTick(simulator));
+  }
+}
+
+void CTableBase::AppendTick(CSimulator& simulator, SRowBlock::STick tick) {
+  if (Update(simulator) && !m_writer->IsOpen()) {
+    Open(simulator);
+  }
+  SRowBlock& block = m_writer->GetBlock();
+  tick.NumRows = Read(simulator, block);
+  block.Ticks.push_back(tick);
   if (m_writer->IsOpen()) {
     m_writer->EndTick();
   }
@@ -135,7 +130,7 @@ void CTableBase::Finish(CSimulator& simulator) {
     return;
   }
   if (!m_writer->IsOpen()) {
-    Update(simulator, m_writer->GetBlock(), true);
+    Update(simulator);
     if (m_writer->GetBlock().NumRows == 0) {
       LOGERR << "[WARNING] " << m_location << ": no rows were written to \"" << m_path
              << "\": " << ExplainEmptyTable() << std::endl;

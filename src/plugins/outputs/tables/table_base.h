@@ -8,6 +8,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace argos {
 
@@ -31,18 +32,22 @@ class CTableBase : public CRunOutput {
   void Destroy() override;
 
  protected:
+  /** @return true if the present tick has rows. */
+  bool IsWanted(const CSimulator& simulator) const;
+  /** The present tick, without rows. */
+  SRowBlock::STick MakeTick(const CSimulator& simulator) const;
+  /** Creates the file if its columns are known, and appends the rows of a tick. */
+  void AppendTick(CSimulator& simulator, SRowBlock::STick tick);
+  /** Adds columns of numbers at the end: rows until now have no values there. */
+  void AddColumns(const std::vector<SColumn>& columns) { m_writer->AddColumns(columns); }
+
   /** "file:line: <table>", for messages. */
   const std::string& GetLocation() const { return m_location; }
   const std::string& GetPath() const { return m_path; }
 
  private:
-  /**
-   * Follows what there is.
-   * @param block   the rows that are not written yet.
-   * @param isLast  true at the end of a run.
-   * @return true if the columns are known, so that the file can be created.
-   */
-  virtual bool Update(CSimulator& simulator, SRowBlock& block, bool isLast) = 0;
+  /** Follows what there is. @return true if the columns are known: the file can be created. */
+  virtual bool Update(CSimulator& simulator) = 0;
   /** Sets columns and places. */
   virtual void Describe(STableSchema& schema) const = 0;
   /** Appends rows, also before the file is created. @return their number. */

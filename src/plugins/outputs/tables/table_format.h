@@ -5,6 +5,7 @@
 #include <argos3/plugins/simulator/outputs/tables/row_block.h>
 
 #include <string>
+#include <vector>
 
 namespace argos {
 
@@ -20,6 +21,8 @@ class CTableFormat {
 
   /** Creates the file, or empties it, and writes what precedes the rows. */
   virtual void Open(const std::string& path, const STableSchema& schema) = 0;
+  /** Adds columns of numbers after the others: the rows that are there have no values in them. */
+  virtual void AddColumns(const std::vector<SColumn>& columns) = 0;
   /** Writes rows, so that they are in the file if the process is killed afterwards. */
   virtual void Write(const SRowBlock& block) = 0;
   /** Nothing is written afterwards. */

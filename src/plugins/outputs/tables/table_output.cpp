@@ -21,7 +21,7 @@ class CTableOutput : public CTableBase {
   }
 
  private:
-  bool Update(CSimulator& simulator, SRowBlock& /*block*/, bool /*isLast*/) override {
+  bool Update(CSimulator& simulator) override {
     m_rows->Update(simulator.GetSpace());
     return m_rows->AreColumnsKnown();
   }

@@ -34,6 +34,13 @@ void CTableWriter::Open(const STableSchema& schema) {
   });
 }
 
+void CTableWriter::AddColumns(const std::vector<SColumn>& columns) {
+  if (m_current->NumRows > 0) {
+    Push();
+  }
+  m_current->NewColumns.insert(m_current->NewColumns.end(), columns.begin(), columns.end());
+}
+
 void CTableWriter::EndTick() {
   if (m_current->NumRows >= kFullRows ||
       (m_current->NumRows > 0 && std::chrono::steady_clock::now() - m_lastPush >= kOldest)) {
@@ -131,6 +138,10 @@ void CTableWriter::Work() {
 }
 
 void CTableWriter::WriteBlock(SRowBlock& block) {
+  if (!block.NewColumns.empty()) {
+    m_schema.AddColumns(block.NewColumns);
+    m_format->AddColumns(block.NewColumns);
+  }
   for (const STableSchema::SDerivation& derivation : m_schema.Derivations) {
     double* numbers = block.Numbers.data() + derivation.Start;
     for (std::size_t row = 0; row < block.NumRows; ++row, numbers += m_schema.NumNumbers) {

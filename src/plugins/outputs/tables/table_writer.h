@@ -35,6 +35,8 @@ class CTableWriter {
   bool IsOpen() const { return m_thread.joinable(); }
   /** Creates the file and starts the thread. @throws CARGoSException if that fails. */
   void Open(const STableSchema& schema);
+  /** Adds columns of numbers after the others: rows until now have no values there. */
+  void AddColumns(const std::vector<SColumn>& columns);
   /** The block that takes the next rows. */
   SRowBlock& GetBlock() { return *m_current; }
   /**

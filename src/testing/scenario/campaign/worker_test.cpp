@@ -237,6 +237,33 @@ TEST_CASE("worker: reductions, series and columns of files", "[campaign][executi
   CHECK_FALSE(std::filesystem::exists(folder.Path("run1")));
 }
 
+TEST_CASE("worker: results of PostExperiment() replace the values of the last tick",
+          "[campaign][execution]") {
+  using enum SCollectedMetric::EReduction;
+  const CTestFolder folder;
+  SRunSetup setup = MakeSetup(folder, "", EIsolation::Process);
+  const std::string gain = "gain=\"1\"";
+  setup.ExperimentText.replace(setup.ExperimentText.find(gain), gain.size(), "result=\"1000\"");
+  for (const auto reduction : {Last, Mean, Sum, Min, Max}) {
+    SCollectedMetric& metric = setup.Metrics.emplace_back();
+    metric.Name = "ticks";
+    metric.Reduction = reduction;
+  }
+  SCollectedMetric& series = setup.Metrics.emplace_back();
+  series.Name = "ticks";
+  series.IsSeries = true;
+  const SRunResult result = Execute(folder, setup, {1}).at(0);
+  INFO(result.Log);
+  REQUIRE(result.Status == ERunStatus::Done);
+  // of 1, 2, ..., 9, and 1000 in place of 10
+  const std::vector<Real> expected = {1000.0, 104.5, 1045.0, 1.0, 1000.0};
+  for (size_t i = 0; i < expected.size(); ++i) {
+    CHECK(result.Metrics.at(i).Value == expected[i]);
+  }
+  REQUIRE(result.Series.size() == 1);
+  CHECK(result.Series[0].Values == std::vector<Real>{1, 2, 3, 4, 5, 6, 7, 8, 9, 1000});
+}
+
 TEST_CASE("worker: reductions are those of the values at the ends of all ticks",
           "[campaign][execution]") {
   using enum SCollectedMetric::EReduction;

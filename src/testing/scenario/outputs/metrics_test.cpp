@@ -135,6 +135,89 @@ TEST_CASE("metrics output: built-in metrics and those of Lua scripts, also in a 
   CHECK_THAT(more.Err, Contains("the recorded run had no metric \"real_time_factor\""));
 }
 
+namespace {
+
+// records "late" from tick 3 on, and results when the run is over
+constexpr char kLateScript[] = R"(
+function post_step()
+  metrics.record("steps", simulation.clock())
+  if simulation.clock() >= 3 then metrics.record("late", 10 * simulation.clock(), "m") end
+end
+function post_experiment()
+  metrics.record("score", 41)
+  metrics.record("score", 43)
+  metrics.record("steps", 1000)
+end
+)";
+
+std::string LateExperiment(const CTestFolder& folder, const std::string& outputs) {
+  SExperiment experiment;
+  experiment.Length = 0.5;
+  experiment.LoopFunctions = "<loop_functions label='lua'><params script='" +
+                             folder.Write("late.lua", kLateScript) + "'/></loop_functions>";
+  return WithOutputs(experiment, outputs);
+}
+
+}  // namespace
+
+TEST_CASE(
+    "metrics output: a metric gets its column when it is first recorded, and results of "
+    "PostExperiment() replace those of the last tick",
+    "[outputs][metrics]") {
+  const CTestFolder folder;
+  folder.Write("e.argos", LateExperiment(folder,
+                                         "<metrics file='m.csv'/><metrics file='m.csv.gz'/>"
+                                         "<metrics file='m.h5'/><recording file='run.rec'/>"));
+  const SProgramRun run = folder.Run({"-zc", "e.argos"});
+  CHECK(run.Err == "");
+  REQUIRE(run.Status == 0);
+  const SReadTable table = ReadCSV(folder.Read("m.csv"));
+  CHECK(table.Names == std::vector<std::string>{"run", "tick", "time", "robots", "stopped", "steps",
+                                                "late", "score"});
+  CHECK_THAT(folder.Read("m.csv"), Contains("late [m]"));
+  CHECK(table.Columns.at("tick") == std::vector<std::string>{"0", "1", "2", "3", "4", "5"});
+  CHECK(table.Columns.at("late") == std::vector<std::string>{"", "", "", "30", "40", "50"});
+  // the mean of what PostExperiment() records
+  CHECK(table.Columns.at("score") == std::vector<std::string>{"", "", "", "", "", "42"});
+  CHECK(table.Columns.at("steps") == std::vector<std::string>{"", "1", "2", "3", "4", "1000"});
+  CHECK(Unzip(folder.Path("m.csv.gz")) == folder.Read("m.csv"));
+  const std::vector<double> late = ReadHDF5Numbers(folder.Path("m.h5"), "late");
+  REQUIRE(late.size() == 6);
+  CHECK((std::isnan(late[0]) && std::isnan(late[2])));
+  CHECK(late[3] == 30.0);
+  CHECK(late[5] == 50.0);
+  CHECK(ReadHDF5Numbers(folder.Path("m.h5"), "steps").back() == 1000.0);
+  // a replay has them, too
+  const std::string rows = ReadRows(folder, "m.csv");
+  CHECK(folder.Run({"-z", "--replay", "run.rec", "--csv", "o"}).Status == 0);
+  CHECK(ReadRows(folder, "o/metrics.csv") == rows);
+}
+
+TEST_CASE("metrics output: results of PostExperiment() have a row even if the last tick has none",
+          "[outputs][metrics]") {
+  const CTestFolder folder;
+  folder.Write("e.argos", LateExperiment(folder, "<metrics file='m.csv' every='3'/>"));
+  REQUIRE(folder.Run({"-zc", "e.argos"}).Status == 0);
+  const SReadTable table = ReadCSV(folder.Read("m.csv"));
+  CHECK(table.Columns.at("tick") == std::vector<std::string>{"0", "3", "5"});
+  CHECK(table.Columns.at("score") == std::vector<std::string>{"", "", "42"});
+  CHECK(table.Columns.at("steps") == std::vector<std::string>{"", "3", "1000"});
+}
+
+TEST_CASE("metrics output: names of columns that each table has are refused",
+          "[outputs][metrics]") {
+  const CTestFolder folder;
+  CTestWorld world(MakeExperiment(folder));
+  CMetrics& metrics = world.GetSimulator().GetMetrics();
+  for (const char* const name : {"run", "tick", "time", "robots", "stopped"}) {
+    CAPTURE(name);
+    const std::string quoted = '"' + std::string(name) + '"';
+    CHECK_THROWS_WITH(metrics.Record(name, 1.0), Contains("must not have the name " + quoted));
+    CHECK_THROWS_WITH(metrics.Set(name, 1.0), Contains(quoted));
+    CHECK(metrics.Find(name) == nullptr);
+  }
+}
+
 TEST_CASE("metrics output: built-in metrics do not change a run", "[outputs][metrics]") {
   const CTestFolder folder;
   const SExperiment experiment = MakeExperiment(folder);

@@ -8,6 +8,11 @@
 
 #include <catch2/catch.hpp>
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <cmath>
 
 namespace table_faults_test {
@@ -144,6 +149,41 @@ TEST_CASE("tables: a file that cannot grow ends the run, and the rows in it are 
   CHECK(text.size() > 0);
   CHECK(text.back() == '\n');
   CHECK(ReadCSV(text).Columns.at("lua_number").back() != "");
+}
+
+TEST_CASE("tables: a file that another process writes stays as it is",
+          "[outputs][tables][faults]") {
+  const CTestFolder folder;
+  const std::string name = GENERATE(as<std::string>(), "t.csv", "t.csv.gz", "t.h5");
+  CAPTURE(name);
+  LuaExperiment(folder, "<table file='" + name + "'/>");
+  const std::string path = folder.Write(name, "of the other process");
+  const int file = open(path.c_str(), O_RDWR | O_CLOEXEC);
+  REQUIRE(flock(file, LOCK_EX) == 0);
+  const SProgramRun run = folder.Run({"-n", "-c", "e.argos"});
+  CHECK(run.Status == 1);
+  CHECK_THAT(run.Err, Contains(name) && Contains(" is writing it"));
+  CHECK(folder.Read(name) == "of the other process");
+  close(file);
+  CHECK(folder.Run({"-n", "-c", "e.argos"}).Status == 0);
+  CHECK(folder.Read(name) != "of the other process");
+}
+
+TEST_CASE("tables: a FIFO that nothing reads is an error", "[outputs][tables][faults]") {
+  const CTestFolder folder;
+  const std::string element = GENERATE(as<std::string>(), "table file='f.csv'",
+                                       "metrics file='f.csv.gz'", "recording file='f.rec'");
+  CAPTURE(element);
+  LuaExperiment(folder, "<" + element + "/>");
+  const std::size_t begin = element.find('\'') + 1;
+  const std::string name = element.substr(begin, element.rfind('\'') - begin);
+  REQUIRE(mkfifo(folder.Path(name).c_str(), 0600) == 0);
+  SCircumstances circumstances;
+  circumstances.Environment = {"ARGOS_OUTPUT_TIMEOUT=0.3"};
+  const SProgramRun run = RunProgramUnder(folder, {"-n", "-c", "e.argos"}, circumstances);
+  CHECK(run.Status == 1);
+  CHECK_THAT(run.Err, Contains(name) && Contains("it is a FIFO, and no program has opened it for "
+                                                 "reading within 0.3 s (ARGOS_OUTPUT_TIMEOUT)"));
 }
 
 }  // namespace table_faults_test

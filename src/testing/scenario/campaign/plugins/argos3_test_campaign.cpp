@@ -156,6 +156,7 @@ class CMeasures : public CLoopFunctions {
   void Init(TConfigurationNode& params) override {
     GetNodeAttributeOrDefault(params, "gain", m_gain, m_gain);
     GetNodeAttributeOrDefault(params, "event_every", m_eventEvery, m_eventEvery);
+    GetNodeAttributeOrDefault(params, "result", m_result, m_result);
     m_rng = CRandom::CreateRNG("argos");
     m_value = m_rng->Gaussian(1.0, 10.0);
     std::string meet;
@@ -178,6 +179,11 @@ class CMeasures : public CLoopFunctions {
     }
     m_table.push_back(m_gain * tick);
   }
+  void PostExperiment() override {
+    if (m_result > 0.0) {
+      GetSpace().GetExtension<CMetrics>().Record("ticks", m_result);
+    }
+  }
   void Destroy() override {
     if (m_meeting != nullptr) {
       m_meeting->Leave();
@@ -192,6 +198,7 @@ class CMeasures : public CLoopFunctions {
  private:
   Real m_gain = 1.0;
   UInt32 m_eventEvery = 0;  // ticks; 0: never
+  Real m_result = 0.0;  // recorded when the run is over; 0: none
   Real m_value = 0.0;
   CRandom::CRNG* m_rng = nullptr;
   std::unique_ptr<CMeeting> m_meeting;

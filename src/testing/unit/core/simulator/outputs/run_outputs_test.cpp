@@ -146,12 +146,13 @@ TEST_CASE("outputs: a reset ends one run and begins another", "[core][outputs]")
   CHECK(calls.back() == "a: reset");
 }
 
-TEST_CASE("outputs: a reset inside of a tick shows the first state after it", "[core][outputs]") {
+TEST_CASE("outputs: a reset inside of a tick ends a run with that tick, and begins another",
+          "[core][outputs]") {
   CObservedRun run(kOutput, "<loop_functions label='resetting_functions'/>");
   run.GetSimulator().UpdateSpace();
   run.GetSimulator().UpdateSpace();
-  CHECK(calls == TCalls{"a: tick 0", "post step", "a: tick 1", "a: finish at 2", "a: reset",
-                        "post step", "a: tick 0"});
+  CHECK(calls == TCalls{"a: tick 0", "post step", "a: tick 1", "a: tick 2", "a: finish at 2",
+                        "a: reset", "post step", "a: tick 0"});
 }
 
 TEST_CASE("outputs: the run is finished after PostExperiment()", "[core][outputs]") {
