@@ -48,6 +48,7 @@ struct SSimulationContext {
 
   // of the experiment that is loaded
   bool IsReplay = false; /**< there are no controllers, engines, media and loop functions */
+  bool IsExactReplay = false; /**< of a recording with all bits of the poses */
   CLoadState Loading;
   CRobotFailures RobotFailures;
   Real TickLength = 0.1; /**< s */

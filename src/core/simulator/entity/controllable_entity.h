@@ -93,6 +93,8 @@ class CControllableEntity : public CEntity {
   void Stop(bool byDevice, const std::string& context, const std::string& cause);
   /** True after an error that did not end the run, until Reset(). */
   bool IsStopped() const { return m_isStopped; }
+  /** For replays, whose robots have no controller. */
+  void SetStopped(bool stopped) { m_isStopped = stopped; }
   /** True if the robot was also removed from physics and media (CSpace::Quarantine()). */
   bool IsQuarantined() const { return m_isQuarantined; }
   void SetQuarantined(bool quarantined) { m_isQuarantined = quarantined; }

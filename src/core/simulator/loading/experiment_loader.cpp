@@ -325,6 +325,10 @@ void CExperimentLoader::InitRandom(TConfigurationNode& experiment) {
               "random_seed=\"0\" in an experiment file draws one from the clock"
            << std::endl;
   }
+  CreateRandomCategory();
+}
+
+void CExperimentLoader::CreateRandomCategory() {
   LOG << "[INFO] Using random seed = " << m_settings.Seed << std::endl;
   CRandom::CreateCategory("argos", m_settings.Seed);
   m_experiment.Rng = CRandom::CreateRNG("argos");

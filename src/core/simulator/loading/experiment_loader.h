@@ -53,6 +53,8 @@ class CExperimentLoader {
   void InitFramework(TConfigurationNode& node, CLoadErrors& errors);
   void InitSystem(TConfigurationNode& framework);
   void InitExperiment(TConfigurationNode& framework);
+  // with the seed of the settings
+  void CreateRandomCategory();
   void InitProfiling(TConfigurationNode& framework);
   void ReplaceFramework();
   void LogLength() const;

@@ -103,6 +103,7 @@ std::exception_ptr SExperimentParts::Destroy() {
   }
   m_context.Loading = CLoadState();
   m_context.IsReplay = false;
+  m_context.IsExactReplay = false;
   // joins the workers, so that none is left at the end of the program
   m_context.Pool = nullptr;
   Pool.reset();

@@ -28,6 +28,7 @@ void CExperimentLoader::LoadReplay() {
   CLoadErrors errors;
   m_context.Loading.Begin();
   m_context.IsReplay = true;
+  m_context.IsExactReplay = m_experiment.Replay->IsExact();
   TConfigurationNode& root = m_experiment.Document->GetRoot();
   TConfigurationNode& viewsRoot = GetViewsDocument().GetRoot();
   if (m_experiment.ViewsDocument == nullptr) {
@@ -49,7 +50,12 @@ void CExperimentLoader::LoadReplay() {
 }
 
 void CExperimentLoader::InitReplay(TConfigurationNode& root, CLoadErrors& errors) {
-  InitExperiment(GetNode(root, "framework"));
+  // all that a run reads of <framework>, and a replay does not, would have no effect: an error in
+  // --set
+  TConfigurationNode& experiment = GetNode(GetNode(root, "framework"), "experiment");
+  GetNodeAttributeOrDefault(experiment, "real_time", m_settings.IsRealTime, m_settings.IsRealTime);
+  m_context.TickLength = m_experiment.Replay->GetTickLength();
+  CreateRandomCategory();
   m_context.Space->Init(GetNode(root, "arena"));
   AdoptLoopFunctions(m_experiment.Replay->MakeLoopFunctions());
   m_experiment.Replay->Begin(*m_context.Space);

@@ -32,6 +32,10 @@ void WriteChangedTable(bool isRestart, const std::vector<SRecordedType>& types,
     out.WriteText(entity.Id);
     out.WriteNumber(entity.Type);
   }
+  // older readers ignore the rest
+  for (const SRecordedType& type : types) {
+    WriteSolids(type, out);
+  }
 }
 
 }  // namespace
@@ -63,6 +67,11 @@ SFrameUpdate CEntityTable::ReadChanges(CByteReader& in) {
     entity.Id = in.ReadText();
     entity.Type = static_cast<UInt32>(in.ReadNumberUpTo(~UInt32(0), "type of an entity"));
     update.Added.push_back(std::move(entity));
+  }
+  if (!in.IsAtEnd()) {
+    for (SRecordedType& type : update.NewTypes) {
+      ReadSolids(type, in);
+    }
   }
   return update;
 }

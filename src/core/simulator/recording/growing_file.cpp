@@ -2,7 +2,9 @@
 
 #include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/files/file_replacement.h>
+#include <argos3/core/utility/files/input_file.h>
 #include <argos3/core/utility/files/lock_file.h>
+#include <argos3/core/utility/files/writing.h>
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -47,26 +49,36 @@ void CGrowingFile::Create(const std::string& path, std::string_view magic, std::
     THROW_ARGOSEXCEPTION("it is a directory");
   }
   if (exists && !S_ISREG(information.st_mode)) {
-    m_file = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+    std::string problem;
+    m_file = OpenForWriting(path, 0, problem);
     if (m_file < 0) {
-      ThrowSystemError();
+      THROW_ARGOSEXCEPTION(problem);
     }
     Append(start);
     return;
   }
-  if (exists) {
-    CheckReplaceable(path, magic);
-  }
   m_isRegular = true;
-  CreateRegular(path, start);
+  // a link stays, and leads to the new file
+  CreateRegular(FollowLinks(path), magic, start);
 }
 
-void CGrowingFile::CheckReplaceable(const std::string& path, std::string_view magic) {
+void CGrowingFile::Check(const std::string& path, std::string_view magic) {
+  const std::string problem = FindOutputProblem(path, EMissingFolder::IsAProblem);
+  if (!problem.empty()) {
+    THROW_ARGOSEXCEPTION(problem);
+  }
+  if (FindInputProblem(path).empty()) {
+    CheckReplaceable(path, magic, true);
+  }
+}
+
+void CGrowingFile::CheckReplaceable(const std::string& path, std::string_view magic,
+                                    bool mayBeLocked) {
   const CDescriptor old(::open(path.c_str(), O_RDWR | O_CLOEXEC));
   if (old.Get() < 0) {
     ThrowSystemError();
   }
-  if (!TryToLock(old.Get())) {
+  if (!mayBeLocked && !TryToLock(old.Get())) {
     THROW_ARGOSEXCEPTION(DescribeLockHolder(old.Get()) << " is writing it");
   }
   std::string begin(magic.size(), '\0');
@@ -79,18 +91,19 @@ void CGrowingFile::CheckReplaceable(const std::string& path, std::string_view ma
 }
 
 // under another name until it can be read, so that there is no moment without a readable file
-void CGrowingFile::CreateRegular(const std::string& path, std::string_view start) {
+void CGrowingFile::CreateRegular(const std::string& path, std::string_view magic,
+                                 std::string_view start) {
   const std::string part = path + kPartSuffix;
-  m_file = ::open(part.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
+  std::string problem;
+  m_file = OpenPart(part, problem);
   if (m_file < 0) {
-    ThrowSystemError();
-  }
-  if (!TryToLock(m_file)) {
-    const std::string holder = DescribeLockHolder(m_file);
-    Abandon();
-    THROW_ARGOSEXCEPTION(holder << " is writing it");
+    THROW_ARGOSEXCEPTION(problem);
   }
   try {
+    // nothing else can get the name from now on
+    if (FindInputProblem(path).empty()) {
+      CheckReplaceable(path, magic, false);
+    }
     if (ftruncate(m_file, 0) != 0) {
       ThrowSystemError();
     }
@@ -106,18 +119,12 @@ void CGrowingFile::CreateRegular(const std::string& path, std::string_view start
 }
 
 void CGrowingFile::Append(std::string_view piece) {
-  size_t done = 0;
-  while (done < piece.size()) {
-    const ssize_t count = ::write(m_file, piece.data() + done, piece.size() - done);
-    if (count >= 0) {
-      done += static_cast<size_t>(count);
-    } else if (errno != EINTR) {
-      std::string reason = std::strerror(errno);
-      if (m_isRegular && ftruncate(m_file, static_cast<off_t>(m_size)) != 0) {
-        reason += "; its end may be cut";
-      }
-      THROW_ARGOSEXCEPTION(reason);
+  std::string reason;
+  if (WriteBytes(m_file, piece, reason) < piece.size()) {
+    if (m_isRegular && ftruncate(m_file, static_cast<off_t>(m_size)) != 0) {
+      reason += "; its end may be cut";
     }
+    THROW_ARGOSEXCEPTION(reason);
   }
   m_size += piece.size();
 }

@@ -26,6 +26,8 @@ class CGrowingFile {
    * @throws CARGoSException
    */
   void Create(const std::string& path, std::string_view magic, std::string_view start);
+  /** Checks whether a file could be created, and changes nothing. @throws CARGoSException */
+  static void Check(const std::string& path, std::string_view magic);
   /** @throws CARGoSException after which the file ends with the last whole piece. */
   void Append(std::string_view piece);
   /** @throws CARGoSException if the system reports that not all was written. */
@@ -37,8 +39,8 @@ class CGrowingFile {
   UInt64 GetSize() const { return m_size; }
 
  private:
-  void CheckReplaceable(const std::string& path, std::string_view magic);
-  void CreateRegular(const std::string& path, std::string_view start);
+  static void CheckReplaceable(const std::string& path, std::string_view magic, bool mayBeLocked);
+  void CreateRegular(const std::string& path, std::string_view magic, std::string_view start);
 
   int m_file = -1;
   UInt64 m_size = 0;

@@ -1,6 +1,7 @@
 #ifndef ARGOS3_CORE_SIMULATOR_RECORDING_RECORDED_FRAME_H
 #define ARGOS3_CORE_SIMULATOR_RECORDING_RECORDED_FRAME_H
 
+#include <argos3/core/simulator/geometry/body_description.h>
 #include <argos3/core/simulator/geometry/body_pose.h>
 #include <argos3/core/simulator/geometry/bounding_box.h>
 #include <argos3/core/simulator/visualization/appearance.h>
@@ -32,6 +33,8 @@ struct SRecordedType {
   static constexpr unsigned kHeightShift = 32;
   UInt64 Parameter = 0; /**< see Kind */
   UInt32 NumLEDs = 0;
+  /** What the body consists of, in its frame; hulls are boxes; empty: unknown, see Box. */
+  std::vector<SShapeDescription> Solids;
   SBoundingBox Box; /**< around the body at the origin, not turned, m; no extent: unknown */
   SAppearance Appearance;
   std::vector<std::string>
@@ -47,7 +50,8 @@ struct SRecordedType {
 
 /** Bits of the first word of an entity. */
 enum EEntityFlags : UInt32 {
-  ENTITY_IS_QUARANTINED = 1 /**< an error has stopped the robot, and it was taken out */
+  ENTITY_IS_QUARANTINED = 1, /**< an error has stopped the robot, and it was taken out */
+  ENTITY_IS_STOPPED = 2 /**< an error has stopped the robot */
 };
 
 /** A recorded entity; its number is its place in the list of all. */

@@ -134,6 +134,14 @@ CRecordingWriter::CRecordingWriter(const std::string& path, const SRecordingInfo
   m_thread = std::thread([this] { Run(); });
 }
 
+void CRecordingWriter::Check(const std::string& path) {
+  try {
+    CGrowingFile::Check(path, kRecordingMagic);
+  } catch (const CARGoSException&) {
+    ThrowWithCause("cannot write the recording \"" + path + '"');
+  }
+}
+
 CRecordingWriter::~CRecordingWriter() {
   try {
     Close();

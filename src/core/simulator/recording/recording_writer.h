@@ -29,6 +29,11 @@ class CRecordingWriter {
    *   process writes it, or if a file of that name is no recording, which is then kept.
    */
   CRecordingWriter(const std::string& path, const SRecordingInfo& info);
+  /**
+   * Checks whether a recording could be written, without changing anything.
+   * @throws CARGoSException as the constructor, but not because another process writes it.
+   */
+  static void Check(const std::string& path);
   /** As Close(); failures are lost. */
   ~CRecordingWriter();
   CRecordingWriter(const CRecordingWriter&) = delete;

@@ -2,6 +2,8 @@
 
 #include <argos3/core/utility/errors/argos_exception.h>
 
+#include <utility>
+
 namespace argos {
 
 namespace {
@@ -44,7 +46,58 @@ SVisualPart ReadPart(CByteReader& in) {
   return part;
 }
 
+void WriteSolid(const SShapeDescription& solid, CByteWriter& out) {
+  out.WriteByte(static_cast<UInt8>(solid.Kind));
+  WriteVector(solid.Offset, out);
+  WriteQuaternion(solid.Orientation, out);
+  WriteVector(solid.Size, out);
+  out.WriteReal(solid.Radius);
+  out.WriteNumber(solid.Vertices != nullptr ? solid.Vertices->size() : 0);
+  if (solid.Vertices != nullptr) {
+    for (const CVector2& vertex : *solid.Vertices) {
+      out.WriteReal(vertex.GetX());
+      out.WriteReal(vertex.GetY());
+    }
+  }
+}
+
+SShapeDescription ReadSolid(CByteReader& in) {
+  using EKind = SShapeDescription::EKind;
+  SShapeDescription solid;
+  solid.Kind = static_cast<EKind>(
+      ReadKind(in, static_cast<UInt8>(SShapeDescription::EKind::Prism), "kind of a solid"));
+  solid.Offset = ReadVector(in);
+  solid.Orientation = ReadQuaternion(in);
+  solid.Size = ReadVector(in);
+  solid.Radius = in.ReadReal();
+  std::vector<CVector2> vertices;
+  for (size_t count = in.ReadCount("number of corners"); count > 0; --count) {
+    const Real x = in.ReadReal();
+    vertices.emplace_back(x, in.ReadReal());
+  }
+  if ((solid.Kind == EKind::Prism) != (vertices.size() >= 3)) {
+    THROW_ARGOSEXCEPTION("a solid has " << vertices.size() << " corners");
+  }
+  if (!vertices.empty()) {
+    solid.Vertices = std::make_shared<const std::vector<CVector2>>(std::move(vertices));
+  }
+  return solid;
+}
+
 }  // namespace
+
+void WriteSolids(const SRecordedType& type, CByteWriter& out) {
+  out.WriteNumber(type.Solids.size());
+  for (const SShapeDescription& solid : type.Solids) {
+    WriteSolid(solid, out);
+  }
+}
+
+void ReadSolids(SRecordedType& type, CByteReader& in) {
+  for (size_t count = in.ReadCount("number of solids"); count > 0; --count) {
+    type.Solids.push_back(ReadSolid(in));
+  }
+}
 
 void WriteVector(const CVector3& vector, CByteWriter& out) {
   out.WriteReal(vector.GetX());

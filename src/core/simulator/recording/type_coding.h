@@ -6,10 +6,14 @@
 
 namespace argos {
 
-/** Writes all of a type. Equal types give equal bytes. */
+/** Writes all of a type but its solids. Equal types give equal bytes. */
 void WriteType(const SRecordedType& type, CByteWriter& out);
 /** @throws CARGoSException if the bytes describe no type. */
 SRecordedType ReadType(CByteReader& in);
+
+/** The same for the solids of a type, which older versions do not have. */
+void WriteSolids(const SRecordedType& type, CByteWriter& out);
+void ReadSolids(SRecordedType& type, CByteReader& in);
 
 void WriteVector(const CVector3& vector, CByteWriter& out);
 CVector3 ReadVector(CByteReader& in);

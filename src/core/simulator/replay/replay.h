@@ -44,6 +44,10 @@ class CReplay {
   /** Its file, for messages. */
   virtual const std::string& GetExperimentFile() const = 0;
   virtual UInt32 GetSeed() const = 0;
+  /** Of the run, s. */
+  virtual Real GetTickLength() const = 0;
+  /** @return true if poses have all the bits of the run. */
+  virtual bool IsExact() const = 0;
   /** Not less than the tick of the last state. */
   virtual UInt32 GetLastTick() const = 0;
 

@@ -85,6 +85,7 @@ UInt32 CCapture::FindType(const CTrackedEntity& entity, SFrameUpdate& update) {
   std::string bytes;
   CByteWriter out(bytes);
   WriteType(type, out);
+  WriteSolids(type, out);
   const auto [found, isNew] = m_types.try_emplace(bytes, static_cast<UInt32>(m_types.size()));
   if (isNew) {
     update.NewTypes.push_back(std::move(type));

@@ -2,6 +2,7 @@
 
 #include <argos3/core/simulator/context/current.h>
 #include <argos3/core/simulator/context/simulation_context.h>
+#include <argos3/core/simulator/loading/loading_check.h>
 #include <argos3/core/simulator/recording/drawing_coding.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/metrics.h>
@@ -47,7 +48,7 @@ void CRecordingOutput::Init(TConfigurationNode& tree) {
                          << ": <" << tree.Value()
                          << ">: attribute \"every\" (ticks) must be at least 1, found 0");
   }
-  std::string precision = "grid";
+  std::string precision = CurrentContext().IsExactReplay ? "exact" : "grid";
   GetNodeAttributeOrDefault(tree, "precision", precision, precision);
   if (precision != "grid" && precision != "exact") {
     THROW_ARGOSEXCEPTION(tree.GetLocation()
@@ -73,7 +74,11 @@ void CRecordingOutput::Init(TConfigurationNode& tree) {
     m_fields.emplace(m_location, fields, CurrentSpace());
   }
   try {
-    Open();
+    if (CLoadingCheck::IsActive()) {
+      CRecordingWriter::Check(m_file);
+    } else {
+      Open();
+    }
   } catch (std::exception& error) {
     THROW_ARGOSEXCEPTION_NESTED(
         tree.GetLocation() << ": <" << tree.Value() << ">: the run cannot be recorded", error);
@@ -125,13 +130,26 @@ void CRecordingOutput::Record(CSimulator& simulator) {
     CByteWriter out(update.Drawing);
     WriteDrawing(m_drawing.Draw(simulator, m_width, m_height), out);
   }
-  for (const CMetrics::SMetric& metric : space.GetExtension<CMetrics>().GetAll()) {
-    update.Metrics.push_back({metric.Name, metric.Unit, metric.Value});
-  }
-  m_writer->Add(std::move(update));
+  ReadMetrics(space, update);
+  AddPending();
+  m_pending = std::move(update);
   m_lastTick = space.GetSimulationClock();
   ++m_numFrames;
   m_numRobotTicks += space.GetControllableEntities().size();
+}
+
+void CRecordingOutput::ReadMetrics(CSpace& space, SFrameUpdate& update) {
+  update.Metrics.clear();
+  for (const CMetrics::SMetric& metric : space.GetExtension<CMetrics>().GetAll()) {
+    update.Metrics.push_back({metric.Name, metric.Unit, metric.Value});
+  }
+}
+
+void CRecordingOutput::AddPending() {
+  if (m_pending) {
+    m_writer->Add(std::move(*m_pending));
+    m_pending.reset();
+  }
 }
 
 // a recording of a replay has all that the replay has
@@ -152,7 +170,11 @@ void CRecordingOutput::KeepReplayedFields(CSpace& space) {
 void CRecordingOutput::Finish(CSimulator& simulator) {
   if (m_lastTick != simulator.GetSpace().GetSimulationClock()) {
     Record(simulator);
+  } else if (m_pending) {
+    // PostExperiment() may have recorded results, or replaced those of the last tick
+    ReadMetrics(simulator.GetSpace(), *m_pending);
   }
+  AddPending();
   m_writer->Close();
   const auto perRobot = [this](UInt64 bytes) {
     return m_numRobotTicks > 0 ? static_cast<Real>(bytes) / static_cast<Real>(m_numRobotTicks)
@@ -170,6 +192,9 @@ void CRecordingOutput::Finish(CSimulator& simulator) {
 }
 
 void CRecordingOutput::Reset() {
+  if (m_writer != nullptr) {
+    AddPending();
+  }
   m_writer.reset();
   m_capture.Restart();
   m_lastTick.reset();
@@ -181,6 +206,7 @@ void CRecordingOutput::Reset() {
 void CRecordingOutput::Destroy() {
   // after an error: what was recorded until then is written
   if (m_writer != nullptr) {
+    AddPending();
     m_writer->Close();
   }
   m_writer.reset();
@@ -223,7 +249,8 @@ Attributes of <recording>:
   every      integer, at least 1, ticks; record every n-th tick, and the last one.
              Default: 1
   precision  grid: poses rounded to 2^-20 m (about a micrometre), as views draw them.
-             exact: all bits, for files several times as large. Default: grid
+             exact: all bits, for files several times as large. Default: grid, or
+             exact in the replay of an exact recording
   fields     list: fields of robots to be recorded besides, which tables of a replay then
              have; argos3 -q fields lists them. Neither poses, which are there anyway, nor
              messages, of which a robot may have several. Default: none

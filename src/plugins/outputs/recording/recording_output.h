@@ -2,6 +2,7 @@
 #define ARGOS3_PLUGINS_OUTPUTS_RECORDING_RECORDING_OUTPUT_H
 
 #include <argos3/core/simulator/outputs/run_output.h>
+#include <argos3/core/simulator/recording/recorded_frame.h>
 #include <argos3/core/simulator/recording/recording_writer.h>
 #include <argos3/core/simulator/view_drawing.h>
 #include <argos3/plugins/simulator/outputs/recording/capture.h>
@@ -30,6 +31,8 @@ class CRecordingOutput : public CRunOutput {
  private:
   void Open();
   void Record(CSimulator& simulator);
+  static void ReadMetrics(CSpace& space, SFrameUpdate& update);
+  void AddPending();
   void KeepReplayedFields(CSpace& space);
   SRecordingInfo MakeInfo() const;
 
@@ -46,6 +49,7 @@ class CRecordingOutput : public CRunOutput {
   UInt32 m_height = 0;
   std::unique_ptr<CRecordingWriter> m_writer;  // null: closed
   std::optional<UInt32> m_lastTick;  // recorded
+  std::optional<SFrameUpdate> m_pending;  // of that tick: its metrics may still change
   UInt32 m_numFrames = 0;
   UInt64 m_numRobotTicks = 0;
 };

@@ -117,6 +117,14 @@ UInt32 CRecordingReplay::GetSeed() const {
   return m_reader->GetInfo().Seed;
 }
 
+Real CRecordingReplay::GetTickLength() const {
+  return m_reader->GetInfo().TickLength;
+}
+
+bool CRecordingReplay::IsExact() const {
+  return m_reader->GetInfo().Precision == EPrecision::Exact;
+}
+
 std::unique_ptr<CLoopFunctions> CRecordingReplay::MakeLoopFunctions() {
   return std::make_unique<CReplayLoopFunctions>(*this);
 }
@@ -183,6 +191,7 @@ void CRecordingReplay::UpdateTypes(const SRecordedFrame& frame) {
     std::string bytes;
     CByteWriter out(bytes);
     WriteType(frame.Types[i], out);
+    WriteSolids(frame.Types[i], out);
     if (m_types[i] == nullptr || bytes != m_typeBytes[i]) {
       m_types[i] = std::make_shared<const SRecordedType>(frame.Types[i]);
       m_typeBytes[i] = std::move(bytes);
@@ -237,7 +246,10 @@ void CRecordingReplay::ShowFieldsAndDrawing(const SRecordedFrame& frame, CSpace&
   m_columns->Columns = frame.Columns;
   m_drawing = frame.Drawing;
   for (const SRecordedMetric& metric : frame.Metrics) {
-    space.GetExtension<CMetrics>().Set(metric.Name, metric.Value, metric.Unit);
+    // older runs could record such metrics
+    if (!CMetrics::IsReserved(metric.Name)) {
+      space.GetExtension<CMetrics>().Set(metric.Name, metric.Value, metric.Unit);
+    }
   }
 }
 

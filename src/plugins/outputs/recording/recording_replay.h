@@ -22,6 +22,8 @@ class CRecordingReplay : public CReplay {
   const std::string& GetExperiment() const override;
   const std::string& GetExperimentFile() const override { return m_experimentFile; }
   UInt32 GetSeed() const override;
+  Real GetTickLength() const override;
+  bool IsExact() const override;
   UInt32 GetLastTick() const override { return m_lastTick; }
   std::unique_ptr<CLoopFunctions> MakeLoopFunctions() override;
   void Begin(CSpace& space) override;

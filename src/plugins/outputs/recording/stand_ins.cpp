@@ -22,10 +22,13 @@ std::shared_ptr<const SBodyDescription> DescribeBody(const SRecordedType& type) 
   const CVector3 size = type.Box.MaxCorner - type.Box.MinCorner;
   const CVector3 center = 0.5 * (type.Box.MaxCorner + type.Box.MinCorner);
   auto description = std::make_shared<SBodyDescription>();
-  SShapeDescription& box = description->Shapes.emplace_back();
-  box.Kind = SShapeDescription::EKind::Box;
-  box.Size = size;
-  box.Offset = CVector3(center.GetX(), center.GetY(), type.Box.MinCorner.GetZ());
+  description->Shapes = type.Solids;
+  if (type.Solids.empty()) {
+    SShapeDescription& box = description->Shapes.emplace_back();
+    box.Kind = SShapeDescription::EKind::Box;
+    box.Size = size;
+    box.Offset = CVector3(center.GetX(), center.GetY(), type.Box.MinCorner.GetZ());
+  }
   if (type.Flies) {
     description->Propellers.emplace();
   }
@@ -97,6 +100,7 @@ void CStandInEntity::SetState(const SRecordedState& state) {
   }
   if (m_robot != nullptr) {
     m_robot->SetQuarantined((state.Words[0] & ENTITY_IS_QUARANTINED) != 0);
+    m_robot->SetStopped((state.Words[0] & (ENTITY_IS_QUARANTINED | ENTITY_IS_STOPPED)) != 0);
     m_robot->GetCheckedRays().clear();
     m_robot->GetIntersectionPoints().clear();
   }

@@ -99,6 +99,13 @@ SRecordedType CTrackedEntity::MakeType() const {
     type.Flies = description != nullptr && description->Propellers.has_value();
     if (description != nullptr && !description->Shapes.empty()) {
       type.Box = description->ComputeBoundingBox(CVector3(), CQuaternion());
+      type.Solids = description->Shapes;
+      for (SShapeDescription& solid : type.Solids) {
+        if (solid.Kind == SShapeDescription::EKind::Hull) {
+          solid.Kind = SShapeDescription::EKind::Box;
+          solid.Solid = nullptr;
+        }
+      }
     }
   }
   if (m_kind == SRecordedType::EKind::Floor) {
@@ -148,7 +155,9 @@ void CTrackedEntity::AppendPoses(std::vector<SBodyPose>& poses) const {
 
 void CTrackedEntity::AppendWords(std::vector<UInt32>& words) const {
   const bool isQuarantined = m_robot != nullptr && m_robot->IsQuarantined();
-  words.push_back(isQuarantined ? UInt32(ENTITY_IS_QUARANTINED) : 0);
+  const bool isStopped = m_robot != nullptr && m_robot->IsStopped();
+  words.push_back((isQuarantined ? UInt32(ENTITY_IS_QUARANTINED) : 0) |
+                  (isStopped ? UInt32(ENTITY_IS_STOPPED) : 0));
   if (m_leds != nullptr && !m_leds->GetLazyColors().empty()) {
     const auto& colors = m_leds->GetLazyColors();
     const size_t start = words.size();

@@ -193,6 +193,23 @@ TEST_CASE(
   CHECK(ReadRows(folder, "o/metrics.csv") == rows);
 }
 
+TEST_CASE("metrics output: a replay counts the robots that errors had stopped",
+          "[outputs][metrics]") {
+  const CTestFolder folder;
+  folder.Write("e.argos", WithOutputs(MakeExperiment(folder),
+                                      "<metrics file='m.csv'/>"
+                                      "<recording file='run.rec'/>"));
+  folder.Write("robot.lua",
+               "n = 0 function init() end function reset() end function destroy() end "
+               "function step() n = n + 1 "
+               "if n == 3 and robot.id ~= 'f2' then error('stop') end end");
+  REQUIRE(folder.Run({"-zc", "e.argos"}).Status == 3);
+  const SReadTable table = ReadCSV(folder.Read("m.csv"));
+  CHECK(table.Columns.at("stopped") == std::vector<std::string>{"0", "0", "0", "2", "2", "2"});
+  REQUIRE(folder.Run({"-z", "--replay", "run.rec", "--csv", "o"}).Status == 0);
+  CHECK(ReadRows(folder, "o/metrics.csv") == ReadRows(folder, "m.csv"));
+}
+
 TEST_CASE("metrics output: results of PostExperiment() have a row even if the last tick has none",
           "[outputs][metrics]") {
   const CTestFolder folder;

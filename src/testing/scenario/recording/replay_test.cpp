@@ -196,6 +196,64 @@ TEST_CASE("replay: a replay can be recorded, without overwriting what it reads",
   CHECK_THAT(same.Err, Contains("--replay and --record are the same file, run.rec"));
 }
 
+TEST_CASE("replay: what is recorded of an exact recording is exact", "[scenario][recording]") {
+  const CTestFolder folder;
+  folder.Write("e.argos", kLively);
+  folder.Write("robot.lua", kRobotScript);
+  folder.Write(
+      "exact.argos",
+      "<argos-configuration><outputs><table file='t.csv'/></outputs></argos-configuration>");
+  CheckSuccess(folder.Run({"-z", "-c", "e.argos", "--set", "//floor/@source=loop_functions",
+                           "--set", "//floor/@pixels_per_meter=1", "--length", "2", "--record",
+                           "run.rec", "--set", "//recording/@precision=exact", "--csv", "run"}));
+  CheckSuccess(folder.Run({"-z", "--replay", "run.rec", "--record", "part.rec"}));
+  CheckSuccess(folder.Run({"-z", "--replay", "part.rec", "--csv", "part"}));
+  const auto rows = [&folder](const std::string& name) {
+    const std::string text = folder.Read(name);
+    return text.substr(text.find("\nrun,"));
+  };
+  CHECK(rows("part/robots.csv") == rows("run/robots.csv"));
+  // the head of a table describes the same solids
+  const auto solids = [&folder](const std::string& name) {
+    std::istringstream lines(folder.Read(name));
+    std::vector<std::string> found;
+    for (std::string line; std::getline(lines, line);) {
+      if (line.rfind("# circle", 0) == 0 || line.rfind("# polygon", 0) == 0) {
+        found.push_back(line);
+      }
+    }
+    return found;
+  };
+  CHECK(solids("run/robots.csv").size() == 3);
+  CHECK(solids("part/robots.csv") == solids("run/robots.csv"));
+  CHECK_THAT(solids("part/robots.csv").back(), Catch::StartsWith("# circle: -0.5,0.3,0.1"));
+}
+
+TEST_CASE("replay: a value of --set that has no effect is an error", "[scenario][recording]") {
+  const CTestFolder folder;
+  CheckSuccess(folder.Run(LiveFlocking() + std::vector<std::string>{"-z"}));
+  const std::string path =
+      GENERATE("//experiment/@length", "//experiment/@random_seed",
+               "//experiment/@ticks_per_second", "//system/@threads", "//controllers/*/params/@x");
+  CAPTURE(path);
+  const SProgramRun run = folder.Run({"-z", "--replay", "run.rec", "--set", path + "=2"});
+  CHECK(run.Status == 1);
+  CHECK_THAT(run.Err, Contains("--set " + path + "=2: ") && Contains("is not used by anything"));
+}
+
+TEST_CASE("recording: a symbolic link stays, and leads to the recording", "[scenario][recording]") {
+  const CTestFolder folder;
+  std::filesystem::create_directory(folder.Path("store"));
+  std::filesystem::create_symlink("store/run.rec", folder.Path("link.rec"));
+  for (int run = 0; run < 2; ++run) {
+    CheckSuccess(folder.Run({"-z", "-c", InSourceTree("experiments/flocking.argos"), "--length",
+                             "0.5", "--record", "link.rec"}));
+    CHECK(std::filesystem::is_symlink(folder.Path("link.rec")));
+    CHECK(std::filesystem::is_regular_file(folder.Path("store/run.rec")));
+    CheckSuccess(folder.Run({"-z", "--replay", "store/run.rec"}));
+  }
+}
+
 namespace {
 
 // what the tables of a run and of its replay must have in common
