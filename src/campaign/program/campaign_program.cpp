@@ -44,8 +44,8 @@ Examples:
 argos3-campaign COMMAND --help describes the options of a command; campaign files are described in
 doc/campaigns.md.
 
-Exit status: 0 if all runs are done, 3 if some have failed, 1 after an error, 130 or 143 if stopped
-by SIGINT or SIGTERM: runs that had begun are finished and stored then; a second signal kills them.
+Exit status: 0 if all runs are done, 3 if some have failed, 1 after an error, 128 + number if stopped
+by SIGINT, SIGTERM, SIGHUP, SIGUSR1 or SIGUSR2: runs that had begun are finished and stored then; a second signal kills them.
 )";
 
 bool IsOption(const std::string& argument) {

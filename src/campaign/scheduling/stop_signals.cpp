@@ -1,5 +1,6 @@
 #include <argos3/campaign/scheduling/stop_signals.h>
 
+#include <cstddef>
 #include <ctime>
 
 namespace argos {
@@ -23,18 +24,24 @@ CStopSignalCount::CStopSignalCount() {
   g_firstStop = 0;
   sigset_t stops;
   sigemptyset(&stops);
-  sigaddset(&stops, SIGINT);
-  sigaddset(&stops, SIGTERM);
+  for (const int signal : kSignals) {
+    sigaddset(&stops, signal);
+  }
   sigprocmask(SIG_BLOCK, &stops, &m_oldMask);
   struct sigaction action {};
   action.sa_handler = &CountStop;
-  sigaction(SIGINT, &action, &m_oldInterrupt);
-  sigaction(SIGTERM, &action, &m_oldTerminate);
+  for (std::size_t i = 0; i < kSignals.size(); ++i) {
+    sigaction(kSignals[i], nullptr, &m_old[i]);
+    if (m_old[i].sa_handler != SIG_IGN) {
+      sigaction(kSignals[i], &action, nullptr);
+    }
+  }
 }
 
 CStopSignalCount::~CStopSignalCount() {
-  sigaction(SIGINT, &m_oldInterrupt, nullptr);
-  sigaction(SIGTERM, &m_oldTerminate, nullptr);
+  for (std::size_t i = 0; i < kSignals.size(); ++i) {
+    sigaction(kSignals[i], &m_old[i], nullptr);
+  }
   sigprocmask(SIG_SETMASK, &m_oldMask, nullptr);
 }
 

@@ -3,14 +3,16 @@
 
 #include <poll.h>
 
+#include <array>
 #include <csignal>
 #include <vector>
 
 namespace argos {
 
 /**
- * Counts SIGINT and SIGTERM during its lifetime instead of dying of them. They are blocked except
- * in Poll(), so that none arrives between a check and the wait.
+ * Counts the signals that ask a process to end instead of dying of them: SIGINT, SIGTERM, SIGHUP,
+ * SIGUSR1 and SIGUSR2. They are blocked except in Poll(), so that none arrives between a check and
+ * the wait. Those that are ignored stay ignored.
  */
 class CStopSignalCount {
  public:
@@ -26,9 +28,10 @@ class CStopSignalCount {
   int GetSignal() const;
 
  private:
+  static constexpr std::array<int, 5> kSignals = {SIGINT, SIGTERM, SIGHUP, SIGUSR1, SIGUSR2};
+
   sigset_t m_oldMask{};
-  struct sigaction m_oldInterrupt {};
-  struct sigaction m_oldTerminate {};
+  std::array<struct sigaction, kSignals.size()> m_old{};
 };
 
 }  // namespace argos

@@ -10,9 +10,11 @@
 #include <argos3/core/simulator/outputs/run_outputs.h>
 #include <argos3/core/simulator/program/argos_command_line_arg_parser.h>
 #include <argos3/core/simulator/program/crash_handler.h>
+#include <argos3/core/simulator/program/exit_guard.h>
 #include <argos3/core/simulator/program/progress.h>
 #include <argos3/core/simulator/program/query_plugins.h>
 #include <argos3/core/simulator/program/shell_documents.h>
+#include <argos3/core/simulator/program/stop_signals.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/utility/errors/argos_exception.h>
@@ -28,7 +30,6 @@
 
 #include <cerrno>
 #include <chrono>
-#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <exception>
@@ -47,61 +48,6 @@ constexpr int kFailure = 1;
 constexpr int kRobotsStopped = 3;
 // exit status of a program terminated by a signal, by the convention of shells: 128 + its number
 constexpr int kSignalStatus = 128;
-
-// s; a tick that takes longer after a signal is assumed to hang
-constexpr unsigned kStopTimeout = 30;
-
-volatile std::sig_atomic_t g_stopSignal = 0;
-
-extern "C" void KillAfterTimeout(int) {
-  // the stop signal now has its default action
-  raise(g_stopSignal);
-}
-
-extern "C" void NoteStopSignal(int signal) {
-  g_stopSignal = signal;
-  alarm(kStopTimeout);
-}
-
-/* During its lifetime the first SIGINT or SIGTERM is stored; it kills only if the tick hangs. */
-class CStopSignals {
- public:
-  CStopSignals() {
-    g_stopSignal = 0;
-    Catch(SIGINT, &NoteStopSignal, m_oldInterrupt);
-    Catch(SIGTERM, &NoteStopSignal, m_oldTerminate);
-    Catch(SIGALRM, &KillAfterTimeout, m_oldAlarm);
-  }
-  ~CStopSignals() {
-    alarm(0);
-    sigaction(SIGINT, &m_oldInterrupt, nullptr);
-    sigaction(SIGTERM, &m_oldTerminate, nullptr);
-    sigaction(SIGALRM, &m_oldAlarm, nullptr);
-  }
-  CStopSignals(const CStopSignals&) = delete;
-  CStopSignals& operator=(const CStopSignals&) = delete;
-
-  /** Called after each tick. @return true if a signal was received. */
-  static bool WasStopped() {
-    if (g_stopSignal == 0) {
-      return false;
-    }
-    alarm(0);
-    return true;
-  }
-
- private:
-  static void Catch(int signal, void (*handler)(int), struct sigaction& old) {
-    struct sigaction action {};
-    action.sa_handler = handler;
-    action.sa_flags = SA_RESETHAND;
-    sigaction(signal, &action, &old);
-  }
-
-  struct sigaction m_oldInterrupt {};
-  struct sigaction m_oldTerminate {};
-  struct sigaction m_oldAlarm {};
-};
 
 void FlushLogs() {
   LOG.Flush();
@@ -348,6 +294,7 @@ int CheckExperiment(const SOptions& options) {
   const CLogLevelScope level(options.LogLevel);
   const CLoadingCheck check;
   CSimulator& simulator = CSimulator::GetInstance();
+  const CExitGuard exitGuard(simulator);
   const bool isGood = Try([&] {
     LoadExperiment(simulator, options);
     const size_t robots = simulator.GetSpace().GetControllableEntities().size();
@@ -362,15 +309,16 @@ int CheckExperiment(const SOptions& options) {
 int RunExperiment(const SOptions& options) {
   const CLogLevelScope level(options.LogLevel);
   CSimulator& simulator = CSimulator::GetInstance();
+  CExitGuard exitGuard(simulator);
   int status = 0;
   const bool loaded = Try([&] { LoadExperiment(simulator, options); });
   const bool executed = loaded && Try([&] {
                           const CStopSignals stopSignals;
+                          exitGuard.Renew();
                           const Real wallSeconds = Execute(simulator, options);
-                          if (g_stopSignal != 0) {
-                            status = kSignalStatus + g_stopSignal;
-                            LOG << "[INFO] stopped by "
-                                << (g_stopSignal == SIGINT ? "SIGINT" : "SIGTERM") << " after tick "
+                          if (const int signal = CStopSignals::GetSignal(); signal != 0) {
+                            status = kSignalStatus + signal;
+                            LOG << "[INFO] stopped by SIG" << sigabbrev_np(signal) << " after tick "
                                 << simulator.GetSpace().GetSimulationClock() << std::endl;
                           }
                           PrintSummary(simulator, wallSeconds, options.Digest);

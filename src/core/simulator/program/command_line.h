@@ -11,8 +11,9 @@ namespace argos {
  * @param argc, argv  arguments of main().
  * @return the exit status: 0 after a normal end; 1 after an error, also if a log or another output
  *   could not be written; 3 after a normal end of a run in which errors stopped robots (EOnError);
- *   130 or 143 if SIGINT or SIGTERM stopped the run. A stopped run ends normally after the current
- *   tick; if this takes longer than 30 s, or on a second signal, the process is killed.
+ *   128 + its number if a signal stopped the run (CStopSignals), such as 130 for SIGINT and 143 for
+ *   SIGTERM. A stopped run ends normally after the current tick; if this takes longer than 30 s, or
+ *   on a second signal, the process is killed.
  */
 int RunCommandLine(int argc, const char* const* argv) noexcept;
 

@@ -95,6 +95,7 @@ const std::map<std::string, TDeed>& Deeds() {
          CallEntityOperation<CSpaceOperationRemoveEntity, CSpace, void>(space,
                                                                         space.GetEntity(robot));
        }},
+      {"exit", [](const std::string&) { std::exit(7); }},
       {"add_box",
        [](const std::string& robot) {
          Loop().AddEntity(*new CBoxEntity("box_of_" + robot, CVector3(8, 8, 0), CQuaternion(),
