@@ -30,21 +30,15 @@ namespace argos {
 
 namespace {
 
-// throws if no library has the part that an element names by its tag
+// creates and initialises a part by the tag of its element
 template <typename BASE>
-void CheckPart(const TConfigurationNode& node, const char* kind) {
+std::unique_ptr<BASE> CreatePart(TConfigurationNode& node, const char* kind) {
+  LoadLibraryOf(node);
   if (!CFactory<BASE>::Exists(node.Value())) {
     THROW_ARGOSEXCEPTION(node.GetLocation()
                          << ": there is no " << kind << " of type <" << node.Value() << ">"
                          << DescribeUnknownLabel(node.Value(), CFactory<BASE>::GetLabels()));
   }
-}
-
-// creates and initialises a part by the tag of its element
-template <typename BASE>
-std::unique_ptr<BASE> CreatePart(TConfigurationNode& node, const char* kind) {
-  LoadLibraryOf(node);
-  CheckPart<BASE>(node, kind);
   try {
     std::unique_ptr<BASE> part(CFactory<BASE>::New(node.Value()));
     part->Init(node);
@@ -232,7 +226,7 @@ void CExperimentLoader::ReadLeniency(TConfigurationNode& root) {
 void CExperimentLoader::InitFramework(TConfigurationNode& node, CLoadErrors& errors) {
   errors.Try(node.GetLocation() + ": <framework>", [&] { InitSystem(node); });
   errors.Try("", [&] { InitExperiment(node); });
-  if (NodeExists(node, "profiling") && !CLoadingCheck::IsActive()) {
+  if (NodeExists(node, "profiling")) {
     errors.Try("", [&] { InitProfiling(GetNode(node, "profiling")); });
   }
 }
@@ -343,6 +337,10 @@ void CExperimentLoader::InitProfiling(TConfigurationNode& node) {
   GetNodeAttribute(node, "format", format);
   GetNodeAttributeOrDefault(node, "truncate_file", truncate, truncate);
   try {
+    if (CLoadingCheck::IsActive()) {
+      CProfiler::Check(file, format);
+      return;
+    }
     m_experiment.StartProfiling(std::make_unique<CProfiler>(file, format, truncate), m_tick);
   } catch (std::exception& error) {
     THROW_ARGOSEXCEPTION_NESTED(node.GetLocation() << ": <profiling> cannot be used", error);
@@ -505,9 +503,7 @@ void CExperimentLoader::InitViews(TConfigurationNode& root, CLoadErrors& errors)
 // a child of <visualization>: an output, or what runs the experiment
 void CExperimentLoader::InitView(TConfigurationNode& node) {
   LoadLibraryOf(node);
-  if (CLoadingCheck::IsActive() && CFactory<CRunOutput>::Exists(node.Value())) {
-    MarkSubtreeRead(node);
-  } else if (CFactory<CRunOutput>::Exists(node.Value())) {
+  if (CFactory<CRunOutput>::Exists(node.Value())) {
     m_experiment.Outputs.Add(CreatePart<CRunOutput>(node, "visualization"));
   } else if (!CFactory<CVisualization>::Exists(node.Value())) {
     std::vector<std::string> labels = CFactory<CVisualization>::GetLabels();
@@ -533,15 +529,7 @@ void CExperimentLoader::InitOutputs(TConfigurationNode& root, CLoadErrors& error
   }
   TConfigurationNodeIterator it;
   for (it = it.begin(&GetNode(root, "outputs")); it != it.end(); ++it) {
-    errors.Try("", [&] {
-      if (CLoadingCheck::IsActive()) {
-        LoadLibraryOf(*it);
-        CheckPart<CRunOutput>(*it, "output");
-        MarkSubtreeRead(*it);
-      } else {
-        m_experiment.Outputs.Add(CreatePart<CRunOutput>(*it, "output"));
-      }
-    });
+    errors.Try("", [&] { m_experiment.Outputs.Add(CreatePart<CRunOutput>(*it, "output")); });
   }
 }
 

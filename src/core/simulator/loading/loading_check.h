@@ -4,8 +4,9 @@
 namespace argos {
 
 /**
- * During its lifetime, the experiments that this thread loads are only checked: their outputs and
- * profilers, which would overwrite the files of an earlier run, are not initialised.
+ * During its lifetime, the experiments that this thread loads are only checked: outputs and
+ * profilers read their elements and check whether their files can be written, but create and change
+ * nothing.
  */
 class CLoadingCheck {
  public:

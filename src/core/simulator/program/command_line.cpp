@@ -14,6 +14,7 @@
 #include <argos3/core/simulator/program/progress.h>
 #include <argos3/core/simulator/program/query_plugins.h>
 #include <argos3/core/simulator/program/shell_documents.h>
+#include <argos3/core/simulator/program/shielded_check.h>
 #include <argos3/core/simulator/program/stop_signals.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/space.h>
@@ -293,6 +294,9 @@ void PrintSummary(CSimulator& simulator, Real wallSeconds, bool digest) {
 int CheckExperiment(const SOptions& options) {
   const CLogLevelScope level(options.LogLevel);
   const CLoadingCheck check;
+  if (IsInShieldedCheck()) {
+    RaiseWriteShield();
+  }
   CSimulator& simulator = CSimulator::GetInstance();
   const CExitGuard exitGuard(simulator);
   const bool isGood = Try([&] {
@@ -381,12 +385,16 @@ int Act(const SOptions& options) {
 
 }  // namespace
 
-int RunCommandLine(int argc, const char* const* argv) noexcept {
+int RunCommandLine(int argc, const char* const* argv, const char* program) noexcept {
   int status = kFailure;
   try {
     Try([&] {
       CARGoSCommandLineArgParser parser;
       parser.Parse(argc, argv);
+      if (parser.GetOptions().Check && program != nullptr && !IsInShieldedCheck()) {
+        status = RunShieldedCheck(program, argv);
+        return;
+      }
       if (parser.GetOptions().NoColor) {
         LOG.DisableColoredOutput();
         LOGERR.DisableColoredOutput();

@@ -37,5 +37,5 @@ int main(int argc, char** argv) {
     return 1;
   }
   SurviveFailedWrites();
-  return argos::RunCommandLine(argc, argv);
+  return argos::RunCommandLine(argc, argv, "/proc/self/exe");
 }

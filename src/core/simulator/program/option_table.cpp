@@ -51,14 +51,17 @@ constexpr char kPaths[] =
 constexpr char kEnvironment[] =
     R"(  ARGOS_FFMPEG       the program that encodes films, by default the ffmpeg in PATH
   ARGOS_INCLUDE_PATH folders, separated by colons, with headers of your control interfaces, for -q
+  ARGOS_OUTPUT_TIMEOUT  s, by default 30: how long an output may make no progress (a FIFO without
+                     a reader, a program that encodes films and does nothing) before that is an error
   ARGOS_PLUGIN_PATH  folders, separated by colons, that are searched for libraries first
   NO_COLOR           if set, logs have no colours
 )";
 
 constexpr char kExitStatus[] =
     R"(  0 after a normal end, 1 after an error (also if an output cannot be written), 3 if the
-  run ended normally but errors had stopped robots (on_error), 130 or 143 if stopped by SIGINT or
-  SIGTERM.
+  run ended normally but errors had stopped robots (on_error), 128 + n if stopped by signal n:
+  130 by SIGINT, 143 by SIGTERM, also by SIGHUP, SIGUSR1, SIGUSR2 and SIGXCPU. If users' code calls
+  exit(), its status.
 )";
 
 // of plug-ins that the core knows
@@ -163,8 +166,8 @@ TOptions MakeRunOptions() {
   return {
       {"-z,--no-visualization", "", kRun, "ignore the <visualization> of the file"},
       {"--check", "", kRun,
-       "load the experiment with its libraries, report all errors and warnings, and do not run it; "
-       "its outputs are left as they are",
+       "load the experiment with its libraries, views and outputs, report all errors and warnings, "
+       "and do not run it; no file is changed, not even by users' code",
        EUse::Simulation},
       {"--seed", "N", kRun, "random seed, overrides the file; 0: from the clock", EUse::Simulation},
       {"--threads", "N", kRun,

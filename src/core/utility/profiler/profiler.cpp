@@ -1,6 +1,7 @@
 #include <argos3/core/utility/profiler/profiler.h>
 
 #include <argos3/core/utility/errors/argos_exception.h>
+#include <argos3/core/utility/files/writing.h>
 #include <argos3/core/utility/text/classic_locale.h>
 
 #include <sys/resource.h>
@@ -22,12 +23,20 @@ Real Seconds(const timeval& time) {
 
 }  // namespace
 
-CProfiler::CProfiler(const std::string& file, const std::string& format, bool truncate)
-    : m_file(file), m_isTable(format == "table") {
-  if (!m_isTable && format != "human_readable") {
+void CProfiler::Check(const std::string& file, const std::string& format) {
+  if (format != "table" && format != "human_readable") {
     THROW_ARGOSEXCEPTION("Profiler: format \"" << format
                                                << "\", expected \"human_readable\" or \"table\"");
   }
+  const std::string problem = FindOutputProblem(file, EMissingFolder::IsAProblem);
+  if (!problem.empty()) {
+    THROW_ARGOSEXCEPTION("Profiler: cannot write the file \"" << file << "\": " << problem);
+  }
+}
+
+CProfiler::CProfiler(const std::string& file, const std::string& format, bool truncate)
+    : m_file(file), m_isTable(format == "table") {
+  Check(file, format);
   // report a file that cannot be written before the run, not after it. A table to which several
   // runs append is opened again at the end
   try {

@@ -29,6 +29,9 @@ class CProfiler {
    */
   CProfiler(const std::string& file, const std::string& format, bool truncate = true);
 
+  /** Checks both, and changes nothing. @throws CARGoSException as the constructor. */
+  static void Check(const std::string& file, const std::string& format);
+
   /** Starts the wall clock. */
   void Start();
 

@@ -290,6 +290,105 @@ TEST_CASE("argos3: a file needs no -c, and --check runs nothing and writes nothi
                           Contains("\n[FATAL] If a library of yours has it"));
 }
 
+TEST_CASE("argos3: --check looks at views and outputs, and warns of what they do not read",
+          "[command_line]") {
+  const CTestFolder folder;
+  const auto [element, complaint] = GENERATE(table<std::string, std::string>(
+      {{"<visualization><offscreen size='1x1'/></visualization>", "1 pixels are out of range"},
+       {"<visualization><offscreen sizee='64x48'/></visualization>", "\"sizee\" is not used"},
+       {"<visualization><povray quality='god'/></visualization>", "did you mean \"good\"?"},
+       {"<outputs><table file='t.csv' fields='posee'/></outputs>", "did you mean \"pose\"?"},
+       {"<outputs><metrics file='m.csv' builtin='dispersio'/></outputs>", "\"dispersion\""},
+       {"<outputs><table file='t.xls'/></outputs>", "\"file\" must end in .csv"},
+       {"<outputs><table file='e.argos/t.csv'/></outputs>", "\"e.argos\" is no folder"},
+       {"<outputs><recording file='no/r.rec'/></outputs>", "there is no folder \"no\""},
+       {"<outputs><recording file='e.argos'/></outputs>", "that is no recording"}}));
+  CAPTURE(element);
+  folder.Write("e.argos", Experiment("test_idle", element));
+  const SProgramRun check = folder.Run({"e.argos", "--check"});
+  const bool isWarning = complaint.find("not used") != std::string::npos;
+  CHECK(check.Status == (isWarning ? 0 : 1));
+  CHECK_THAT(check.Err, Contains(complaint));
+  CHECK_THAT(folder.Run({"-z", "e.argos", "--check", "--video", "x.avi"}).Err,
+             Contains("its name must end in .mp4"));
+  // nothing was created
+  for (const auto& entry : std::filesystem::directory_iterator(folder.Path("."))) {
+    const std::string name = entry.path().filename().string();
+    CHECK((name == "e.argos" || name == "stdout.txt" || name == "stderr.txt"));
+  }
+}
+
+TEST_CASE("argos3: --check keeps the files that users' code would change", "[command_line]") {
+  const CTestFolder folder;
+  folder.Write("loop.lua", R"(
+function init()
+  f = assert(io.open("results.csv", "w"))
+  f:write("of the check\n")
+  f:close()
+  -- the code sees what it has written
+  f = assert(io.open("results.csv"))
+  assert(f:read("a") == "of the check\n")
+  f:close()
+  f = assert(io.open("log.txt", "a"))
+  f:write("more\n")
+  f:close()
+  assert(os.remove("old.txt"))
+  assert(io.open("old.txt") == nil)
+  assert(os.rename("name.txt", "other.txt"))
+  assert(io.open("other.txt")):close()
+  assert(io.open("new.txt", "w")):close()
+  assert(io.open("no_folder/new.txt", "w") == nil)
+end
+)");
+  folder.Write("e.argos", Experiment("test_idle",
+                                     "<loop_functions label='lua'><params script='loop.lua'/>"
+                                     "</loop_functions>"));
+  for (const char* const name : {"results.csv", "log.txt", "old.txt", "name.txt"}) {
+    folder.Write(name, "of a run");
+  }
+  const SProgramRun check = folder.Run({"e.argos", "--check"});
+  CAPTURE(check.Out, check.Err);
+  CHECK(check.Status == 0);
+  for (const char* const name : {"results.csv", "log.txt", "old.txt", "name.txt"}) {
+    CAPTURE(name);
+    CHECK(folder.Read(name) == "of a run");
+  }
+  CHECK_FALSE(std::filesystem::exists(folder.Path("other.txt")));
+  CHECK_FALSE(std::filesystem::exists(folder.Path("new.txt")));
+}
+
+TEST_CASE("argos3: a controller is unused if no robot has had it at the end of the run",
+          "[command_line]") {
+  const CTestFolder folder;
+  const bool isAdded = GENERATE(false, true);
+  CAPTURE(isAdded);
+  folder.Write("robot.lua",
+               "function init() end function step() end function reset() end "
+               "function destroy() end");
+  folder.Write("loop.lua", "function pre_step() if simulation.clock() == 2 and " +
+                               std::string(isAdded ? "true" : "false") +
+                               " then simulation.add(\"<foot-bot id='late'><body position='1,1,0'/>"
+                               "<controller config='late'/></foot-bot>\") end end");
+  folder.Write("e.argos", R"(<argos-configuration>
+<framework><experiment length="0.5" ticks_per_second="10" random_seed="7"/></framework>
+<controllers><lua_controller id="late">
+<actuators><differential_steering implementation="default"/></actuators>
+<sensors/><params script="robot.lua"/></lua_controller></controllers>
+<loop_functions label="lua"><params script="loop.lua"/></loop_functions>
+<arena size="6,6,2"/><physics_engines><dynamics2d id="dyn"/></physics_engines><media/>
+</argos-configuration>)");
+  const std::string warning = "e.argos:4: <actuators> is not used by anything";
+  const SProgramRun run = folder.Run({"e.argos"});
+  CHECK(run.Status == 0);
+  if (isAdded) {
+    CHECK_THAT(run.Err, !Contains("is not used by anything"));
+  } else {
+    CHECK_THAT(run.Err, Contains(warning));
+  }
+  // the check cannot know
+  CHECK_THAT(folder.Run({"e.argos", "--check"}).Err, Contains(warning));
+}
+
 TEST_CASE("argos3: --quiet and --log-level choose the lines of the logs", "[command_line]") {
   const CTestFolder folder;
   folder.Write("e.argos", Experiment("test_idle", "<nobody_reads_me/>"));

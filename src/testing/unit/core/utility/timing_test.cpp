@@ -173,7 +173,7 @@ TEST_CASE("profiler: errors are reported before the run", "[core][profiler]") {
   CHECK_THROWS_WITH(CProfiler("x", "csv"),
                     Contains("format \"csv\", expected \"human_readable\" or \"table\""));
   CHECK_THROWS_WITH(CProfiler("/no/such/folder/x", "table"),
-                    Contains("cannot write the file \"/no/such/folder/x\": No such file"));
+                    Contains("cannot write the file \"/no/such/folder/x\": there is no folder"));
 }
 
 }  // namespace timing_test

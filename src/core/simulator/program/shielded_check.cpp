@@ -1,0 +1,139 @@
+#include <argos3/core/simulator/program/shielded_check.h>
+
+#include <argos3/core/utility/errors/argos_exception.h>
+
+#include <dlfcn.h>
+#include <spawn.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <string>
+#include <system_error>
+#include <vector>
+
+extern char** environ;
+
+namespace argos {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr char kFolderVariable[] = "ARGOS_SHIELDED_CHECK";
+constexpr char kRaise[] = "argos3_raise_write_shield";
+constexpr int kSignalStatus = 128;  // as shells do
+
+/* A new folder, which the destructor removes with all that is in it. */
+class CTemporaryFolder {
+ public:
+  CTemporaryFolder() {
+    std::error_code error;
+    m_path = (fs::temp_directory_path(error) / "argos3_check_XXXXXX").string();
+    if (error || mkdtemp(m_path.data()) == nullptr) {
+      THROW_ARGOSEXCEPTION(
+          "the folder for what the experiment's code would write cannot be created: "
+          << (error ? error.message() : std::strerror(errno)));
+    }
+  }
+  ~CTemporaryFolder() {
+    std::error_code ignored;
+    fs::remove_all(m_path, ignored);
+  }
+  CTemporaryFolder(const CTemporaryFolder&) = delete;
+  CTemporaryFolder& operator=(const CTemporaryFolder&) = delete;
+
+  const std::string& GetPath() const { return m_path; }
+
+ private:
+  std::string m_path;
+};
+
+// beside the library that has this code
+std::string FindShield() {
+  Dl_info information;
+  if (dladdr(reinterpret_cast<const void*>(&IsInShieldedCheck), &information) == 0) {
+    THROW_ARGOSEXCEPTION("the folder of the program's libraries is not known");
+  }
+  const fs::path path =
+      fs::absolute(information.dli_fname).parent_path() / "on_demand" / "libargos3_write_shield.so";
+  if (access(path.c_str(), R_OK) != 0) {
+    THROW_ARGOSEXCEPTION("a check needs the library \"" << path.string()
+                                                        << "\": " << std::strerror(errno));
+  }
+  return path.string();
+}
+
+std::vector<std::string> MakeEnvironment(const std::string& folder) {
+  std::string preloaded = "LD_PRELOAD=" + FindShield();
+  std::vector<std::string> variables;
+  for (char** variable = environ; *variable != nullptr; ++variable) {
+    const std::string text = *variable;
+    if (text.rfind("LD_PRELOAD=", 0) == 0) {
+      preloaded += ':' + text.substr(text.find('=') + 1);
+    } else {
+      variables.push_back(text);
+    }
+  }
+  variables.push_back(preloaded);
+  variables.push_back(std::string(kFolderVariable) + '=' + folder);
+  return variables;
+}
+
+int Wait(pid_t process) {
+  // as system() does: a signal of the terminal ends the child, and then the folder is removed
+  struct sigaction ignore {};
+  ignore.sa_handler = SIG_IGN;
+  struct sigaction oldInterrupt {};
+  struct sigaction oldQuit {};
+  sigaction(SIGINT, &ignore, &oldInterrupt);
+  sigaction(SIGQUIT, &ignore, &oldQuit);
+  int status = 0;
+  while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
+  }
+  sigaction(SIGINT, &oldInterrupt, nullptr);
+  sigaction(SIGQUIT, &oldQuit, nullptr);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : kSignalStatus + WTERMSIG(status);
+}
+
+}  // namespace
+
+bool IsInShieldedCheck() {
+  return std::getenv(kFolderVariable) != nullptr && dlsym(RTLD_DEFAULT, kRaise) != nullptr;
+}
+
+void RaiseWriteShield() {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  using TRaise = void(const char*);
+  reinterpret_cast<TRaise*>(dlsym(RTLD_DEFAULT, kRaise))(std::getenv(kFolderVariable));
+}
+
+int RunShieldedCheck(const char* program, const char* const* argv) {
+  if (std::getenv(kFolderVariable) != nullptr) {
+    // it would be started again and again
+    THROW_ARGOSEXCEPTION(
+        "the system has not preloaded the library that keeps the experiment's code "
+        "from changing files: LD_PRELOAD has no effect here");
+  }
+  const CTemporaryFolder folder;
+  std::vector<std::string> variables = MakeEnvironment(folder.GetPath());
+  std::vector<char*> environment;
+  for (std::string& variable : variables) {
+    environment.push_back(variable.data());
+  }
+  environment.push_back(nullptr);
+  pid_t process = -1;
+  const int error = posix_spawn(&process, program, nullptr, nullptr, const_cast<char**>(argv),
+                                environment.data());
+  if (error != 0) {
+    THROW_ARGOSEXCEPTION("the process of the check cannot be started: " << std::strerror(error));
+  }
+  return Wait(process);
+}
+
+}  // namespace argos
