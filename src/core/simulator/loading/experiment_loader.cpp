@@ -145,11 +145,16 @@ void CExperimentLoader::Load() {
   errors.ThrowIfAny();
   m_context.Loading.End();
   m_context.Space->MarkStart();
-  const bool mayAddRobots = NodeExists(root, "loop_functions") && !CLoadingCheck::IsActive();
-  PrintWarnings(FindLoadWarnings(*m_experiment.Document, m_context, mayAddRobots));
-  m_experiment.ChecksControllersAtEnd = mayAddRobots;
+  m_experiment.ChecksControllersAtEnd = MayAddRobots() && !CLoadingCheck::IsActive();
+  PrintWarnings(
+      FindLoadWarnings(*m_experiment.Document, m_context, m_experiment.ChecksControllersAtEnd));
   LOG.Flush();
   LOGERR.Flush();
+}
+
+// in the run
+bool CExperimentLoader::MayAddRobots() const {
+  return NodeExists(m_experiment.Document->GetRoot(), "loop_functions") && !m_context.IsReplay;
 }
 
 // after an error in <framework>: what the checks of the other sections need
@@ -539,7 +544,14 @@ void CExperimentLoader::CheckOverrides(CLoadErrors& errors) const {
   if (!errors.IsEmpty()) {
     return;
   }
-  for (const std::string& unread : GetViewsDocument().DescribeUnreadSettings()) {
+  // robots that are added in the run may read them
+  std::vector<const TConfigurationNode*> pending;
+  if (MayAddRobots()) {
+    for (const SControllerSetup* setup : m_context.Loading.ListUnusedControllers()) {
+      pending.push_back(setup->Node);
+    }
+  }
+  for (const std::string& unread : GetViewsDocument().DescribeUnreadSettings(pending)) {
     errors.Add("", CARGoSException(unread));
   }
 }

@@ -73,6 +73,7 @@ class CExperimentLoader {
   void InitViews(TConfigurationNode& root, CLoadErrors& errors);
   void InitView(TConfigurationNode& node);
   void InitOutputs(TConfigurationNode& root, CLoadErrors& errors);
+  bool MayAddRobots() const;
   void CheckOverrides(CLoadErrors& errors) const;
 
   SSimulationContext& m_context;

@@ -64,7 +64,12 @@ std::exception_ptr SExperimentParts::Destroy() {
   CFirstFailure failure;
   failure.Try([this] { Outputs.Finish(m_context.Simulator); });
   if (std::exchange(ChecksControllersAtEnd, false)) {
-    failure.Try([this] { PrintWarnings(FindUnusedControllers(*Document, m_context)); });
+    failure.Try([this] {
+      PrintWarnings(FindUnusedControllers(*Document, m_context));
+      for (const std::string& unread : Document->DescribeUnreadSettings()) {
+        THROW_ARGOSEXCEPTION(unread);
+      }
+    });
   }
   // users' Destroy() may rely on their Init()
   if (AreLoopFunctionsReady) {

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstring>
+#include <set>
 #include <sstream>
 #include <vector>
 
@@ -295,8 +296,13 @@ std::vector<std::string> CConfigurationDocument::DescribeUnread(
   return lines;
 }
 
-std::vector<std::string> CConfigurationDocument::DescribeUnreadSettings() const {
-  return m_store->DescribeUnreadSettings();
+std::vector<std::string> CConfigurationDocument::DescribeUnreadSettings(
+    const std::vector<const CConfigurationNode*>& pending) const {
+  std::set<const tinyxml2::XMLNode*> elements;
+  for (const CConfigurationNode* node : pending) {
+    elements.insert(node->Record().Element);
+  }
+  return m_store->DescribeUnreadSettings(elements);
 }
 
 }  // namespace argos

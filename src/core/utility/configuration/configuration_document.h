@@ -91,8 +91,10 @@ class CConfigurationDocument {
   /**
    * Describes the calls of SetByPath() that have no effect, because the attribute was read of none
    * of the elements that were changed; with the nearest names that are read.
+   * @param pending  elements of this document whose contents may still be read: left out.
    */
-  std::vector<std::string> DescribeUnreadSettings() const;
+  std::vector<std::string> DescribeUnreadSettings(
+      const std::vector<const CConfigurationNode*>& pending = {}) const;
 
  private:
   std::shared_ptr<CConfigurationStore> m_store;

@@ -202,7 +202,15 @@ std::string DescribeUnreadText(const SConfigurationRecord& record, const std::st
 
 }  // namespace
 
-std::vector<std::string> CConfigurationStore::DescribeUnreadSettings() const {
+std::vector<std::string> CConfigurationStore::DescribeUnreadSettings(
+    const std::set<const tinyxml2::XMLNode*>& pending) const {
+  const auto isPending = [&pending](const SConfigurationRecord& record) {
+    const tinyxml2::XMLNode* node = record.Element;
+    while (node != nullptr && pending.count(node) == 0) {
+      node = node->Parent();
+    }
+    return node != nullptr;
+  };
   std::vector<std::string> lines;
   for (const SConfigurationSetting& setting : m_settings) {
     const SConfigurationRecord* unread = nullptr;
@@ -212,7 +220,7 @@ std::vector<std::string> CConfigurationStore::DescribeUnreadSettings() const {
       bool isOriginUnread = false;
       for (const SConfigurationRecord& record : m_records) {
         if (record.Origin == origin && record.Element != nullptr &&
-            IsUnread(record, setting.Attribute)) {
+            IsUnread(record, setting.Attribute) && !isPending(record)) {
           isOriginUnread = true;
           unread = &record;
         }

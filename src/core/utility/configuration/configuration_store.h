@@ -80,8 +80,12 @@ class CConfigurationStore : public std::enable_shared_from_this<CConfigurationSt
   CConfigurationAttribute* KeepAttribute(const CConfigurationAttribute& attribute);
 
   void AddSetting(SConfigurationSetting setting) { m_settings.push_back(std::move(setting)); }
-  /** Describes the settings of which no element has read the attribute. */
-  std::vector<std::string> DescribeUnreadSettings() const;
+  /**
+   * Describes the settings of which no element has read the attribute, but not those of the
+   * contents of the elements @p pending.
+   */
+  std::vector<std::string> DescribeUnreadSettings(
+      const std::set<const tinyxml2::XMLNode*>& pending) const;
   /** Describes what is unread in the element and its contents, in the order of the file. */
   void DescribeUnread(tinyxml2::XMLElement& element, std::vector<std::string>& lines);
 

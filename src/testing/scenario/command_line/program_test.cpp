@@ -377,7 +377,7 @@ TEST_CASE("argos3: a controller is unused if no robot has had it at the end of t
 <loop_functions label="lua"><params script="loop.lua"/></loop_functions>
 <arena size="6,6,2"/><physics_engines><dynamics2d id="dyn"/></physics_engines><media/>
 </argos-configuration>)");
-  const std::string warning = "e.argos:4: <actuators> is not used by anything";
+  const std::string warning = "e.argos:5: <params> is not used by anything";
   const SProgramRun run = folder.Run({"e.argos"});
   CHECK(run.Status == 0);
   if (isAdded) {
@@ -385,6 +385,9 @@ TEST_CASE("argos3: a controller is unused if no robot has had it at the end of t
   } else {
     CHECK_THAT(run.Err, Contains(warning));
   }
+  // a value of --set is read by the robot, or by none
+  const std::string setting = "//lua_controller/params/@script=robot.lua";
+  CHECK(folder.Run({"e.argos", "--set", setting}).Status == (isAdded ? 0 : 1));
   // the check cannot know
   CHECK_THAT(folder.Run({"e.argos", "--check"}).Err, Contains(warning));
 }
