@@ -11,6 +11,7 @@ namespace argos {
 namespace {
 
 constexpr float kHaloScale = 3.6f;  // radii
+constexpr float kLampHaloScale = 4.5f;  // radii
 constexpr SRgba kDark = {46, 48, 54, 255};
 constexpr double kUndeclaredDiameter = 0.01;  // m; between those of the e-puck and the foot-bot
 
@@ -37,6 +38,19 @@ SGlow MakeLEDGlow(const SPose& pose, double diameter, const CColor& color) {
     glow.HaloScale = kHaloScale;
     glow.IsSignal = 1.0f;
   }
+  return glow;
+}
+
+SGlow MakeLampGlow(const SPose& pose, double diameter, const CColor& color, Real intensity) {
+  if (intensity <= 0.0) {
+    return MakeLEDGlow(pose, diameter, CColor());
+  }
+  SGlow glow;
+  glow.Position = ToFloats(pose.Translation);
+  glow.Radius = static_cast<float>(0.5 * diameter);
+  glow.Color = ToRgba(color);
+  glow.HaloScale = kLampHaloScale;
+  glow.IsLamp = true;
   return glow;
 }
 

@@ -16,6 +16,14 @@ CColor GetLEDColorOrBlack(const CLEDEquippedEntity* leds, UInt32 number);
 SGlow MakeLEDGlow(const SPose& pose, double diameter, const CColor& color);
 
 /**
+ * A lamp as a part of a scene.
+ * @param diameter   m.
+ * @param intensity  of CLightEntity; 0 or less: the lamp is off, as light sensors ignore it, and is
+ *   drawn as an LED that is off.
+ */
+SGlow MakeLampGlow(const SPose& pose, double diameter, const CColor& color, Real intensity);
+
+/**
  * Adds those LEDs of the component that the appearance does not contain, 1 cm wide, at their places
  * on the body. Creates no LED entities.
  */

@@ -24,7 +24,6 @@ namespace argos {
 
 namespace {
 
-constexpr float kLightHaloScale = 4.5f;  // radii
 constexpr double kHighestFoot = 0.045;  // m; parts that begin above it hardly darken the ground
 constexpr double kDetailShare = 0.35;  // of the volume of an entity's largest part
 constexpr double kUpright = 0.999;  // cosine of the angle between a part's axis and the vertical
@@ -131,7 +130,7 @@ void CSceneBuilder::AddEntity(CEntity& entity, SScene& scene) {
     }
   } else if (auto* positional = dynamic_cast<CPositionalEntity*>(&entity)) {
     subject.Pose = ToVisiblePose({positional->GetPosition(), positional->GetOrientation()});
-    subject.IsLight = dynamic_cast<CLightEntity*>(&entity) != nullptr;
+    subject.Light = dynamic_cast<CLightEntity*>(&entity);
   }
   for (const SVisualPart& part : appearance->Parts) {
     const double volume = ComputeVolume(part);
@@ -179,11 +178,8 @@ void CSceneBuilder::AddPart(const SVisualPart& part, SSubject& subject, SScene& 
   const SPose pose = ComputeAnchorPose(part.Anchor, subject.Body, subject.Pose) *
                      ToPose(part.Position, part.Orientation);
   const Eigen::Vector3d size = ToEigen(part.Size);
-  if (subject.IsLight) {
-    const float radius = static_cast<float>(0.5 * size.x());
-    scene.Glows.push_back(
-        {ToFloats(pose.Translation), radius, ToRgba(part.Color), kLightHaloScale});
-    scene.Glows.back().IsLamp = true;
+  if (subject.Light != nullptr) {
+    scene.Glows.push_back(MakeLampGlow(pose, size.x(), part.Color, subject.Light->GetIntensity()));
     return;
   }
   const CColor color = subject.IsQuarantined ? PaleGray(part.Color) : part.Color;

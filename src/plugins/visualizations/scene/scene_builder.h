@@ -19,6 +19,7 @@ class CControllableEntity;
 class CEmbodiedEntity;
 class CEntity;
 class CLEDEquippedEntity;
+class CLightEntity;
 class CSpace;
 struct SAppearance;
 struct SVisualPart;
@@ -58,7 +59,7 @@ class CSceneBuilder {
     SPose Pose;
     CEmbodiedEntity* Body = nullptr;  // null: the entity has none
     CLEDEquippedEntity* LEDs = nullptr;  // null: the entity has none, or they are dark
-    bool IsLight = false;  // its solids glow
+    const CLightEntity* Light = nullptr;  // its solids glow while its intensity is above 0
     const TModels* Models = nullptr;  // null: it has solids only
     bool IsRobot = false;
     bool IsQuarantined = false;  // a robot that errors have stopped (CSpace::QuarantineLater())

@@ -175,6 +175,25 @@ TEST_CASE("scene builder: a light is drawn at its position in its colour",
   }
 }
 
+TEST_CASE("scene builder: a lamp shines only while its intensity is above 0",
+          "[visualizations][offscreen][scene]") {
+  CWorld world;
+  auto* const lamp = new CLightEntity("lamp", CVector3(0.25, -0.5, 0.75), CColor::YELLOW, 0.0);
+  world.Add(lamp);
+  for (const Real intensity : {0.0, 0.1, -1.0, 2.0}) {
+    CAPTURE(intensity);
+    lamp->SetIntensity(intensity);
+    SScene& scene = world.Build();
+    REQUIRE(scene.Glows.size() == 1);
+    const SGlow& glow = scene.Glows[0];
+    CHECK(glow.Radius == 0.05f);
+    CHECK(glow.IsLamp == (intensity > 0.0));
+    CHECK((glow.HaloScale > 0.0f) == (intensity > 0.0));
+    // dark glass is nearly black
+    CHECK((glow.Color.R > 64) == (intensity > 0.0));
+  }
+}
+
 TEST_CASE("scene builder: the floor is sampled at its resolution, again after a change",
           "[visualizations][offscreen][scene]") {
   CWorld world;
