@@ -1,11 +1,13 @@
 #include <argos3/campaign/report/report_text.h>
 
 #include <argos3/core/utility/text/string_utilities.h>
+#include <argos3/core/utility/text/utf8.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 namespace argos {
 
@@ -13,37 +15,11 @@ namespace {
 
 constexpr const char* kReplacement = "\xEF\xBF\xBD";  // U+FFFD
 
-// the length of the UTF-8 character that begins at a place; 0 if there is none
-size_t GetCharacterLength(const std::string& text, size_t place) {
-  const auto byte = [&text](size_t i) { return static_cast<unsigned char>(text[i]); };
-  const unsigned char lead = byte(place);
-  if (lead < 0x80) {
-    return 1;
-  }
-  const size_t length = lead >= 0xC2 && lead < 0xE0   ? 2
-                        : lead >= 0xE0 && lead < 0xF0 ? 3
-                        : lead >= 0xF0 && lead < 0xF5 ? 4
-                                                      : 0;
-  if (length == 0 || place + length > text.size()) {
-    return 0;
-  }
-  for (size_t i = 1; i < length; ++i) {
-    if ((byte(place + i) & 0xC0) != 0x80) {
-      return 0;
-    }
-  }
-  // overlong forms, surrogates, and what is beyond Unicode
-  const unsigned char second = byte(place + 1);
-  const bool isRefused = (lead == 0xE0 && second < 0xA0) || (lead == 0xED && second > 0x9F) ||
-                         (lead == 0xF0 && second < 0x90) || (lead == 0xF4 && second > 0x8F);
-  return isRefused ? 0 : length;
-}
-
 template <typename TConvert>
 std::string ConvertText(const std::string& text, TConvert convert) {
   std::string result;
   for (size_t i = 0; i < text.size();) {
-    const size_t length = GetCharacterLength(text, i);
+    const size_t length = CountUtf8Bytes(std::string_view(text).substr(i));
     if (length == 0) {
       result += kReplacement;
     } else if (length == 1) {

@@ -2,11 +2,13 @@
 
 #include <argos3/core/utility/files/output_file.h>
 #include <argos3/core/utility/text/string_utilities.h>
+#include <argos3/core/utility/text/utf8.h>
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <map>
+#include <string_view>
 
 namespace argos {
 
@@ -15,16 +17,8 @@ namespace {
 // bytes that are not UTF-8 become U+FFFD, so that every reader accepts the file
 void AppendCharacter(const std::string& text, size_t& i, std::string& quoted) {
   const auto lead = static_cast<unsigned char>(text[i]);
-  const size_t length = lead < 0x80         ? 1
-                        : (lead >> 5) == 6  ? 2
-                        : (lead >> 4) == 14 ? 3
-                        : (lead >> 3) == 30 ? 4
-                                            : 0;
-  bool isValid = length > 0 && i + length <= text.size();
-  for (size_t k = 1; isValid && k < length; ++k) {
-    isValid = (static_cast<unsigned char>(text[i + k]) >> 6) == 2;
-  }
-  if (!isValid) {
+  const size_t length = CountUtf8Bytes(std::string_view(text).substr(i));
+  if (length == 0) {
     quoted += "\\ufffd";
   } else if (length == 1 && lead < 0x20) {
     quoted += fmt::format("\\u{:04x}", lead);

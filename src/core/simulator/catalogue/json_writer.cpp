@@ -1,37 +1,17 @@
 #include <argos3/core/simulator/catalogue/json_writer.h>
 
+#include <argos3/core/utility/text/utf8.h>
+
 #include <fmt/format.h>
 
+#include <string_view>
+
 namespace argos {
-
-namespace {
-
-// bytes of the UTF-8 character at a place; 0 if it is none
-std::size_t CharacterSize(const std::string& text, std::size_t at) {
-  const auto byte = [&](std::size_t i) {
-    return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;
-  };
-  const unsigned first = byte(at);
-  const std::size_t size = first < 0x80   ? 1
-                           : first < 0xC2 ? 0
-                           : first < 0xE0 ? 2
-                           : first < 0xF0 ? 3
-                           : first < 0xF5 ? 4
-                                          : 0;
-  for (std::size_t i = 1; i < size; ++i) {
-    if ((byte(at + i) & 0xC0) != 0x80) {
-      return 0;
-    }
-  }
-  return size;
-}
-
-}  // namespace
 
 std::string JsonQuoted(const std::string& text) {
   std::string quoted = "\"";
   for (std::size_t at = 0; at < text.size();) {
-    const std::size_t size = CharacterSize(text, at);
+    const std::size_t size = CountUtf8Bytes(std::string_view(text).substr(at));
     const char c = text[at];
     if (size == 0) {
       quoted += "\\ufffd";

@@ -1,5 +1,7 @@
 #include <argos3/plugins/simulator/visualizations/povray/sdl_text.h>
 
+#include <argos3/core/utility/text/utf8.h>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,23 +16,6 @@ constexpr double kLargestByte = 255.0;
 // four digits tell apart all 256 levels
 std::string ToLevel(double value) {
   return fmt::format("{:.4g}", value / kLargestByte);
-}
-
-// @return length of a valid UTF-8 sequence at the beginning of a text, in bytes; 0: none
-std::size_t CountUtf8Bytes(std::string_view text) {
-  const auto first = static_cast<unsigned char>(text.front());
-  const std::size_t size = first < 0x80                    ? 1
-                           : first >= 0xC2 && first < 0xE0 ? 2
-                           : first >= 0xE0 && first < 0xF0 ? 3
-                           : first >= 0xF0 && first < 0xF5 ? 4
-                                                           : 0;
-  if (size == 0 || size > text.size()) {
-    return 0;
-  }
-  const bool isValid = std::all_of(text.begin() + 1, text.begin() + size, [](char byte) {
-    return (static_cast<unsigned char>(byte) & 0xC0) == 0x80;
-  });
-  return isValid ? size : 0;
 }
 
 }  // namespace
