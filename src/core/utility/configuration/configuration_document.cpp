@@ -4,15 +4,12 @@
 #include <argos3/core/utility/configuration/configuration_error.h>
 #include <argos3/core/utility/configuration/configuration_path.h>
 #include <argos3/core/utility/configuration/configuration_store.h>
+#include <argos3/core/utility/configuration/xml_text.h>
 #include <argos3/core/utility/files/file_replacement.h>
 #include <argos3/core/utility/files/input_file.h>
 #include <argos3/core/utility/text/classic_locale.h>
 
-#include <algorithm>
 #include <cstddef>
-#include <cstring>
-#include <set>
-#include <sstream>
 #include <vector>
 
 namespace argos {
@@ -65,75 +62,14 @@ std::string Describe(tinyxml2::XMLError error) {
   }
 }
 
-struct STag {
-  std::string Name;
-  long Line = 0;
-};
-
-// @return the offset after an end, from a start; the size of the text if there is no end
-std::size_t Skip(const std::string& xml, std::size_t from, const char* end) {
-  const std::size_t found = xml.find(end, from);
-  return found == std::string::npos ? xml.size() : found + std::strlen(end);
-}
-
-// @return the offset after '>', which attributes may contain
-std::size_t SkipTag(const std::string& xml, std::size_t at) {
-  for (char quote = '\0'; at < xml.size(); ++at) {
-    if (quote != '\0') {
-      quote = xml[at] == quote ? '\0' : quote;
-    } else if (xml[at] == '"' || xml[at] == '\'') {
-      quote = xml[at];
-    } else if (xml[at] == '>') {
-      return at + 1;
-    }
-  }
-  return at;
-}
-
-// names the first closing tag of another element than the open one; the parser does not
-std::string DescribeMismatch(const std::string& xml, long& line) {
-  std::vector<STag> open;
-  std::size_t counted = 0;
-  line = 1;
-  for (std::size_t at = xml.find('<'); at != std::string::npos; at = xml.find('<', at)) {
-    line += std::count(xml.begin() + static_cast<std::ptrdiff_t>(counted),
-                       xml.begin() + static_cast<std::ptrdiff_t>(at), '\n');
-    counted = at;
-    if (xml.compare(at, 4, "<!--") == 0) {
-      at = Skip(xml, at, "-->");
-    } else if (xml.compare(at, 9, "<![CDATA[") == 0) {
-      at = Skip(xml, at, "]]>");
-    } else if (xml.compare(at, 2, "<?") == 0 || xml.compare(at, 2, "<!") == 0) {
-      at = Skip(xml, at, ">");
-    } else {
-      const bool closes = xml.compare(at, 2, "</") == 0;
-      const std::size_t start = at + (closes ? 2 : 1);
-      const std::string name = xml.substr(start, xml.find_first_of(" \t\r\n/>", start) - start);
-      at = SkipTag(xml, at);
-      if (!closes) {
-        if (xml[at - 2] != '/') {
-          open.push_back({name, line});
-        }
-      } else if (open.empty()) {
-        return "</" + name + "> closes an element that is not open";
-      } else if (open.back().Name != name) {
-        return "</" + name + "> is found where </" + open.back().Name + "> must come first: <" +
-               open.back().Name + "> of line " + std::to_string(open.back().Line) +
-               " is still open";
-      } else {
-        open.pop_back();
-      }
-    }
-  }
-  if (open.empty()) {
-    return Describe(tinyxml2::XML_ERROR_MISMATCHED_ELEMENT);
-  }
-  line = open.back().Line;
-  return '<' + open.back().Name + "> is still open at the end of the file";
-}
-
 [[noreturn]] void ThrowMalformed(const std::string& name, int line, const std::string& what) {
   THROW_CONFIGURATION_ERROR(LocationText(name, line) << ": not well-formed XML: " << what);
+}
+
+void ThrowIfFault(const std::string& name, const SXmlFault& fault) {
+  if (!fault.Text.empty()) {
+    ThrowMalformed(name, fault.Line, fault.Text);
+  }
 }
 
 // the parser accepts several root elements and text outside the root element
@@ -158,23 +94,17 @@ void CheckSingleRoot(tinyxml2::XMLDocument& xml, const std::string& name) {
 void CConfigurationDocument::Parse(const std::string& xml, const std::string& name) {
   auto store = std::make_shared<CConfigurationStore>(name);
   tinyxml2::XMLDocument& document = store->GetXml();
-  const std::size_t nul = xml.find('\0');
-  if (nul != std::string::npos) {
-    const auto line =
-        1 + std::count(xml.begin(), xml.begin() + static_cast<std::ptrdiff_t>(nul), '\n');
-    ThrowMalformed(name, static_cast<int>(line),
-                   "zero byte at offset " + std::to_string(nul) + "; is it a text file?");
-  }
+  std::string text = xml;
+  ThrowIfFault(name, ConvertToUtf8(text));
+  ThrowIfFault(name, FindXmlFault(text));
   const tinyxml2::XMLError error = [&] {
     const CAttributeSearch fast;
-    return document.Parse(xml.data(), xml.size());
+    return document.Parse(text.data(), text.size());
   }();
+  if (error == tinyxml2::XML_ERROR_MISMATCHED_ELEMENT) {
+    ThrowIfFault(name, FindMismatch(text));
+  }
   if (error != tinyxml2::XML_SUCCESS) {
-    if (error == tinyxml2::XML_ERROR_MISMATCHED_ELEMENT) {
-      long line = 0;
-      const std::string mismatch = DescribeMismatch(xml, line);
-      ThrowMalformed(name, static_cast<int>(line), mismatch);
-    }
     ThrowMalformed(name, document.ErrorLineNum(), Describe(error));
   }
   CheckSingleRoot(document, name);

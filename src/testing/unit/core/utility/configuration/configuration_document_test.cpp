@@ -135,6 +135,74 @@ TEST_CASE("document: malformed XML is refused with its line", "[core][configurat
   CHECK_THAT(ErrorOfParsing(std::string("<a/>\0", 5)), Contains("zero byte at offset 4"));
 }
 
+TEST_CASE("document: references are those of XML", "[core][configuration]") {
+  CConfigurationDocument document;
+  document.Parse(
+      "<a b='&amp;&lt;&gt;&quot;&apos;&#65;&#xe9;'><!-- R&D &x; -->"
+      "<c><![CDATA[R&D]]></c></a>");
+  CHECK(document.GetRoot().GetAttribute("b") == "&<>\"'A\xC3\xA9");
+  CHECK(GetNode(document.GetRoot(), "c").GetText() == "R&D");
+
+  constexpr const char* kRaw =
+      "x.argos:2: not well-formed XML: this \"&\" begins no entity and must "
+      "be written \"&amp;\"";
+  for (const char* const text : {"R&D", "R & D", "&", "a&amp", "&#;", "&;", "&#65", "?a=1&b=2"}) {
+    CAPTURE(text);
+    CHECK_THAT(ErrorOfParsing("<a>\n<b c='" + std::string(text) + "'/></a>"), Contains(kRaw));
+    CHECK_THAT(ErrorOfParsing("<a>\n" + std::string(text) + "</a>"), Contains(kRaw));
+  }
+  for (const char* const number : {"#0", "#x", "#xD800", "#x110000", "#12a", "#65537000000000"}) {
+    CAPTURE(number);
+    CHECK_THAT(ErrorOfParsing("<a>\n<b c='&" + std::string(number) + ";'/></a>"),
+               Contains("x.argos:2: not well-formed XML: \"&" + std::string(number) +
+                        ";\" is the number of no character"));
+  }
+  CHECK_THAT(ErrorOfParsing("<a>\n<b c='&uuml;'/></a>"),
+             Contains("x.argos:2: not well-formed XML: there is no entity \"&uuml;\", only &amp;"));
+}
+
+TEST_CASE("document: a DOCTYPE may not declare anything", "[core][configuration]") {
+  CHECK(ErrorOfParsing("<!DOCTYPE a SYSTEM \"a[1].dtd\">\n<a/>") == "accepted");
+  for (const char* const declarations :
+       {"<!ENTITY speed \"5\">", "", "<!ATTLIST b c CDATA \"1\">", "<!-- it's -->"}) {
+    CHECK_THAT(ErrorOfParsing("<?xml version='1.0'?>\n<!DOCTYPE a [" + std::string(declarations) +
+                              "]>\n<a b='&speed;'/>"),
+               Contains("x.argos:2: not well-formed XML: declarations in a DOCTYPE"));
+  }
+}
+
+TEST_CASE("document: text is converted from the encoding that is declared",
+          "[core][configuration]") {
+  constexpr const char* kUmlaut = "\xC3\xA4";
+  for (const char* const encoding : {"ISO-8859-1", "iso-8859-1", "latin1"}) {
+    CConfigurationDocument document;
+    document.Parse("<?xml version='1.0' encoding='" + std::string(encoding) + "'?>\n<a b='\xE4'/>");
+    CHECK(document.GetRoot().GetAttribute("b") == kUmlaut);
+    // what is saved is what it says that it is
+    CConfigurationDocument copy;
+    copy.Parse(document.ToText());
+    CHECK(copy.GetRoot().GetAttribute("b") == kUmlaut);
+  }
+  for (const char* const declaration :
+       {"", "<?xml version='1.0'?>", "<?xml version=\"1.0\" encoding=\"UTF-8\" standalone='yes'?>",
+        "<?xml version=\"1.0\" encoding='utf-8'?>", "\xEF\xBB\xBF<?xml version='1.0'?>"}) {
+    CAPTURE(declaration);
+    const std::string start(declaration);
+    CConfigurationDocument document;
+    document.Parse(start + "<a b='" + kUmlaut + "'/>");
+    CHECK(document.GetRoot().GetAttribute("b") == kUmlaut);
+    CHECK_THAT(ErrorOfParsing(start + "\n<a b='\xE4'/>"),
+               Contains("x.argos:2: not well-formed XML: byte 0xE4 is not UTF-8; save the file as "
+                        "UTF-8, or name its encoding"));
+    // comments are not read
+    CHECK(ErrorOfParsing(start + "\n<!-- \xE4 --><a/>") == "accepted");
+  }
+  CHECK_THAT(ErrorOfParsing("<?xml version='1.0' encoding='UTF-16'?><a/>"),
+             Contains("x.argos:1: not well-formed XML: the encoding \"UTF-16\" is not supported"));
+  CHECK_THAT(ErrorOfParsing(std::string("\xFF\xFE<\0a\0/\0>\0", 10)),
+             Contains("x.argos:1: not well-formed XML: the file is encoded in UTF-16"));
+}
+
 /****************************************/
 // unread elements and attributes
 /****************************************/
