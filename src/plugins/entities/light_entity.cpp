@@ -114,7 +114,8 @@ ATTRIBUTES
   orientation  "z,y,x", degrees, default "0,0,0": ignored.
   color        a colour name or "R,G,B,A" with integers 0-255, required: seen by cameras.
   intensity    real number, required: the distance, in m, at which the generic light sensor reads 1.
-               Light sensors ignore lamps with 0 or less; cameras ignore the intensity.
+               With 0 or less the lamp is off for light sensors and in pictures; cameras ignore
+               the intensity.
   medium       text, required: the id of an LED medium.
 )",
     "Usable")
