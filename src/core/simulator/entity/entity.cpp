@@ -4,6 +4,8 @@
 #include <argos3/core/simulator/entity/robots_code.h>
 #include <argos3/core/utility/datatypes/digest.h>
 
+#include <memory>
+
 namespace argos {
 
 INIT_VTABLE_FOR(CEntity)
@@ -18,14 +20,39 @@ CEntity::CEntity(const CEntity& other)
       EnableVTableFor<CEntity>(other),
       CSlabObject(other),
       m_parent(other.m_parent),
-      m_configurationNode(other.m_configurationNode),
       m_id(other.m_id),
       m_index(-1),
       m_enabled(other.m_enabled),
-      m_enabledAtStart(other.m_enabledAtStart) {}
+      m_enabledAtStart(other.m_enabledAtStart) {
+  if (other.m_configurationNode != nullptr) {
+    SetNode(*other.m_configurationNode);
+  }
+}
+
+CEntity::~CEntity() {
+  ReleaseNode();
+}
+
+void CEntity::ReleaseNode() {
+  if (m_ownsNode) {
+    const std::unique_ptr<TConfigurationNode> owned(m_configurationNode);
+  }
+  m_configurationNode = nullptr;
+  m_ownsNode = false;
+}
+
+void CEntity::SetNode(TConfigurationNode& node) {
+  // kept as a pointer, because there is one in each of a million entities
+  const bool isLasting = node.IsLasting();
+  TConfigurationNode* const kept =
+      isLasting ? &node : std::make_unique<TConfigurationNode>(node).release();
+  ReleaseNode();
+  m_configurationNode = kept;
+  m_ownsNode = !isLasting;
+}
 
 void CEntity::Init(TConfigurationNode& tree) {
-  m_configurationNode = &tree;
+  SetNode(tree);
   if (NodeAttributeExists(tree, "id")) {
     GetNodeAttribute(tree, "id", m_id);
     return;

@@ -44,7 +44,7 @@ class CEntity : public CBaseConfigurableResource,
   /** @param parent the composite that owns this entity, or nullptr for a root. */
   explicit CEntity(CComposableEntity* parent);
   CEntity(CComposableEntity* parent, const std::string& id);
-  ~CEntity() override = default;
+  ~CEntity() override;
   /** Copies have the same parent but are neither its components nor in a space. */
   CEntity(const CEntity& other);
   CEntity& operator=(const CEntity&) = delete;
@@ -98,7 +98,10 @@ class CEntity : public CBaseConfigurableResource,
   bool IsEnabledAtStart() const { return m_enabledAtStart; }
   void SetEnabledAtStart(bool enabled) { m_enabledAtStart = enabled; }
 
-  /** The XML element of this entity, or nullptr; for a distributed entity, the template's. */
+  /**
+   * The XML element of this entity, or nullptr; for a distributed entity, the template's. Stays
+   * valid as long as the entity, whatever becomes of the node that Init() got.
+   */
   TConfigurationNode* GetConfigurationNode() { return m_configurationNode; }
 
   /** What the entity looks like, or nullptr if it is not drawn. */
@@ -107,10 +110,14 @@ class CEntity : public CBaseConfigurableResource,
   virtual void UpdateDigest(CDigest& digest) const;
 
  private:
+  void SetNode(TConfigurationNode& node);
+  void ReleaseNode();
+
   CComposableEntity* m_parent;
   TConfigurationNode* m_configurationNode = nullptr;
   std::string m_id;
-  SInt64 m_index : 48;  // shares its word with the two below
+  SInt64 m_index : 40;  // shares its word with those below
+  bool m_ownsNode = false;  // a copy; elements of the experiment need none
   bool m_enabled = true;
   bool m_enabledAtStart = true;
 };

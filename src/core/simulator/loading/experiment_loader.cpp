@@ -115,6 +115,7 @@ void CExperimentLoader::Load() {
   AddOutputElements(errors);
   ApplyOverrides(errors);
   TConfigurationNode& root = m_experiment.Document->GetRoot();
+  m_experiment.Document->SetLasting();
   errors.Try("", [&] { CheckRootTag(root); });
   errors.Try("", [&] { ReadLeniency(root); });
   // a missing or invalid section is one error; the others are still checked

@@ -139,6 +139,10 @@ void CConfigurationDocument::SaveFile(const std::string& path) const {
   }
 }
 
+void CConfigurationDocument::SetLasting() {
+  m_store->SetLasting();
+}
+
 void CConfigurationDocument::SetLenient() {
   m_store->SetLenient();
 }

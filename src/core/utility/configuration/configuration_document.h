@@ -46,6 +46,12 @@ class CConfigurationDocument {
    */
   void SetLenient();
 
+  /**
+   * Promises that the document will outlive all that is made of its elements, so that their
+   * addresses may be kept instead of copies.
+   */
+  void SetLasting();
+
   /** @throws CARGoSException if nothing was loaded. */
   CConfigurationNode& GetRoot();
 

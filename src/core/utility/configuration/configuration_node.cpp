@@ -78,6 +78,10 @@ SConfigurationRecord& CConfigurationNode::Record() const {
   }
   return *m_record;
 }
+bool CConfigurationNode::IsLasting() const {
+  return m_heldByDocument && m_record != nullptr && m_record->Store->IsLasting();
+}
+
 
 std::string CConfigurationNode::Value() const {
   return Record().Element->Value();

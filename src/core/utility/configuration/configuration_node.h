@@ -45,6 +45,8 @@ class CConfigurationNode {
   ~CConfigurationNode();
 
   bool IsEmpty() const { return m_record == nullptr; }
+  /** True if its address stays valid: see CConfigurationDocument::SetLasting(). */
+  bool IsLasting() const;
 
   /** Returns the tag. */
   std::string Value() const;
@@ -57,9 +59,9 @@ class CConfigurationNode {
     SetTag(detail::FormatText(value));
   }
 
-  /** Returns the line of the element in its file, counted from 1; 0 if it comes from no file. */
+  /** The line of the element in its file, counted from 1; 0 if it comes from no file. */
   UInt32 GetLine() const;
-  /** Returns the name of the element's file, or "(made by the program)". */
+  /** The name of the element's file, or "(made by the program)". */
   const std::string& GetFileName() const;
   /** Returns "file:line", or the file name if there is no line. */
   std::string GetLocation() const;
@@ -282,9 +284,7 @@ class CConfigurationNode {
 /** Prints the element and its contents as XML. */
 std::ostream& operator<<(std::ostream& stream, const CConfigurationNode& node);
 
-/**
- * Reads the rest of the stream as one XML element. @throws CARGoSException if it is not
- * well-formed.
+/** Reads the rest of the stream as one element. @throws CARGoSException if it is not well-formed.
  */
 std::istream& operator>>(std::istream& stream, CConfigurationNode& node);
 

@@ -68,6 +68,9 @@ class CConfigurationStore : public std::enable_shared_from_this<CConfigurationSt
   /** Returns the element's handle, owned by the store; marks the element as visited. */
   CConfigurationNode* HandleOf(tinyxml2::XMLElement* element);
 
+  void SetLasting() { m_isLasting = true; }
+  bool IsLasting() const { return m_isLasting; }
+
   void SetLenient() { m_leniency = std::make_shared<SLeniency>(); }
   /** Null if texts that are no valid values are errors. */
   const std::shared_ptr<SLeniency>& LeniencyOf(const SConfigurationRecord& record) const {
@@ -102,6 +105,7 @@ class CConfigurationStore : public std::enable_shared_from_this<CConfigurationSt
   std::shared_ptr<const std::string> m_name;
   tinyxml2::XMLDocument m_xml;
   std::shared_ptr<SLeniency> m_leniency;  // null: it is strict
+  bool m_isLasting = false;
   std::deque<SConfigurationRecord> m_records;
   std::deque<CConfigurationNode> m_handles;
   std::deque<CConfigurationAttribute> m_attributes;

@@ -366,11 +366,8 @@ SLuaResults CLuaSimulation::Add(CLuaArguments& arguments) {
   arguments.Finish();
   CConfigurationDocument document;
   document.Parse(xml, "simulation.add");
-  // the copy keeps the document
-  TConfigurationNode element = document.GetRoot();
-  CEntity& entity = m_loopFunctions.GetSpace().CreateEntity(element);
+  CEntity& entity = m_loopFunctions.GetSpace().CreateEntity(document.GetRoot());
   const std::string id = entity.GetId();
-  m_elements[id] = element;
   document.ForEachUnread([](const CConfigurationNode& node, const std::string& attribute) {
     LOGERR << "[WARNING] " << node.GetLocation() << ": <" << node.Value()
            << (attribute.empty() ? ">" : ">: attribute \"" + attribute + '"')
@@ -384,7 +381,6 @@ SLuaResults CLuaSimulation::Add(CLuaArguments& arguments) {
 
 void CLuaSimulation::Remove(const std::string& id) {
   m_loopFunctions.RemoveEntity(GetRoot(id));
-  m_elements.erase(id);
 }
 
 void CLuaSimulation::SetLEDColor(CLuaArguments& arguments) {

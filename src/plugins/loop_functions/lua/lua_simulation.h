@@ -8,7 +8,6 @@
 #include <argos3/core/wrappers/lua/lua_random.h>
 #include <argos3/core/wrappers/lua/lua_value.h>
 
-#include <map>
 #include <string>
 
 struct lua_State;
@@ -74,8 +73,6 @@ class CLuaSimulation {
   CLoopFunctions& m_loopFunctions;
   CSimulator& m_simulator;
   CLuaRandom m_random;
-  // entities keep a reference to the element that they were created from
-  std::map<std::string, TConfigurationNode> m_elements;  // by id
 };
 
 }  // namespace argos

@@ -201,6 +201,35 @@ TEST_CASE("space: a duplicate id is an error that names the other entity, and no
   world.Step();
 }
 
+TEST_CASE("space: the element of an entity lives as long as the entity", "[core][space]") {
+  CTestWorld world(TwoRobots());
+  const CSimulator::CScope scope(world.GetSimulator());
+  CSpace& space = world.GetSpace();
+  const std::string block =
+      "\n<toy-block id='b' size='1,1,1' movable='false'><body position='3,0,0'/></toy-block>";
+  const auto add = [&space](const std::string& xml) -> CEntity& {
+    CConfigurationDocument document;
+    document.Parse(xml, "added.xml");
+    SECTION("the node of a document") {
+      return space.CreateEntity(document.GetRoot());
+    }
+    TConfigurationNode node = document.GetRoot();
+    return space.CreateEntity(node);
+  };
+  CEntity& added = add(block);
+  REQUIRE(added.GetConfigurationNode() != nullptr);
+  CHECK(added.GetConfigurationNode()->Value() == "toy-block");
+  CHECK(added.GetConfigurationNode()->GetLocation() == "added.xml:2");
+  auto& body = dynamic_cast<CToyBlockEntity&>(added).GetEmbodiedEntity();
+  CHECK(body.GetConfigurationNode()->GetAttribute("position") == "3,0,0");
+  CHECK_THROWS_WITH(add(block), Contains("already an entity with id \"b\" (<toy-block> at "
+                                         "added.xml:2)"));
+  // those of the experiment are not copied
+  CEntity& robot = space.GetEntity("r1");
+  CHECK(robot.GetConfigurationNode()->Parent()->Value() == "arena");
+  CHECK(robot.GetConfigurationNode()->IsLasting());
+}
+
 TEST_CASE("space: a robot that no engine accepts is an error, and nothing is added",
           "[core][space]") {
   SExperiment experiment = TwoRobots();
