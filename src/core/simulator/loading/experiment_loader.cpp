@@ -114,8 +114,8 @@ void CExperimentLoader::Load() {
   m_context.Loading.Begin();
   AddOutputElements(errors);
   ApplyOverrides(errors);
-  TConfigurationNode& root = m_experiment.Document->GetRoot();
   m_experiment.Document->SetLasting();
+  TConfigurationNode& root = m_experiment.Document->GetRoot();
   errors.Try("", [&] { CheckRootTag(root); });
   errors.Try("", [&] { ReadLeniency(root); });
   // a missing or invalid section is one error; the others are still checked
@@ -142,7 +142,7 @@ void CExperimentLoader::Load() {
   PostSpaceInit(errors);
   InitViews(root, errors);
   InitOutputs(root, errors);
-  CheckOverrides(errors);
+  CheckUnread(errors);
   errors.ThrowIfAny();
   m_context.Loading.End();
   m_context.Space->MarkStart();
@@ -540,10 +540,13 @@ void CExperimentLoader::InitOutputs(TConfigurationNode& root, CLoadErrors& error
 }
 
 // at the end, because parts and users' code read attributes until then
-void CExperimentLoader::CheckOverrides(CLoadErrors& errors) const {
+void CExperimentLoader::CheckUnread(CLoadErrors& errors) const {
   // a part that could not be loaded has not read all its attributes
   if (!errors.IsEmpty()) {
     return;
+  }
+  for (const std::string& repeated : GetViewsDocument().DescribeRepeated()) {
+    errors.Add("", CARGoSException(repeated));
   }
   // robots that are added in the run may read them
   std::vector<const TConfigurationNode*> pending;

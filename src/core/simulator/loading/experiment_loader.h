@@ -74,7 +74,7 @@ class CExperimentLoader {
   void InitView(TConfigurationNode& node);
   void InitOutputs(TConfigurationNode& root, CLoadErrors& errors);
   bool MayAddRobots() const;
-  void CheckOverrides(CLoadErrors& errors) const;
+  void CheckUnread(CLoadErrors& errors) const;
 
   SSimulationContext& m_context;
   CTick& m_tick;

@@ -41,7 +41,7 @@ void CExperimentLoader::LoadReplay() {
     InitViews(viewsRoot, errors);
     InitOutputs(viewsRoot, errors);
   }
-  CheckOverrides(errors);
+  CheckUnread(errors);
   errors.ThrowIfAny();
   m_context.Loading.End();
   m_context.Space->MarkStart();

@@ -144,7 +144,14 @@ void CDistribution::ReadEntity() {
     THROW_ARGOSEXCEPTION(entity.GetLocation()
                          << ": <entity> must hold the element to distribute, such as <foot-bot>");
   }
-  m_template = &*it;
+  TConfigurationNode& element = *it;
+  if (++it != it.end()) {
+    THROW_ARGOSEXCEPTION(it->GetLocation() << ": <" << it->Value()
+                                           << ">: <entity> holds one element, and that is already <"
+                                           << element.Value() << "> at " << element.GetLocation()
+                                           << "; use another <distribute>");
+  }
+  m_template = &element;
   GetNodeAttribute(*m_template, "id", m_baseId);
 }
 

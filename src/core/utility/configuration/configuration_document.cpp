@@ -223,6 +223,14 @@ std::vector<std::string> CConfigurationDocument::DescribeUnread() const {
   return lines;
 }
 
+std::vector<std::string> CConfigurationDocument::DescribeRepeated() const {
+  std::vector<std::string> lines;
+  if (m_store->GetXml().RootElement() != nullptr) {
+    m_store->DescribeRepeated(*m_store->GetXml().RootElement(), lines);
+  }
+  return lines;
+}
+
 std::vector<std::string> CConfigurationDocument::DescribeUnread(
     const CConfigurationNode& node) const {
   std::vector<std::string> lines;

@@ -95,6 +95,13 @@ class CConfigurationDocument {
   std::vector<std::string> DescribeUnread(const CConfigurationNode& node) const;
 
   /**
+   * Describes elements that are not read because one with the same tag, which is read, precedes
+   * them, in the order of the file. Empty if the document is lenient; of elements that users' code
+   * reads, nothing is reported.
+   */
+  std::vector<std::string> DescribeRepeated() const;
+
+  /**
    * Describes the calls of SetByPath() that have no effect, because the attribute was read of none
    * of the elements that were changed; with the nearest names that are read.
    * @param pending  elements of this document whose contents may still be read: left out.

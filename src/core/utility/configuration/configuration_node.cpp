@@ -11,7 +11,6 @@
 #include <argos3/core/utility/text/classic_locale.h>
 
 #include <algorithm>
-#include <cstring>
 #include <iterator>
 
 namespace argos {
@@ -78,10 +77,10 @@ SConfigurationRecord& CConfigurationNode::Record() const {
   }
   return *m_record;
 }
+
 bool CConfigurationNode::IsLasting() const {
   return m_heldByDocument && m_record != nullptr && m_record->Store->IsLasting();
 }
-
 
 std::string CConfigurationNode::Value() const {
   return Record().Element->Value();
@@ -188,23 +187,6 @@ void CConfigurationNode::ThrowUnparsable(const std::string& what, const char* te
                                           << text << "\", expected " << expected
                                           << (details.empty() ? "" : " (" + details + ")"));
 }
-
-namespace {
-
-// users' code reads these elements and their contents
-bool IsOfUser(const tinyxml2::XMLElement& element) {
-  for (const tinyxml2::XMLNode* node = &element; node != nullptr; node = node->Parent()) {
-    const tinyxml2::XMLElement* const ancestor = node->ToElement();
-    for (const char* const tag : {"params", "loop_functions", "user_functions"}) {
-      if (ancestor != nullptr && std::strcmp(ancestor->Value(), tag) == 0) {
-        return true;
-      }
-    }
-  }
-  return false;
-}
-
-}  // namespace
 
 void CConfigurationNode::ThrowIfHuge(const std::string& name, const char* text) const {
   if (HasHugeNumber(text) && !IsOfUser(*Record().Element)) {

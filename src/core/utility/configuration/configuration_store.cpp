@@ -3,6 +3,7 @@
 #include <argos3/core/utility/configuration/attribute_text.h>
 #include <argos3/core/utility/configuration/configuration_error.h>
 #include <argos3/core/utility/configuration/request_recorder.h>
+#include <argos3/core/utility/configuration/single_element.h>
 #include <argos3/core/utility/configuration/value_range.h>
 #include <argos3/core/utility/text/string_utilities.h>
 
@@ -157,6 +158,12 @@ bool IsUnread(const SConfigurationRecord& record, const std::string& name) {
   return false;
 }
 
+// users' code reads the contents of such elements
+bool IsReadByUser(const tinyxml2::XMLElement& element) {
+  const std::string_view tag = element.Value();
+  return tag == "params" || tag == "loop_functions" || tag == "user_functions";
+}
+
 std::string Trimmed(const char* text) {
   constexpr const char* kBlanks = " \t\r\n";
   const std::string whole(text);
@@ -262,6 +269,36 @@ void CConfigurationStore::DescribeUnread(tinyxml2::XMLElement& element,
       DescribeUnread(*child->ToElement(), lines);
     }
   }
+}
+
+void CConfigurationStore::DescribeRepeated(tinyxml2::XMLElement& element,
+                                           std::vector<std::string>& lines) {
+  if (m_leniency != nullptr || IsReadByUser(element)) {
+    return;
+  }
+  for (auto* child = element.FirstChildElement(); child != nullptr;
+       child = child->NextSiblingElement()) {
+    const SConfigurationRecord& record = RecordOf(*child);
+    if (record.IsVisited) {
+      DescribeRepeated(*child, lines);
+      continue;
+    }
+    auto* const first = element.FirstChildElement(child->Value());
+    const SConfigurationRecord& other = RecordOf(*first);
+    if (other.IsVisited) {
+      lines.push_back(DescribeElement(record) + ": " +
+                      DescribeRepeat(LocationText(*other.File, other.Line)));
+    }
+  }
+}
+
+bool IsOfUser(const tinyxml2::XMLElement& element) {
+  for (const tinyxml2::XMLNode* node = &element; node != nullptr; node = node->Parent()) {
+    if (node->ToElement() != nullptr && IsReadByUser(*node->ToElement())) {
+      return true;
+    }
+  }
+  return false;
 }
 
 /****************************************/

@@ -89,6 +89,12 @@ class CConfigurationStore : public std::enable_shared_from_this<CConfigurationSt
    */
   std::vector<std::string> DescribeUnreadSettings(
       const std::set<const tinyxml2::XMLNode*>& pending) const;
+  /**
+   * Describes elements, in the element and its contents, that are unread because there is another
+   * one with the same tag before them, which was read. Not of users' elements; none if the document
+   * is lenient.
+   */
+  void DescribeRepeated(tinyxml2::XMLElement& element, std::vector<std::string>& lines);
   /** Describes what is unread in the element and its contents, in the order of the file. */
   void DescribeUnread(tinyxml2::XMLElement& element, std::vector<std::string>& lines);
 
@@ -122,6 +128,9 @@ inline bool IsAttributeRead(const SConfigurationRecord& record, std::size_t inde
 
 /** @return true if one of the numbers in a text exceeds kMostReal. */
 bool HasHugeNumber(const char* text);
+
+/** @return true if users' code reads the element and its contents. */
+bool IsOfUser(const tinyxml2::XMLElement& element);
 
 /** Existing names, for error messages: without duplicates, in the order of the file. */
 std::vector<std::string> ChildTags(const tinyxml2::XMLElement& element);

@@ -19,6 +19,7 @@
 #include <argos3/plugins/simulator/media/pheromone_medium.h>
 
 #include <cmath>
+#include <vector>
 
 namespace argos {
 
@@ -368,11 +369,14 @@ SLuaResults CLuaSimulation::Add(CLuaArguments& arguments) {
   document.Parse(xml, "simulation.add");
   CEntity& entity = m_loopFunctions.GetSpace().CreateEntity(document.GetRoot());
   const std::string id = entity.GetId();
-  document.ForEachUnread([](const CConfigurationNode& node, const std::string& attribute) {
-    LOGERR << "[WARNING] " << node.GetLocation() << ": <" << node.Value()
-           << (attribute.empty() ? ">" : ">: attribute \"" + attribute + '"')
-           << " is not used by anything" << std::endl;
-  });
+  const std::vector<std::string> repeated = document.DescribeRepeated();
+  if (!repeated.empty()) {
+    m_loopFunctions.RemoveEntity(entity);
+    THROW_ARGOSEXCEPTION(repeated.front());
+  }
+  for (const std::string& unread : document.DescribeUnread()) {
+    LOGERR << "[WARNING] " << unread << std::endl;
+  }
   const auto* const body = FindComponent<CEmbodiedEntity>(entity, "body");
   CLuaValue::Push(arguments.GetState(), id);
   CLuaValue::Push(arguments.GetState(), body == nullptr || !body->IsCollidingWithSomething());

@@ -6,6 +6,7 @@
 #include <argos3/core/simulator/geometry/body_description.h>
 #include <argos3/core/simulator/catalogue/plugin_kinds.h>
 #include <argos3/core/simulator/simulator.h>
+#include <argos3/core/utility/configuration/single_element.h>
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/plugins/unknown_label.h>
 #include <argos3/core/utility/string_utilities.h>
@@ -84,6 +85,7 @@ void CDynamics3DEngine::InitPlugins(TConfigurationNode& tree) {
   for (child = child.begin(&tree); child != child.end(); ++child) {
     const std::string& label = child->Value();
     if (IsPartOfEngine(label) || IsPartOfOtherEngine(label)) {
+      CheckIsSingle(*child);
       continue;
     }
     LoadLibraryOf(*child);

@@ -1,6 +1,7 @@
 #include <argos3/plugins/simulator/visualizations/scene/camera_xml.h>
 
 #include <argos3/core/simulator/space/space.h>
+#include <argos3/core/utility/configuration/single_element.h>
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/math/eigen_bridge.h>
 #include <argos3/core/utility/math/vector3.h>
@@ -228,6 +229,7 @@ void ReadCamera(TConfigurationNode& visualization, CCameraTimeline& timeline) {
     } else if (child->Value() == "placement") {
       ReadPlacement(*child, timeline);
     } else if (child->Value() == "timeline") {
+      CheckIsSingle(*child);
       ReadTimeline(*child, timeline);
     } else {
       WarnOfUnknownElement(*child, "camera", {"placements", "timeline"});

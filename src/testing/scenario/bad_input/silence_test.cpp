@@ -63,6 +63,55 @@ TEST_CASE("silence: devices that are given twice are reported", "[bad_input][sil
                  Contains(At(SExperimentText::kControllersLine + 1).substr(0, 12)));
 }
 
+TEST_CASE("silence: a section of which only the first is read must not be repeated",
+          "[bad_input][silence]") {
+  SExperimentText experiment;
+  int line = SExperimentText::kArenaLine;
+  std::string tag;
+  SECTION("a section of the experiment") {
+    tag = GENERATE("framework", "controllers", "physics_engines", "media", "arena");
+    line = SExperimentText::kRestLine;
+    experiment.Rest = '<' + tag + "><light id=\"l\"/></" + tag + '>';
+  }
+  SECTION("a section of a controller") {
+    tag = GENERATE("sensors", "params");
+    line = SExperimentText::kControllersLine + 1;
+    experiment.Controllers =
+        "<controllers>" +
+        SExperimentText::Controller("test_idle", "<params/>\n<" + tag + "><x/></" + tag + '>') +
+        "</controllers>";
+  }
+  SECTION("a part of an entity") {
+    tag = "body";
+    experiment.Box =
+        "<box id=\"b\" size=\"0.2,0.2,0.2\" movable=\"false\">"
+        "<body position=\"1,0,0\"/><body position=\"1,1,0\"/></box>";
+  }
+  SECTION("the LEDs of a prototype") {
+    tag = "leds";
+    experiment.Media = "<media><led id=\"led\"/></media>";
+    experiment.Box =
+        "<prototype id=\"p\" movable=\"true\"><body position=\"1,0,0\"/>\n<links ref=\"base\">"
+        "<link id=\"base\" geometry=\"box\" size=\"0.1,0.1,0.1\" mass=\"1\"/></links><devices>"
+        "<leds medium=\"led\"><led anchor=\"origin\" offset=\"0,0,0.1\" color=\"red\"/></leds>\n"
+        "<leds medium=\"led\"><led anchor=\"origin\" offset=\"0,0,0.2\" color=\"red\"/></leds>"
+        "</devices></prototype>";
+    line += 2;
+  }
+  CAPTURE(tag, experiment.ToXml());
+  CHECK_THAT(LoadError(experiment),
+             Contains(At(line) + " <" + tag + ">: there is already one at test.argos:") &&
+                 Contains("; merge them, or remove one"));
+}
+
+TEST_CASE("silence: what users' code reads may be repeated", "[bad_input][silence]") {
+  SExperimentText experiment;
+  experiment.Controllers = "<controllers>" +
+                           SExperimentText::Controller("test_idle", "<params><a/><a/></params>") +
+                           "</controllers>";
+  CHECK(LoadError(experiment).empty());
+}
+
 TEST_CASE("silence: empty ids are reported", "[bad_input][silence]") {
   SExperimentText experiment;
   experiment.Box = Box("id=\"\" size=\"0.2,0.2,0.2\" movable=\"false\"", "1,0,0");

@@ -227,6 +227,27 @@ TEST_CASE("lua loop functions: entities can be added and removed during the expe
               "log(#simulation.ids())") == "1 ");
 }
 
+TEST_CASE("lua loop functions: entities that init() adds are as those of the file",
+          "[lua][loop_functions]") {
+  CLuaWorld world(
+      With("function init()\n"
+           "  for i = 1, 20 do\n"
+           "    simulation.add(\"<foot-bot id='r\" .. i .. \"'><body position='\" .. i % 5 - 2 ..\n"
+           "      ',' .. i // 5 - 3 .. \",0'/><controller config='c'/></foot-bot>\")\n"
+           "  end\n"
+           "  simulation.add([[<box id='b' size='1,1,1' movable='false'>"
+           "<body position='3,3,0'/></box>]])\n"
+           "  log(pcall(simulation.add, [[<box id='b' size='1,1,1' movable='false'>"
+           "<body position='-3,3,0'/></box>]]))\n"
+           "end"));
+  CHECK_THAT(TakeScriptLog(),
+             Contains("already an entity with id \"b\" (<box> at simulation.add:1"));
+  world.Step(2);
+  CSpace& space = world.World().GetSpace();
+  CHECK(space.GetRootEntityVector().size() == 22);
+  CHECK(space.GetEntity("r20").GetConfigurationNode()->GetAttribute("id") == "r20");
+}
+
 TEST_CASE("lua loop functions: invalid entities are errors", "[lua][loop_functions]") {
   CHECK_THAT(ErrorOf("simulation.add('<foot-bott id=\"x\"/>')"),
              Contains("simulation.add") && Contains("foot-bott") && Contains("foot-bot"));
@@ -235,6 +256,9 @@ TEST_CASE("lua loop functions: invalid entities are errors", "[lua][loop_functio
                      "<body position='3,3,0'/></box>]])"),
              Contains("already an entity with id"));
   CHECK_THAT(ErrorOf("simulation.remove('nobody')"), Contains("nobody"));
+  CHECK_THAT(ErrorOf("simulation.add([[<box id='b' size='1,1,1' movable='false'>"
+                     "<body position='3,3,0'/><body position='1,1,0'/></box>]])"),
+             Contains("simulation.add:1: <body>: there is already one at simulation.add:1"));
   CHECK(LogOf("log(pcall(simulation.add, '<box/>'))").substr(0, 1) == "0");
   // an unused attribute is reported
   CHECK(LogOf("simulation.add([[<box id='b' size='1,1,1' movable='false' colour='red'>"

@@ -3,6 +3,7 @@
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/space/space_operations.h>
+#include <argos3/core/utility/configuration/single_element.h>
 #include <argos3/core/utility/text/string_utilities.h>
 #include <argos3/plugins/robots/generic/simulator/described_parts.h>
 #include <argos3/plugins/robots/prototype/simulator/prototype_assembly.h>
@@ -78,6 +79,7 @@ void CPrototypeEntity::InitDevices(TConfigurationNode& devices) {
   TConfigurationNodeIterator child;
   for (child = child.begin(&devices); child != child.end(); ++child) {
     const std::string& tag = child->Value();
+    CheckIsSingle(*child);
     if (tag == "leds") {
       AddDevice<CLEDEquippedEntity>(*child);
     } else if (tag == "directional_leds") {
