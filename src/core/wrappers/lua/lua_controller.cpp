@@ -136,11 +136,12 @@ void CLuaController::Seed(const char* phase) {
   m_state->SeedMath(seeds.Next());
 }
 
-void CLuaController::ReadSensors(lua_State* state) const {
+void CLuaController::ReadSensors(lua_State* state, bool isAfterReset) const {
   lua_rawgetp(state, LUA_REGISTRYINDEX, &kLuaRobotKey);
   const int robot = lua_gettop(state);
   for (CCI_Sensor* const sensor : m_sensors) {
-    if (sensor->IsSwitchedOn()) {
+    // a reset changes the readings of all sensors
+    if (isAfterReset || sensor->IsSwitchedOn()) {
       sensor->ReadingsToLuaState(state);
       lua_settop(state, robot);
     }
@@ -154,7 +155,7 @@ void CLuaController::ControlStep() {
   }
   try {
     m_state->Run([this](lua_State* state) {
-      ReadSensors(state);
+      ReadSensors(state, false);
       CLuaState::CallGlobal(state, "step");
     });
   } catch (const CLuaError& error) {
@@ -173,7 +174,7 @@ void CLuaController::Reset() {
   Seed(kStart);
   try {
     m_state->Run([this](lua_State* state) {
-      ReadSensors(state);
+      ReadSensors(state, true);
       CLuaState::CallGlobal(state, "reset");
     });
     Seed(kSteps);

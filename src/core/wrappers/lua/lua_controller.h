@@ -60,7 +60,7 @@ class CLuaController : public CCI_Controller {
   void AddParameters(lua_State* state) const;
   void AddRandom(lua_State* state);
   void AddDevices(lua_State* state);
-  void ReadSensors(lua_State* state) const;
+  void ReadSensors(lua_State* state, bool isAfterReset) const;
   void Seed(const char* phase);
   [[noreturn]] void Fail(const char* function, const std::string& message);
   std::string DescribeFailure(const char* function, const std::string& message) const;

@@ -68,6 +68,9 @@ TEST_CASE(
   world.Do(camera + ".disable()");
   world.Step();
   CHECK(world.Get("#" + camera) == "1");
+  // a reset brings back those of the start
+  world.GetSimulator().Reset();
+  CHECK(world.Get("#" + camera) == "0");
 }
 
 TEST_CASE("lua devices: the perspective camera lists pixels, and its head can be turned",
