@@ -8,6 +8,7 @@
 #include <argos3/core/simulator/loading/load_warnings.h>
 #include <argos3/core/simulator/loading/loading_check.h>
 #include <argos3/core/simulator/loading/run_settings.h>
+#include <argos3/core/simulator/loading/script_check.h>
 #include <argos3/core/simulator/medium/medium.h>
 #include <argos3/core/simulator/outputs/run_output.h>
 #include <argos3/core/simulator/physics_engine/space_partition.h>
@@ -143,6 +144,9 @@ void CExperimentLoader::Load() {
   InitViews(root, errors);
   InitOutputs(root, errors);
   CheckUnread(errors);
+  if (CLoadingCheck::IsActive()) {
+    CheckScripts(*m_context.Space, errors);
+  }
   errors.ThrowIfAny();
   m_context.Loading.End();
   m_context.Space->MarkStart();

@@ -199,6 +199,25 @@ EOnError CLuaController::ChooseOnError(std::optional<EOnError> configured) const
   return m_onError ? *m_onError : configured.value_or(EOnError::StopRobot);
 }
 
+std::vector<std::string> CLuaController::FindMissingFunctions() const {
+  std::vector<std::string> messages;
+  if (m_state == nullptr || !IsOK()) {
+    return messages;
+  }
+  m_state->Run([this, &messages](lua_State* state) {
+    for (const char* const name : {"step", "reset", "destroy"}) {
+      const std::string fault = CLuaState::FindFaultOfFunction(state, name);
+      // few runs are reset
+      const bool isNeeded =
+          name != std::string("reset") || fault.find("did you mean") != std::string::npos;
+      if (!fault.empty() && isNeeded) {
+        messages.push_back("the Lua script \"" + m_script->Path + "\": " + fault);
+      }
+    }
+  });
+  return messages;
+}
+
 lua_State* CLuaController::GetLuaState() const {
   return m_state != nullptr ? m_state->Get() : nullptr;
 }

@@ -47,6 +47,12 @@ class CLuaController : public CCI_Controller {
    */
   void SetLuaScript(const std::string& script);
 
+  /**
+   * Messages about functions that a run will call and that the script lacks: step(), destroy(), and
+   * reset() if a function has a similar name. Empty without a script.
+   */
+  std::vector<std::string> FindMissingFunctions() const;
+
   /** Null before Init(), after Destroy(), and without a script. */
   lua_State* GetLuaState() const;
   /** True unless the script has failed. */

@@ -1,6 +1,7 @@
 #include <argos3/core/wrappers/lua/lua_state.h>
 
 #include <argos3/core/utility/text/classic_locale.h>
+#include <argos3/core/utility/text/string_utilities.h>
 #include <argos3/core/wrappers/lua/lua_missing_names.h>
 #include <argos3/core/wrappers/lua/lua_sandbox.h>
 #include <argos3/core/wrappers/lua/lua_script.h>
@@ -164,11 +165,37 @@ void CLuaState::Execute(const SLuaScript& script) {
 
 void CLuaState::CallGlobal(lua_State* state, const char* name, int numArguments, int numResults) {
   if (lua_getglobal(state, name) != LUA_TFUNCTION) {
-    luaL_error(state, "the script must define a global function \"%s\", found %s", name,
-               luaL_typename(state, -1));
+    throw CLuaError(FindFaultOfFunction(state, name));
   }
   lua_insert(state, -1 - numArguments);
   lua_call(state, numArguments, numResults);
+}
+
+std::string CLuaState::FindFaultOfFunction(lua_State* state, const char* name) {
+  const int type = lua_getglobal(state, name);
+  lua_pop(state, 1);
+  if (type == LUA_TFUNCTION) {
+    return "";
+  }
+  const std::vector<std::string> functions = ListFunctions(state);
+  return fmt::format("the script must define a global function \"{}\", found {}{}", name,
+                     lua_typename(state, type),
+                     NearestNames(name, functions).empty() ? "" : DidYouMean(name, functions));
+}
+
+std::vector<std::string> CLuaState::ListFunctions(lua_State* state) {
+  std::vector<std::string> names;
+  lua_pushglobaltable(state);
+  for (lua_pushnil(state); lua_next(state, -2) != 0; lua_pop(state, 1)) {
+    // those of Lua's libraries are C functions
+    if (lua_type(state, -2) == LUA_TSTRING && lua_isfunction(state, -1) &&
+        lua_iscfunction(state, -1) == 0) {
+      names.emplace_back(lua_tostring(state, -2));
+    }
+  }
+  lua_pop(state, 1);
+  std::sort(names.begin(), names.end());
+  return names;
 }
 
 std::size_t CLuaState::GetMemory() const {

@@ -9,6 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <string>
+#include <vector>
 
 struct lua_Debug;
 struct lua_State;
@@ -59,9 +60,17 @@ class CLuaState {
   /**
    * Calls a global function.
    * @param numArguments  on top of the stack; only inside Run().
+   * @throws CLuaError if there is no such function, with the nearest names of those that are there.
    */
   static void CallGlobal(lua_State* state, const char* name, int numArguments = 0,
                          int numResults = 0);
+
+  // Only inside Run(), outside of functions that scripts call.
+
+  /** @return empty if there is a global function of that name; else a message. */
+  static std::string FindFaultOfFunction(lua_State* state, const char* name);
+  /** Names of the global functions of the script, sorted. */
+  static std::vector<std::string> ListFunctions(lua_State* state);
 
   /**
    * Calls body(lua_State*) on an empty stack and catches Lua errors.

@@ -88,6 +88,62 @@ TEST_CASE("lua program: a missing script ends the program with status 1", "[lua]
                                folder.Path("none.lua") + "\""));
 }
 
+TEST_CASE("lua program: --check finds functions that the run would miss", "[lua][program]") {
+  const CTestFolder folder;
+  const auto [text, message] = GENERATE(table<std::string, std::string>(
+      {{"function init() end\nfunction stpe() end\nfunction destroy() end\n",
+        "global function \"step\", found nil; did you mean \"stpe\"?"},
+       {"function init() end\nfunction destroy() end\nstep = 5", "\"step\", found number\n"},
+       {"function init() end\nfunction step() end\nfunction destory() end\n",
+        "global function \"destroy\", found nil; did you mean \"destory\"?"},
+       {"function init() end\nfunction step() end\nfunction rset() end\nfunction destroy() end\n",
+        "global function \"reset\", found nil; did you mean \"rset\"?"},
+       {"function inti() end\n", "global function \"init\", found nil; did you mean \"inti\"?"}}));
+  CAPTURE(text);
+  folder.Write("bad.lua", text);
+  folder.Write("e.argos", Experiment("script='bad.lua'"));
+  const SProgramRun run = folder.Run({"e.argos", "--check"});
+  CHECK(run.Status == 1);
+  CHECK_THAT(run.Err, Contains("the Lua script \"bad.lua\"") && Contains(message));
+}
+
+TEST_CASE("lua program: --check accepts functions that init() defines, and no reset()",
+          "[lua][program]") {
+  const CTestFolder folder;
+  folder.Write("good.lua", "function init() step = function() end end\nfunction destroy() end\n");
+  folder.Write("e.argos", Experiment("script='good.lua'"));
+  const SProgramRun run = folder.Run({"e.argos", "--check", "--quiet"});
+  CHECK(run.Status == 0);
+  CHECK(run.Err == "");
+}
+
+TEST_CASE("lua program: robots that init() adds are recorded, drawn and replayed",
+          "[lua][program]") {
+  const CTestFolder folder;
+  folder.Write("good.lua", kGood);
+  folder.Write("loop.lua",
+               "function init()\n"
+               "  for i = 1, 20 do\n"
+               "    simulation.add(string.format([[<foot-bot id='r%d'><body position='%g,%g,0'/>"
+               "<controller config='c'/></foot-bot>]], i, i % 5 * 0.3 - 1.5, i // 5 * 0.3 - 1.5))\n"
+               "  end\n"
+               "end\n");
+  folder.Write("e.argos",
+               Experiment("script='good.lua'",
+                          "<loop_functions label='lua'><params script='loop.lua'/></loop_functions>"
+                          "<visualization><offscreen width='32' height='32' every='5' "
+                          "directory='frames'/><povray width='32' height='32' every='5' "
+                          "directory='scenes' render='false'/></visualization>"));
+  const SProgramRun run =
+      folder.Run({"e.argos", "--record", "run.rec", "--csv", "data", "--digest", "--quiet"});
+  CHECK(run.Status == 0);
+  CHECK(run.Err == "");
+  CHECK_THAT(folder.Read("data/robots.csv"), Contains("r20"));
+  const SProgramRun replay = folder.Run({"--replay", "run.rec", "--csv", "again"});
+  CHECK(replay.Status == 0);
+  CHECK_THAT(folder.Read("again/robots.csv"), Contains("r20"));
+}
+
 TEST_CASE("lua program: an error in step() ends the run only on request", "[lua][program]") {
   const CTestFolder folder;
   folder.Write("bad.lua",
