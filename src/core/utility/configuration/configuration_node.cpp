@@ -503,6 +503,18 @@ std::vector<std::string> CConfigurationNode::GetAttributeNames() const {
   return AttributeNames(*Record().Element);
 }
 
+std::vector<std::pair<std::string, std::string>> CConfigurationNode::CopyAttributes() const {
+  if (CRequestRecorder* const recorder = CRequestRecorder::Current()) {
+    recorder->NoteOpen(Record());
+  }
+  std::vector<std::pair<std::string, std::string>> attributes;
+  for (const auto* attribute = Record().Element->FirstAttribute(); attribute != nullptr;
+       attribute = attribute->Next()) {
+    attributes.emplace_back(attribute->Name(), attribute->Value());
+  }
+  return attributes;
+}
+
 const char* CConfigurationNode::FindText(bool throwIfMissing) const {
   SConfigurationRecord& record = Record();
   record.IsTextRead = true;

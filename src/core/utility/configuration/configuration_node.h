@@ -200,6 +200,8 @@ class CConfigurationNode {
   /** Owned by the document; null if there is none and throwIfMissing is false. */
   CConfigurationAttribute* FirstAttribute(bool throwIfMissing = true) const;
   std::vector<std::string> GetAttributeNames() const;
+  /** Returns names and values, in the order of the file, and marks no attribute as read. */
+  std::vector<std::pair<std::string, std::string>> CopyAttributes() const;
 
   /** Returns the first text inside the element, trimmed. */
   std::string GetText(bool throwIfMissing = true) const;

@@ -3,6 +3,7 @@
 #include <argos3/core/utility/math/random_stream.h>
 #include <argos3/core/utility/math/rng.h>
 #include <argos3/core/wrappers/lua/lua_metrics.h>
+#include <argos3/core/wrappers/lua/lua_parameters.h>
 #include <argos3/core/wrappers/lua/lua_registry.h>
 #include <argos3/core/wrappers/lua/lua_script.h>
 #include <argos3/core/wrappers/lua/lua_state.h>
@@ -67,6 +68,7 @@ void CLuaController::Load() {
     running = "init()";
     m_state->Run([](lua_State* state) { CLuaState::CallGlobal(state, "init"); });
     Seed(kSteps);
+    CLuaParameters::Finish(*m_state, m_params, m_script->Source);
   } catch (const CLuaError& error) {
     m_error = DescribeFailure(running, error.GetMessage());
     throw CARGoSException(m_error);
@@ -88,13 +90,12 @@ void CLuaController::FillRobotTable(lua_State* state) {
 }
 
 void CLuaController::AddParameters(lua_State* state) const {
-  CLuaUtility::StartTable(state, "params");
-  for (const std::string& name : m_params.GetAttributeNames()) {
-    CLuaUtility::AddToTable(state, name, m_params.GetAttribute(name));
-  }
+  CLuaParameters::Add(state, m_params);
   // SetLuaScript() may have replaced it
-  CLuaUtility::AddToTable(state, "script", m_scriptName);
-  CLuaUtility::EndTable(state);
+  lua_getfield(state, -1, "params");
+  lua_pushlstring(state, m_scriptName.data(), m_scriptName.size());
+  lua_setfield(state, -2, "script");
+  lua_pop(state, 1);
 }
 
 void CLuaController::AddRandom(lua_State* state) {

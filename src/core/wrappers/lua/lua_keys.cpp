@@ -1,5 +1,6 @@
 #include <argos3/core/wrappers/lua/lua_keys.h>
 
+#include <argos3/core/wrappers/lua/lua_parameters.h>
 #include <argos3/core/wrappers/lua/lua_utility.h>
 
 #include <algorithm>
@@ -97,6 +98,7 @@ void SortList(lua_State* state, lua_Integer count) {
 void PushOrderedKeys(lua_State* state, int index) {
   const int table = lua_absindex(state, index);
   luaL_checkstack(state, kOrderedKeysStack, "too many nested tables");
+  CLuaParameters::ReadAll(state, table);
   lua_newtable(state);
   const int list = lua_gettop(state);
   lua_Integer count = 0;

@@ -2,6 +2,7 @@
 
 #include <argos3/core/utility/files/input_file.h>
 #include <argos3/core/utility/text/string_utilities.h>
+#include <argos3/core/wrappers/lua/lua_parameters.h>
 #include <argos3/core/wrappers/lua/lua_utility.h>
 
 #include <algorithm>
@@ -111,6 +112,7 @@ int LookUp(lua_State* state) {
   lua_pushglobaltable(state);
   for (std::size_t i = 0; i < names.size() && lua_istable(state, -1); ++i) {
     luaL_checkstack(state, 4, nullptr);
+    CLuaParameters::Open(state, -1);
     lua_pushlstring(state, names[i].data(), names[i].size());
     if (lua_rawget(state, -2) != LUA_TNIL) {
       continue;

@@ -13,6 +13,8 @@ inline constexpr char kLuaClaimsKey = 0;  // table: "actuator wheels" -> the lab
 // if readings are reused
 inline constexpr char kLuaReusedKey = 0;
 
+inline constexpr char kLuaParametersKey = 0;  // see CLuaParameters; while the script is loaded
+
 /** The device whose CreateLuaState() is running. */
 struct SLuaDevice {
   const char* Kind;  // "actuator" or "sensor"

@@ -2,6 +2,7 @@
 
 #include <argos3/core/wrappers/lua/lua_keys.h>
 #include <argos3/core/wrappers/lua/lua_limits.h>
+#include <argos3/core/wrappers/lua/lua_parameters.h>
 #include <argos3/core/wrappers/lua/lua_state.h>
 #include <argos3/core/wrappers/lua/lua_types.h>
 #include <argos3/core/wrappers/lua/lua_utility.h>
@@ -69,6 +70,7 @@ int Pairs(lua_State* state) {
     return 3;
   }
   lua_settop(state, 1);
+  CLuaParameters::ReadAll(state, 1);
   // for numbers, Lua's own order depends only on the history of the table
   if (!lua_istable(state, 1) || HasOnlyNumbers(state, 1)) {
     lua_pushvalue(state, lua_upvalueindex(1));
@@ -80,6 +82,19 @@ int Pairs(lua_State* state) {
   lua_pushcclosure(state, NextOrdered, 2);
   lua_pushvalue(state, 1);
   return 2;
+}
+
+/** next(table [, key]) */
+int Next(lua_State* state) {
+  luaL_checkany(state, 1);
+  CLuaParameters::ReadAll(state, 1);
+  return RunOriginal(state);
+}
+
+/** rawget(table, key) */
+int GetRaw(lua_State* state) {
+  CLuaParameters::Open(state, 1);
+  return RunOriginal(state);
 }
 
 // Functions that loop in C. What they copy costs about as much as an instruction for each value.
@@ -310,7 +325,8 @@ int RefuseHook(lua_State* state) {
 
 /** setmetatable(table, metatable) */
 int SetMetatable(lua_State* state) {
-  if (lua_istable(state, 2)) {
+  CLuaParameters::Open(state, 1);
+  if (!CLuaState::Of(state).IsUnsafe() && lua_istable(state, 2)) {
     lua_pushliteral(state, "__gc");
     if (lua_rawget(state, 2) != LUA_TNIL) {
       return luaL_error(state,
@@ -338,17 +354,23 @@ struct SReplacement {
 };
 
 // the original function becomes an upvalue
-constexpr SReplacement kAlways[] = {
-    {"string", "rep", RepeatString},        {"table", "move", MoveValues},
-    {"table", "insert", ShiftValues<3>},    {"table", "remove", ShiftValues<2>},
-    {"table", "concat", ConcatenateValues}, {"coroutine", "close", CloseCoroutine},
-    {"os", "setlocale", SetLocale},         {"os", "exit", Exit},
-    {LUA_GNAME, "log", CountLog},           {LUA_GNAME, "logerr", CountLog}};
+constexpr SReplacement kAlways[] = {{"string", "rep", RepeatString},
+                                    {"table", "move", MoveValues},
+                                    {"table", "insert", ShiftValues<3>},
+                                    {"table", "remove", ShiftValues<2>},
+                                    {"table", "concat", ConcatenateValues},
+                                    {"coroutine", "close", CloseCoroutine},
+                                    {"os", "setlocale", SetLocale},
+                                    {"os", "exit", Exit},
+                                    {LUA_GNAME, "log", CountLog},
+                                    {LUA_GNAME, "logerr", CountLog},
+                                    {LUA_GNAME, "next", Next},
+                                    {LUA_GNAME, "rawget", GetRaw},
+                                    {LUA_GNAME, "setmetatable", SetMetatable}};
 
 constexpr SReplacement kSafe[] = {{LUA_GNAME, "load", LoadText},
                                   {LUA_GNAME, "loadfile", LoadTextFile},
-                                  {LUA_GNAME, "dofile", RunTextFile},
-                                  {LUA_GNAME, "setmetatable", SetMetatable}};
+                                  {LUA_GNAME, "dofile", RunTextFile}};
 
 constexpr const char* kRefusedOfDebug[] = {
     "debug",        "getlocal",       "getmetatable", "getregistry", "getupvalue",

@@ -137,9 +137,11 @@ std::shared_ptr<const SLuaScript> SLuaScript::Load(const std::string& name,
       return script;
     }
   }
-  const std::string folder = fs::path(path).parent_path().string();
+  std::string folder = fs::path(path).parent_path().string();
+  folder = folder.empty() ? "." : folder;
+  const std::string text = Read(path);
   auto script = std::make_shared<const SLuaScript>(
-      SLuaScript{path, folder.empty() ? "." : folder, Compile(Read(path), path, allowBytecode)});
+      SLuaScript{path, folder, Compile(text, path, allowBytecode), SLuaSource::Read(text, folder)});
   for (auto entry = cache.begin(); entry != cache.end();) {
     entry = entry->second.Script.expired() ? cache.erase(entry) : std::next(entry);
   }

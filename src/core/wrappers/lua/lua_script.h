@@ -1,6 +1,8 @@
 #ifndef ARGOS3_CORE_WRAPPERS_LUA_LUA_SCRIPT_H
 #define ARGOS3_CORE_WRAPPERS_LUA_LUA_SCRIPT_H
 
+#include <argos3/core/wrappers/lua/lua_source.h>
+
 #include <memory>
 #include <string>
 
@@ -11,6 +13,7 @@ struct SLuaScript {
   std::string Path; /**< as in messages: as the user wrote it, or where it was found instead */
   std::string Folder; /**< of the file, for require() */
   std::string Bytecode;
+  SLuaSource Source;
 
   /**
    * Finds and compiles a script. Returns the compiled script again while it is in use and the file

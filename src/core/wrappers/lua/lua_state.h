@@ -95,6 +95,7 @@ class CLuaState {
   void CountWork(lua_State* state, UInt64 instructions);
   /** Counts bytes that a call writes into the log, which occupy memory until the tick ends. */
   void CountText(lua_State* state, std::size_t bytes);
+  bool IsUnsafe() const { return m_limits.IsUnsafe; }
   /** True if the limit of instructions has interrupted this Run(). */
   bool WasInterrupted() const { return m_wasInterrupted; }
 

@@ -2,13 +2,19 @@
 
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/utility/errors/running_code.h>
+#include <argos3/core/utility/string_utilities.h>
 #include <argos3/core/wrappers/lua/lua_limits.h>
 #include <argos3/core/wrappers/lua/lua_metrics.h>
+#include <argos3/core/wrappers/lua/lua_parameters.h>
 #include <argos3/core/wrappers/lua/lua_script.h>
 #include <argos3/core/wrappers/lua/lua_state.h>
 #include <argos3/core/wrappers/lua/lua_utility.h>
 #include <argos3/plugins/simulator/loop_functions/lua/lua_drawing.h>
 #include <argos3/plugins/simulator/loop_functions/lua/lua_simulation.h>
+
+#include <algorithm>
+#include <iterator>
+#include <vector>
 
 namespace argos {
 
@@ -112,6 +118,8 @@ void CLuaLoopFunctions::Load() {
   ThrowIfNoHooks();
   CallHook("init");
   Seed(kSteps);
+  WarnOfMisspeltHooks();
+  CLuaParameters::Finish(*m_state, m_params, m_script->Source);
 }
 
 void CLuaLoopFunctions::Seed(const char* phase) {
@@ -134,6 +142,29 @@ void CLuaLoopFunctions::ThrowIfNoHooks() {
                          << m_script->Path
                          << "\" define none of the functions that are called: " << all);
   }
+}
+
+// a function that nothing calls, whose name is similar to that of a hook that is not there
+void CLuaLoopFunctions::WarnOfMisspeltHooks() const {
+  m_state->Run([this](lua_State* state) {
+    const std::vector<std::string> functions = CLuaState::ListFunctions(state);
+    std::vector<std::string> missing;
+    for (const char* const hook : kHooks) {
+      if (std::find(functions.begin(), functions.end(), hook) == functions.end()) {
+        missing.emplace_back(hook);
+      }
+    }
+    for (const std::string& name : functions) {
+      const bool isHook = std::find(std::begin(kHooks), std::end(kHooks), name) != std::end(kHooks);
+      const std::string near = isHook ? "" : NearestNames(name, missing, 1);
+      // its definition is one use
+      if (!near.empty() && m_script->Source.CountUses(name) == 1) {
+        LOGERR << "[WARNING] the Lua loop functions \"" << m_script->Path
+               << "\": nothing calls the global function \"" << name << "\"; did you mean \""
+               << near << "\"?" << std::endl;
+      }
+    }
+  });
 }
 
 template <typename BODY>

@@ -50,6 +50,7 @@ class CLuaLoopFunctions : public CLoopFunctions {
   template <typename BODY>
   void Run(const char* hook, const BODY& body);
   void ThrowIfNoHooks();
+  void WarnOfMisspeltHooks() const;
   void Seed(const char* phase);
 
   TConfigurationNode m_params;

@@ -13,6 +13,7 @@
 #include <argos3/core/utility/string_utilities.h>
 #include <argos3/core/wrappers/lua/lua_closure.h>
 #include <argos3/core/wrappers/lua/lua_controller.h>
+#include <argos3/core/wrappers/lua/lua_parameters.h>
 #include <argos3/core/wrappers/lua/lua_utility.h>
 #include <argos3/plugins/simulator/entities/led_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/light_entity.h>
@@ -227,11 +228,7 @@ void CLuaSimulation::Register(lua_State* state, const TConfigurationNode& params
   lua_newtable(state);
   AddFunctions(state);
   AddConstants(state);
-  CLuaUtility::StartTable(state, "params");
-  for (const std::string& name : params.GetAttributeNames()) {
-    CLuaUtility::AddToTable(state, name, params.GetAttribute(name));
-  }
-  CLuaUtility::EndTable(state);
+  CLuaParameters::Add(state, params);
   CLuaUtility::StartTable(state, "random");
   m_random.Register(state, "simulation.random.");
   CLuaUtility::EndTable(state);

@@ -88,7 +88,9 @@ TEST_CASE("lua controller: globals survive a reset", "[lua][controller]") {
 
 TEST_CASE("lua controller: robot has id, params as strings, and the devices of the XML only",
           "[lua][controller]") {
-  CLuaWorld world(Running(kQuiet, "speed='12' mode='fast'"));
+  SFunctions functions = kQuiet;
+  functions.Init = "speed, mode = robot.params.speed, robot.params.mode";
+  CLuaWorld world(Running(functions, "speed='12' mode='fast'"));
   CHECK(world.Get("robot.id") == "fb");
   CHECK(world.Get("robot.params.speed") == "12");
   CHECK(world.Get("type(robot.params.speed)") == "string");
@@ -100,9 +102,11 @@ TEST_CASE("lua controller: robot has id, params as strings, and the devices of t
 
 TEST_CASE("lua controller: params of a robot replace those of the controller",
           "[lua][controller]") {
-  SLuaExperiment experiment = Running(kQuiet, "speed='12'");
+  SFunctions functions = kQuiet;
+  functions.Init = "speed, color = robot.params.speed, robot.params.color";
+  SLuaExperiment experiment = Running(functions, "speed='12'");
   CTemporaryFolder folder;
-  const std::string script = folder.Write("own.lua", kQuiet.ToScript());
+  const std::string script = folder.Write("own.lua", functions.ToScript());
   experiment.Robots +=
       "<foot-bot id='own'><body position='1,0,0'/><controller config='c'><params script='" +
       script + "' color='red'/></controller></foot-bot>";
@@ -422,6 +426,7 @@ TEST_CASE("lua controller: the script can be changed at run time", "[lua][contro
   SFunctions functions = kQuiet;
   functions.Step = "which = 'first'";
   CLuaWorld world(Running(functions, "mode='fast'"));
+  CHECK_THAT(TakeLogErr(), Contains("\"mode\" is not used by anything"));
   world.Step();
   functions.Init = "mode = robot.params.mode";
   functions.Step = "which = 'second'";

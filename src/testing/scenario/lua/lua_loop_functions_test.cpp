@@ -248,6 +248,19 @@ TEST_CASE("lua loop functions: entities that init() adds are as those of the fil
   CHECK(space.GetEntity("r20").GetConfigurationNode()->GetAttribute("id") == "r20");
 }
 
+TEST_CASE("lua loop functions: a function with nearly the name of a hook is reported",
+          "[lua][loop_functions]") {
+  CLuaWorld world(
+      With("function init() helper() reset_all() end function helper() end\n"
+           "function reset_all() end function post_setp() end function posst_experiment() end"));
+  CHECK(TakeLogErr() ==
+        "[WARNING] the Lua loop functions \"" + world.Folder().Path("loop.lua") +
+            "\": nothing calls the global function \"posst_experiment\"; did you mean "
+            "\"post_experiment\"?\n[WARNING] the Lua loop functions \"" +
+            world.Folder().Path("loop.lua") +
+            "\": nothing calls the global function \"post_setp\"; did you mean \"post_step\"?\n");
+}
+
 TEST_CASE("lua loop functions: invalid entities are errors", "[lua][loop_functions]") {
   CHECK_THAT(ErrorOf("simulation.add('<foot-bott id=\"x\"/>')"),
              Contains("simulation.add") && Contains("foot-bott") && Contains("foot-bot"));
