@@ -95,25 +95,28 @@ void SortList(lua_State* state, lua_Integer count) {
 
 }  // namespace
 
-void PushOrderedKeys(lua_State* state, int index) {
+bool PushOrderedKeys(lua_State* state, int index) {
   const int table = lua_absindex(state, index);
   luaL_checkstack(state, kOrderedKeysStack, "too many nested tables");
   CLuaParameters::ReadAll(state, table);
   lua_newtable(state);
   const int list = lua_gettop(state);
   lua_Integer count = 0;
+  lua_Integer numAddresses = 0;
   SKey previous{};
   bool isOrdered = true;
   for (lua_pushnil(state); lua_next(state, table) != 0; lua_pop(state, 1)) {
     const SKey key = Describe(state, -2, ++count);
     isOrdered = isOrdered && (count == 1 || previous < key);
     previous = key;
+    numAddresses += key.Kind == EKind::OTHER ? 1 : 0;
     lua_pushvalue(state, -2);
     lua_rawseti(state, list, count);
   }
   if (!isOrdered) {
     SortList(state, count);
   }
+  return numAddresses <= 1;
 }
 
 }  // namespace argos

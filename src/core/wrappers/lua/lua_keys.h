@@ -15,8 +15,9 @@ inline constexpr int kOrderedKeysStack = 4;
  * Lua's own order of strings changes from run to run, because it mixes the time and an address into
  * their hashes. Memory comes from the state alone.
  * @param index  of the table on the stack.
+ * @return true if the order is the same in each run: at most one key is identified by its address.
  */
-void PushOrderedKeys(lua_State* state, int index);
+bool PushOrderedKeys(lua_State* state, int index);
 
 }  // namespace argos
 

@@ -77,17 +77,112 @@ int Pairs(lua_State* state) {
     lua_pushvalue(state, 1);
     return 2;
   }
-  PushOrderedKeys(state, 1);
+  if (!PushOrderedKeys(state, 1)) {
+    CLuaState::Of(state).WarnOnce(
+        state, ELuaVariation::KeyOrder,
+        "pairs() visits several keys that are tables or functions in the order of their addresses, "
+        "which differs from run to run; use numbers or strings as keys, or a list");
+  }
   lua_pushinteger(state, 0);
   lua_pushcclosure(state, NextOrdered, 2);
   lua_pushvalue(state, 1);
   return 2;
 }
 
+// What differs from run to run.
+
+/** True for values that are identified by their addresses. */
+bool IsAddress(int type) {
+  return type >= LUA_TTABLE || type == LUA_TLIGHTUSERDATA;
+}
+
+/** True if the place of such keys in a table depends on the run: strings have seeded hashes. */
+bool IsHashed(int type) {
+  return type == LUA_TSTRING || IsAddress(type);
+}
+
 /** next(table [, key]) */
 int Next(lua_State* state) {
-  luaL_checkany(state, 1);
+  luaL_checktype(state, 1, LUA_TTABLE);
   CLuaParameters::ReadAll(state, 1);
+  lua_settop(state, 2);
+  // without a key, the caller may only test whether the table is empty
+  const bool continues = !lua_isnil(state, 2);
+  bool isHashed = IsHashed(lua_type(state, 2));
+  if (lua_next(state, 1) == 0) {
+    lua_pushnil(state);
+    return 1;
+  }
+  isHashed = isHashed || IsHashed(lua_type(state, -2));
+  if (continues && isHashed) {
+    CLuaState::Of(state).WarnOnce(
+        state, ELuaVariation::Next,
+        "next() visits strings, tables and functions in an order that differs from run to run; use "
+        "pairs(), which visits strings in a fixed order");
+  }
+  return 2;
+}
+
+/** A value that is converted to a text. */
+void CheckText(lua_State* state, int index) {
+  if (!IsAddress(lua_type(state, index))) {
+    return;
+  }
+  if (luaL_getmetafield(state, index, "__tostring") != LUA_TNIL) {
+    lua_pop(state, 1);
+    return;
+  }
+  CLuaState::Of(state).WarnOnce(
+      state, ELuaVariation::Address,
+      "the text of a table or function is its address, which differs from run to run");
+}
+
+/** tostring(value), print(...), and string.format(format, ...) with FIRST = 2 */
+template <int FIRST>
+int ConvertToText(lua_State* state) {
+  for (int i = lua_gettop(state); i >= FIRST; --i) {
+    CheckText(state, i);
+  }
+  return RunOriginal(state);
+}
+
+/** math.randomseed([number [, number]]) */
+int SeedRandom(lua_State* state) {
+  if (lua_isnone(state, 1)) {
+    CLuaState::Of(state).WarnOnce(
+        state, ELuaVariation::Seed,
+        "math.randomseed() without a number draws a seed that differs from run to run; without the "
+        "call, math.random() has the seed of the experiment");
+  }
+  // not in place: it has upvalues
+  lua_pushvalue(state, lua_upvalueindex(1));
+  lua_insert(state, 1);
+  lua_call(state, lua_gettop(state) - 1, LUA_MULTRET);
+  return lua_gettop(state);
+}
+
+constexpr const char* kClock =
+    " depends on the clock of the machine, so runs differ in all that depends on it";
+
+/** os.time([table]) */
+int ReadTime(lua_State* state) {
+  if (lua_isnoneornil(state, 1)) {
+    CLuaState::Of(state).WarnOnce(state, ELuaVariation::Time, "os.time()", kClock);
+  }
+  return RunOriginal(state);
+}
+
+/** os.clock() */
+int ReadClock(lua_State* state) {
+  CLuaState::Of(state).WarnOnce(state, ELuaVariation::Clock, "os.clock()", kClock);
+  return RunOriginal(state);
+}
+
+/** os.date([format [, time]]) */
+int FormatDate(lua_State* state) {
+  if (lua_isnoneornil(state, 2)) {
+    CLuaState::Of(state).WarnOnce(state, ELuaVariation::Date, "os.date()", kClock);
+  }
   return RunOriginal(state);
 }
 
@@ -365,6 +460,13 @@ constexpr SReplacement kAlways[] = {{"string", "rep", RepeatString},
                                     {LUA_GNAME, "log", CountLog},
                                     {LUA_GNAME, "logerr", CountLog},
                                     {LUA_GNAME, "next", Next},
+                                    {LUA_GNAME, "tostring", ConvertToText<1>},
+                                    {LUA_GNAME, "print", ConvertToText<1>},
+                                    {"string", "format", ConvertToText<2>},
+                                    {"math", "randomseed", SeedRandom},
+                                    {"os", "time", ReadTime},
+                                    {"os", "clock", ReadClock},
+                                    {"os", "date", FormatDate},
                                     {LUA_GNAME, "rawget", GetRaw},
                                     {LUA_GNAME, "setmetatable", SetMetatable}};
 

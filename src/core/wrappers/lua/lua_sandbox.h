@@ -14,6 +14,7 @@ struct SLuaLimits;
  * limits hold:
  *
  * - pairs() visits keys in a fixed order.
+ * - What differs from run to run (os.time(), addresses, ...) gives a warning: see ELuaVariation.
  * - os.exit() and os.setlocale() with a locale are errors: they act on the whole process.
  * - Calls that loop in C (table.move, string.rep, ...) count as instructions, and so does the
  *   creation of a coroutine, which has a counter of its own.

@@ -1,8 +1,10 @@
 #ifndef ARGOS3_CORE_WRAPPERS_LUA_LUA_SCRIPT_H
 #define ARGOS3_CORE_WRAPPERS_LUA_LUA_SCRIPT_H
 
+#include <argos3/core/utility/datatypes/datatypes.h>
 #include <argos3/core/wrappers/lua/lua_source.h>
 
+#include <atomic>
 #include <memory>
 #include <string>
 
@@ -14,6 +16,8 @@ struct SLuaScript {
   std::string Folder; /**< of the file, for require() */
   std::string Bytecode;
   SLuaSource Source;
+  /** Bits of ELuaVariation: the warnings that were logged. */
+  std::shared_ptr<std::atomic<UInt32>> Variations = std::make_shared<std::atomic<UInt32>>(0);
 
   /**
    * Finds and compiles a script. Returns the compiled script again while it is in use and the file

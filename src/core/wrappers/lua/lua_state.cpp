@@ -148,6 +148,7 @@ void CLuaState::SeedMath(UInt64 seed) {
 }
 
 void CLuaState::Execute(const SLuaScript& script) {
+  m_variations = script.Variations;
   Run([&script](lua_State* state) {
     lua_getglobal(state, "package");
     lua_getfield(state, -1, "path");
@@ -378,6 +379,27 @@ void CLuaState::Interrupt(lua_State* state) {
                   static_cast<LUAI_UACINT>(m_limits.MaxInstructions));
   lua_concat(state, 2);
   lua_error(state);
+}
+
+void CLuaState::WarnOnce(lua_State* state, ELuaVariation what, const char* text, const char* more) {
+  const auto kind = static_cast<UInt32>(what);
+  const UInt32 bit = UInt32(1) << kind;
+  if (m_variations == nullptr) {
+    m_variations = std::make_shared<std::atomic<UInt32>>(0);
+  }
+  // several threads may run the script; reading alone does not slow them down
+  if ((m_variations->load(std::memory_order_relaxed) & bit) != 0) {
+    return;
+  }
+  luaL_where(state, 1);
+  if ((m_variations->fetch_or(bit) & bit) == 0) {
+    // before the other messages of the phase, whichever robot came first
+    const UInt64 place = CARGoSLog::GetSequence();
+    CARGoSLog::SetSequence(kind);
+    LOGERR << std::string("[WARNING] ") + lua_tostring(state, -1) + text + more << std::endl;
+    CARGoSLog::SetSequence(place);
+  }
+  lua_pop(state, 1);
 }
 
 void CLuaState::CountText(lua_State* state, std::size_t bytes) {

@@ -7,7 +7,9 @@
 #include <argos3/core/wrappers/lua/lua_memory.h>
 
 #include <array>
+#include <atomic>
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -28,6 +30,9 @@ class CLuaError : public CARGoSException {
  private:
   std::string m_message;
 };
+
+/** What makes a run differ from another one of the same experiment. */
+enum class ELuaVariation { KeyOrder, Next, Address, Seed, Time, Clock, Date };
 
 /**
  * A Lua state with the standard libraries, log(), logerr() and the vector types.
@@ -95,6 +100,11 @@ class CLuaState {
   void CountWork(lua_State* state, UInt64 instructions);
   /** Counts bytes that a call writes into the log, which occupy memory until the tick ends. */
   void CountText(lua_State* state, std::size_t bytes);
+  /**
+   * Logs a warning with the place in the script, unless one of the kind was logged for its file.
+   * May raise an error for lack of memory.
+   */
+  void WarnOnce(lua_State* state, ELuaVariation what, const char* text, const char* more = "");
   bool IsUnsafe() const { return m_limits.IsUnsafe; }
   /** True if the limit of instructions has interrupted this Run(). */
   bool WasInterrupted() const { return m_wasInterrupted; }
@@ -132,6 +142,7 @@ class CLuaState {
   SRefusal m_refusal;
   bool m_wasInterrupted = false;
   bool m_isWarning = false;  // the script has switched warn() on
+  std::shared_ptr<std::atomic<UInt32>> m_variations;  // of the script; null before Execute()
   std::string m_warning;  // parts of the current warning so far
 };
 
