@@ -6,9 +6,9 @@ using namespace argos;
 
 namespace {
 
-// s; an eye-bot whose target is d ahead in each step of 0.1 s flies at d / 0.0558 s, because each
-// step of the target enters the derivative term of its controllers
-constexpr Real kLead = 0.0558;
+// s; an eye-bot whose target is d ahead in each step of 0.1 s flies at d / 0.55 s: then its
+// controllers, with 20 N/m and 10 N s/m, exert no force on average
+constexpr Real kLead = 0.55;
 constexpr Real kMetersPerCentimeter = 0.01;
 
 }  // namespace

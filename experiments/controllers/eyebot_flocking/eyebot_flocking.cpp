@@ -9,7 +9,7 @@ using namespace argos;
 
 namespace {
 
-constexpr UInt32 kTakeOffSteps = 30;  // an eye-bot reaches a new height in 1.3 s
+constexpr UInt32 kTakeOffSteps = 30;  // an eye-bot reaches a new height in 1.6 s
 // radius of the neighbourhood, in target distances
 constexpr Real kReach = 1.8;
 constexpr Real kClimb = 0.2;  // gain of the height error, 1/s

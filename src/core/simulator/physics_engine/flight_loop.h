@@ -8,57 +8,54 @@
 namespace argos {
 
 /*
- * The control loops of a flying body, for all engines, and the conditions of their stability; the
- * README of the engine pointmass3d derives the bounds. Each loop is discrete: the controller runs
- * once in each substep of length h, and its thrust acts in the next one.
+ * The control loops of a flying body, for all engines; the README of the engine pointmass3d derives
+ * the gains. The loops are those of continuous time, so that the response of a body does not depend
+ * on the number of substeps: a substep of length h applies a constant thrust, which is the one that
+ * the controller would exert in the middle of the substep.
  */
 
-/**
- * Upper bound of the substep, as a share of the one at which a control loop becomes unstable; with
- * it, loops settle about as fast as with the shortest substeps.
- */
-constexpr Real kStableShare = 0.5;
+/** The gains of a loop in a substep: thrust = Error * error - Speed * speed, both at its start. */
+struct SSubstepGains {
+  Real Error = 0.0; /**< N/m (N s/m on velocity), or the same with N m and rad */
+  Real Speed = 0.0; /**< N s/m, or N m s/rad; 0 on velocity */
+};
 
 /**
- * The limited thrust of a controller along one axis.
- * @param proportional, derivative  N/m and N (for a change of the error in one substep), or N m.
- * @param error       target - actual value.
- * @param change      of the error in the last substep.
- * @param weight      N, along the axis: an additional force that the thrust has to counter.
- * @param max         N, > 0: the limit of the thrust.
- * @return N, or N m: the thrust, which counters the weight but does not include it.
- */
-inline Real ComputeThrust(Real proportional, Real derivative, Real error, Real change, Real weight,
-                          Real max) {
-  const Real unlimited = proportional * error + derivative * change - weight;
-  return std::min(std::max(unlimited, -max), max);
-}
-
-/**
- * The bound of a loop on position (or yaw): it is stable if and only if h < Kd m / (Kp m + Kd^2).
+ * The gains of a loop on position (or yaw), F = Kp e - Kd v. The derivative is that of the position
+ * only: one of the error would contain an impulse for each step of the target.
  * @param inertia  m: kg, or kg m^2 of a loop on yaw; > 0.
- * @return s.
+ * @param substep  h: s.
  */
-Real ComputePositionLoopBound(const SControlGains& gains, Real inertia);
+SSubstepGains ComputePositionGains(const SControlGains& gains, Real inertia, Real substep);
 
 /**
- * The bound of a loop on velocity (or yaw rate): it is stable if and only if h < 2 (m + Kd) / Kp.
- * @return s.
+ * The gains of a loop on velocity (or yaw rate), F = Kp e + Kd de/dt, with de/dt = -F / m.
+ * @param inertia, substep  as above.
  */
-Real ComputeSpeedLoopBound(const SControlGains& gains, Real inertia);
+SSubstepGains ComputeSpeedGains(const SControlGains& gains, Real inertia, Real substep);
 
 /**
- * The gain of a loop on velocity.
- *
- * The derivative of the error is that of the next substep, in which the force F changes the
- * velocity: F = Kp e - Kd F / m. With the derivative of the previous substep, the loop would
- * diverge at any h as soon as Kd >= m.
+ * The gain of the same in continuous time, with the derivative resolved: F = Kp e / (1 + Kd / m).
  * @return N s/m, or N m s/rad.
  */
 Real ComputeSpeedGain(const SControlGains& gains, Real inertia);
 
-/** The smallest of the four bounds of a body with propellers, s. */
-Real ComputeFlightBound(const SBodyDescription& body);
+/**
+ * The limited thrust of a controller along one axis.
+ * @param wanted   N, or N m: the force along the axis that the controller intends.
+ * @param weight   N, along the axis: an additional force that the thrust has to counter.
+ * @param max      N, > 0: the limit of the thrust.
+ * @return N, or N m: the thrust, which counters the weight but does not include it.
+ */
+inline Real ComputeThrust(Real wanted, Real weight, Real max) {
+  return std::min(std::max(wanted - weight, -max), max);
+}
+
+/**
+ * The longest substep for a body with propellers, s: a share of 2/3 of the time constant of its
+ * fastest loop. The loops are stable in longer ones, too, but less accurate.
+ */
+Real ComputeMaxFlightSubstep(const SBodyDescription& body);
 
 }  // namespace argos
 

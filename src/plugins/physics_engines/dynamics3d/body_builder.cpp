@@ -536,7 +536,6 @@ void PlaceRigidBody(SRigidBody& body, const SRigidPose& pose, const SRigidMotion
             motion.Velocity + Cross(motion.AngularVelocity, offset - centre),
             motion.AngularVelocity + axis * motion.WheelSpins[i]);
   }
-  body.FlightErrors = motion.FlightErrors;
 }
 
 void WakeRigidBody(SRigidBody& body) {
@@ -588,7 +587,6 @@ SRigidMotion GetRigidMotion(const SRigidBody& body) {
     motion.Links.push_back(
         {FromODE(dBodyGetLinearVel(link.Part)), FromODE(dBodyGetAngularVel(link.Part))});
   }
-  motion.FlightErrors = body.FlightErrors;
   return motion;
 }
 

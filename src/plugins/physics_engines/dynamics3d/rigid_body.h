@@ -47,7 +47,6 @@ struct SRigidMotion {
   CVector3 Velocity;  // of the centre of mass, m/s
   CVector3 AngularVelocity;  // rad/s, world frame
   std::array<Real, 2> WheelSpins{};  // rad/s about the axle, positive forward
-  std::array<Real, 4> FlightErrors{};  // of the last substep: x, y, z (m) and yaw (rad)
   std::vector<SLinkMotion> Links;  // from link 1 on; empty: they move rigidly with the body
 };
 
@@ -136,7 +135,6 @@ struct SRigidBody : SRigidParts {
   // gravity; both 0 without weight, when wheels have no grip
   Real WheelErp = 0.0;
   Real WheelCfm = 0.0;
-  std::array<Real, 4> FlightErrors{};
   CVector3
       TiltGains;  // N m/rad, N m s/rad, N m; of the controller that keeps a flying body upright
 

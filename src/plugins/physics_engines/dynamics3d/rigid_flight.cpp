@@ -15,20 +15,6 @@ namespace {
 
 constexpr size_t kYaw = 3;
 
-// The inputs of the controllers of an axis in a substep.
-struct SOrder {
-  Real Error = 0.0;  // of the position (m or rad) or of the speed
-  SControlGains Gains;  // the derivative for a change of the error in a substep
-};
-
-SOrder OrderPlace(Real error, const SControlGains& gains, Real substep) {
-  return {error, {gains.Proportional, gains.Derivative / substep}};
-}
-
-SOrder OrderSpeed(Real error, const SControlGains& gains, Real inertia) {
-  return {error, {ComputeSpeedGain(gains, inertia), 0.0}};
-}
-
 Real ComputeYaw(const CQuaternion& q) {
   return std::atan2(2.0 * (q.GetW() * q.GetZ() + q.GetX() * q.GetY()),
                     1.0 - 2.0 * (q.GetY() * q.GetY() + q.GetZ() * q.GetZ()));
@@ -63,7 +49,6 @@ void Hold(SRigidBody& body) {
   dBodySetKinematic(body.Body);
   dBodySetLinearVel(body.Body, 0.0, 0.0, 0.0);
   dBodySetAngularVel(body.Body, 0.0, 0.0, 0.0);
-  body.FlightErrors = {};
 }
 
 }  // namespace
@@ -82,37 +67,35 @@ void PushFlyingBody(SRigidBody& body, const CVector3& gravity, Real substep) {
   const SRigidPose pose = GetRigidPose(body);
   const CVector3 velocity = FromODE(dBodyGetLinearVel(body.Body));
   const CVector3 turn = FromODE(dBodyGetAngularVel(body.Body));
+  const Real mass = description.Mass;
   const Real inertia = description.GetPlanarInertia();
   const bool onPlace = quadrotor.GetControlMethod() == CQuadRotorEntity::POSITION_CONTROL;
 
-  std::array<SOrder, 4> orders;
+  std::array<Real, 4> wanted{};
   if (onPlace) {
     const auto& target = quadrotor.GetPositionControlData();
+    const SSubstepGains gains = ComputePositionGains(propellers.Position, mass, substep);
     for (UInt32 i = 0; i < kYaw; ++i) {
-      orders[i] = OrderPlace(target.Position[i] - pose.Position[i], propellers.Position, substep);
+      wanted[i] = gains.Error * (target.Position[i] - pose.Position[i]) - gains.Speed * velocity[i];
     }
+    const SSubstepGains yawGains = ComputePositionGains(propellers.Yaw, inertia, substep);
     const Real yaw = WrapAngle(target.Yaw.GetValue() - ComputeYaw(pose.Orientation));
-    orders[kYaw] = OrderPlace(yaw, propellers.Yaw, substep);
+    wanted[kYaw] = yawGains.Error * yaw - yawGains.Speed * turn.GetZ();
   } else {
     const auto& target = quadrotor.GetSpeedControlData();
+    const SSubstepGains gains = ComputeSpeedGains(propellers.Velocity, mass, substep);
     for (UInt32 i = 0; i < kYaw; ++i) {
-      orders[i] =
-          OrderSpeed(target.Velocity[i] - velocity[i], propellers.Velocity, description.Mass);
+      wanted[i] = gains.Error * (target.Velocity[i] - velocity[i]);
     }
-    orders[kYaw] =
-        OrderSpeed(target.RotSpeed.GetValue() - turn.GetZ(), propellers.YawRate, inertia);
+    wanted[kYaw] = ComputeSpeedGains(propellers.YawRate, inertia, substep).Error *
+                   (target.RotSpeed.GetValue() - turn.GetZ());
   }
 
   std::array<Real, 4> thrust{};
-  for (UInt32 i = 0; i < orders.size(); ++i) {
-    const SOrder& order = orders[i];
-    Real change = order.Error - body.FlightErrors[i];
-    change = i == kYaw ? WrapAngle(change) : change;
-    thrust[i] = ComputeThrust(order.Gains.Proportional, order.Gains.Derivative, order.Error, change,
-                              i == kYaw ? 0.0 : description.Mass * gravity[i],
-                              i == kYaw ? propellers.MaxTorque : propellers.MaxForce);
-    body.FlightErrors[i] = onPlace ? order.Error : 0.0;
+  for (UInt32 i = 0; i < kYaw; ++i) {
+    thrust[i] = ComputeThrust(wanted[i], mass * gravity[i], propellers.MaxForce);
   }
+  thrust[kYaw] = ComputeThrust(wanted[kYaw], 0.0, propellers.MaxTorque);
   const CVector3 righting = ComputeRightingTorque(body, pose.Orientation, turn);
   dBodyAddForce(body.Body, thrust[0], thrust[1], thrust[2]);
   dBodyAddTorque(body.Body, righting.GetX(), righting.GetY(), thrust[kYaw]);

@@ -374,8 +374,8 @@ UInt32 CRigidWorld::CountSubsteps() const {
   }
   Real wanted = strides / kMaxStride;
   for (const SRigidBody* body : m_flying) {
-    const Real bound = ComputeFlightBound(*body->Source.Description);
-    wanted = std::max(wanted, m_settings.Tick / (kStableShare * bound));
+    const Real longest = ComputeMaxFlightSubstep(*body->Source.Description);
+    wanted = std::max(wanted, m_settings.Tick / longest);
   }
   const UInt32 most = std::max(m_settings.Substeps * kMaxRefinement, kMaxRefined);
   return std::max(m_settings.Substeps,

@@ -46,9 +46,11 @@ SPointMassHandle CFlyers::Add(const SSettings& settings, const SFlightPose& pose
   robot.Quadrotor = settings.Quadrotor;
   robot.Position = propellers.Position;
   robot.Yaw = propellers.Yaw;
-  robot.Velocity = ChooseSpeedGains(propellers.Velocity, body.Mass);
-  robot.YawRate = ChooseSpeedGains(propellers.YawRate, yawInertia);
-  robot.Bound = ComputeFlightBound(body);
+  robot.Velocity = propellers.Velocity;
+  robot.YawRate = propellers.YawRate;
+  robot.Mass = body.Mass;
+  robot.YawInertia = yawInertia;
+  robot.MaxSubstep = ComputeMaxFlightSubstep(body);
 
   const size_t lane = number % kLanes;
   for (size_t i = 0; i < kYaw; ++i) {
@@ -140,28 +142,33 @@ void CFlyers::SetState(UInt32 number, const SFlightState& state) {
   }
 }
 
-Real CFlyers::ComputeStableSubstep() const {
-  Real bound = std::numeric_limits<Real>::infinity();
+Real CFlyers::ComputeMaxSubstep() const {
+  Real longest = std::numeric_limits<Real>::infinity();
   for (const SRobot& robot : m_robots) {
-    bound = std::min(bound, robot.Bound);
+    longest = std::min(longest, robot.MaxSubstep);
   }
-  return bound;
-}
-
-SControlGains CFlyers::ChooseSpeedGains(const SControlGains& gains, Real inertia) const {
-  return m_law == EFlightLaw::Argos3 ? gains : SControlGains{ComputeSpeedGain(gains, inertia), 0.0};
+  return longest;
 }
 
 // Reads the command of the robot for this tick.
-void CFlyers::ReadCommand(UInt32 number, Real perSubstep) {
+template <EFlightLaw LAW>
+void CFlyers::ReadCommand(UInt32 number, Real substep) {
   const SRobot& robot = m_robots[number];
   const size_t lane = number % kLanes;
   const auto order = [&](size_t i, Real target, bool onPlace, const SControlGains& gains) {
     SAxis& axis = GetAxis(number, i);
     axis.Target[lane] = target;
     axis.IsOnPlace[lane] = onPlace ? 1.0 : 0.0;
-    axis.Proportional[lane] = gains.Proportional;
-    axis.Derivative[lane] = gains.Derivative * perSubstep;
+    if constexpr (LAW == EFlightLaw::Argos3) {
+      axis.PerError[lane] = gains.Proportional;
+      axis.PerChange[lane] = gains.Derivative * (1.0 / substep);
+    } else {
+      const Real inertia = i == kYaw ? robot.YawInertia : robot.Mass;
+      const SSubstepGains chosen = onPlace ? ComputePositionGains(gains, inertia, substep)
+                                           : ComputeSpeedGains(gains, inertia, substep);
+      axis.PerError[lane] = chosen.Error;
+      axis.PerChange[lane] = chosen.Speed;
+    }
   };
   if (robot.Quadrotor->GetControlMethod() == CQuadRotorEntity::POSITION_CONTROL) {
     const auto& data = robot.Quadrotor->GetPositionControlData();
@@ -194,7 +201,7 @@ void CFlyers::AdvanceAll(Real substep, UInt32 substeps) {
     std::array<SFlightPose, kLanes> held;  // of the attached ones
     bool isAnyHeld = false;
     for (UInt32 number = first; number < end; ++number) {
-      ReadCommand(number, 1.0 / substep);
+      ReadCommand<LAW>(number, substep);
       if (m_robots[number].Quadrotor->IsAttached()) {
         held[number - first] = GetPose(number);
         isAnyHeld = true;
@@ -213,44 +220,74 @@ void CFlyers::AdvanceAll(Real substep, UInt32 substeps) {
   }
 }
 
-// A substep: the speed changes the position, the thrust of the previous substep changes the speed,
-// and the controller computes the thrust of the next one from the result.
 template <EFlightLaw LAW, bool IS_ANGLE>
 void CFlyers::AdvanceAxis(SAxis& axis, Real substep, UInt32 substeps) {
   for (UInt32 i = 0; i < substeps; ++i) {
-    for (size_t lane = 0; lane < kLanes; ++lane) {
-      Real place = axis.Place[lane] + axis.Speed[lane] * substep;
-      Real speed = axis.Speed[lane];
-      if constexpr (!IS_ANGLE) {
-        const Real held = std::min(std::max(place, axis.Lowest[lane]), axis.Highest[lane]);
-        if constexpr (LAW == EFlightLaw::Stable) {
-          // a wall stops the motion into it
-          speed = held == place ? speed : 0.0;
-        }
-        place = held;
-      }
-      axis.Place[lane] = place;
-      axis.Speed[lane] = speed + axis.Thrust[lane] * substep * axis.PerInertia[lane];
+    if constexpr (LAW == EFlightLaw::Argos3) {
+      AdvanceAsArgos3<IS_ANGLE>(axis, substep);
+    } else {
+      AdvanceStably<IS_ANGLE>(axis, substep);
     }
+  }
+}
+
+// A substep under a constant force.
+template <bool IS_ANGLE>
+void CFlyers::AdvanceStably(SAxis& axis, Real substep) {
+  for (size_t lane = 0; lane < kLanes; ++lane) {
+    const Real speed = axis.Speed[lane];
+    const bool onPlace = axis.IsOnPlace[lane] != 0.0;
+    Real error = axis.Target[lane] - (onPlace ? axis.Place[lane] : speed);
     if constexpr (IS_ANGLE) {
-      WrapPlaces(axis);
+      error = onPlace ? WrapDifference(error) : error;
     }
-    for (size_t lane = 0; lane < kLanes; ++lane) {
-      const bool onPlace = axis.IsOnPlace[lane] != 0.0;
-      Real error = axis.Target[lane] - (onPlace ? axis.Place[lane] : axis.Speed[lane]);
-      if constexpr (IS_ANGLE) {
-        error = onPlace ? WrapDifference(error) : error;
-      }
-      Real change = error - axis.LastError[lane];
-      if constexpr (LAW == EFlightLaw::Stable && IS_ANGLE) {
-        change = WrapDifference(change);
-      }
-      const Real weight = axis.Weight[lane];
-      axis.Thrust[lane] = ComputeThrust(axis.Proportional[lane], axis.Derivative[lane], error,
-                                        change, weight, axis.MaxThrust[lane]) +
-                          weight;
-      axis.LastError[lane] = LAW == EFlightLaw::Argos3 || onPlace ? error : 0.0;
+    const Real weight = axis.Weight[lane];
+    const Real force = ComputeThrust(axis.PerError[lane] * error - axis.PerChange[lane] * speed,
+                                     weight, axis.MaxThrust[lane]) +
+                       weight;
+    Real newSpeed = speed + force * substep * axis.PerInertia[lane];
+    Real place = axis.Place[lane] + 0.5 * (speed + newSpeed) * substep;
+    if constexpr (!IS_ANGLE) {
+      // a wall stops the motion into it
+      const Real held = std::min(std::max(place, axis.Lowest[lane]), axis.Highest[lane]);
+      newSpeed = held == place ? newSpeed : 0.0;
+      place = held;
     }
+    axis.Place[lane] = place;
+    axis.Speed[lane] = newSpeed;
+  }
+  if constexpr (IS_ANGLE) {
+    WrapPlaces(axis);
+  }
+}
+
+// The speed changes the position, the thrust of the previous substep changes the speed, and the
+// controller computes the thrust of the next one from the result.
+template <bool IS_ANGLE>
+void CFlyers::AdvanceAsArgos3(SAxis& axis, Real substep) {
+  for (size_t lane = 0; lane < kLanes; ++lane) {
+    Real place = axis.Place[lane] + axis.Speed[lane] * substep;
+    if constexpr (!IS_ANGLE) {
+      place = std::min(std::max(place, axis.Lowest[lane]), axis.Highest[lane]);
+    }
+    axis.Place[lane] = place;
+    axis.Speed[lane] += axis.Thrust[lane] * substep * axis.PerInertia[lane];
+  }
+  if constexpr (IS_ANGLE) {
+    WrapPlaces(axis);
+  }
+  for (size_t lane = 0; lane < kLanes; ++lane) {
+    const bool onPlace = axis.IsOnPlace[lane] != 0.0;
+    Real error = axis.Target[lane] - (onPlace ? axis.Place[lane] : axis.Speed[lane]);
+    if constexpr (IS_ANGLE) {
+      error = onPlace ? WrapDifference(error) : error;
+    }
+    const Real change = error - axis.LastError[lane];
+    const Real weight = axis.Weight[lane];
+    axis.Thrust[lane] = ComputeThrust(axis.PerError[lane] * error + axis.PerChange[lane] * change,
+                                      weight, axis.MaxThrust[lane]) +
+                        weight;
+    axis.LastError[lane] = error;
   }
 }
 

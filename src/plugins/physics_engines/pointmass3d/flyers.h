@@ -23,8 +23,9 @@ struct SFlightPose {
 struct SAxisState {
   Real Place = 0.0; /**< m or rad */
   Real Speed = 0.0; /**< per s */
+  // of EFlightLaw::Argos3; else 0
   Real Thrust = 0.0; /**< N or N m, weight included; acts in the next substep */
-  Real LastError = 0.0; /**< of the last substep, for loops with a derivative; else 0 */
+  Real LastError = 0.0; /**< of the last substep */
 };
 /** x, y, z, yaw. */
 using SFlightState = std::array<SAxisState, 4>;
@@ -32,8 +33,8 @@ using SFlightState = std::array<SAxisState, 4>;
 /** How flying bodies are controlled. */
 enum class EFlightLaw : UInt8 {
   Stable, /**< as the README of this folder says */
-  Argos3 /**< as ARGoS 3.0.0-beta59: the derivative of a speed's error is that of the last substep
-          */
+  Argos3 /**< as ARGoS 3.0.0-beta59: explicit, with the derivative of each error that of the last
+            substep, and of the target, too */
 };
 
 /**
@@ -73,8 +74,8 @@ class CFlyers : public CPointMassHandles {
   void SetState(UInt32 number, const SFlightState& state);
 
   CPointMass3DBody& GetOwner(UInt32 number) const { return *m_robots[Checked(number)].Owner; }
-  /** The smallest bound of any loop of any body, s; infinite without bodies. */
-  Real ComputeStableSubstep() const;
+  /** The longest substep that suits all bodies, s; infinite without bodies. */
+  Real ComputeMaxSubstep() const;
 
   /** Selects the law of motion; to be called while there are no bodies. */
   void SetLaw(EFlightLaw law) { m_law = law; }
@@ -95,8 +96,9 @@ class CFlyers : public CPointMassHandles {
     // of the tick, written by ReadCommand(): m or rad, or per s
     TLanes Target{};
     TLanes IsOnPlace{};  // 1: Target is a position; 0: a speed
-    TLanes Proportional{};  // thrust for an error
-    TLanes Derivative{};  // thrust for a change of the error in a substep
+    TLanes PerError{};  // thrust for an error
+    // Stable: thrust against a speed; Argos3: thrust for a change of the error in a substep
+    TLanes PerChange{};
   };
   struct SBlock {
     std::array<SAxis, 4> Axes;  // x, y, z, yaw
@@ -105,8 +107,10 @@ class CFlyers : public CPointMassHandles {
   struct SRobot {
     CPointMass3DBody* Owner = nullptr;
     const CQuadRotorEntity* Quadrotor = nullptr;
-    SControlGains Position, Yaw, Velocity, YawRate;  // of this law
-    Real Bound = 0.0;  // s
+    SControlGains Position, Yaw, Velocity, YawRate;
+    Real Mass = 0.0;  // kg
+    Real YawInertia = 0.0;  // kg m^2
+    Real MaxSubstep = 0.0;  // s
   };
 
   UInt32 Checked(UInt32 number) const {
@@ -119,13 +123,17 @@ class CFlyers : public CPointMassHandles {
   const SAxis& GetAxis(UInt32 number, size_t axis) const {
     return m_blocks[Checked(number) / kLanes].Axes[axis];
   }
-  SControlGains ChooseSpeedGains(const SControlGains& gains, Real inertia) const;
-  void ReadCommand(UInt32 number, Real perSubstep);
+  template <EFlightLaw LAW>
+  void ReadCommand(UInt32 number, Real substep);
   template <EFlightLaw LAW>
   void AdvanceAll(Real substep, UInt32 substeps);
   void Copy(UInt32 from, UInt32 to);
   template <EFlightLaw LAW, bool IS_ANGLE>
   static void AdvanceAxis(SAxis& axis, Real substep, UInt32 substeps);
+  template <bool IS_ANGLE>
+  static void AdvanceStably(SAxis& axis, Real substep);
+  template <bool IS_ANGLE>
+  static void AdvanceAsArgos3(SAxis& axis, Real substep);
   static void WrapPlaces(SAxis& axis);
 
   std::vector<SBlock> m_blocks;

@@ -84,9 +84,9 @@ SFlightPose GetFlightPose(const CEmbodiedEntity& body) {
   return {body.GetOriginAnchor().Position, GetPlanarPose(body).ComputeYaw()};
 }
 
-UInt32 CountSubsteps(Real tick, Real bound) {
+UInt32 CountSubsteps(Real tick, Real longest) {
   // the tolerance keeps a rounding error from adding a substep
-  const Real needed = std::ceil(tick / (kStableShare * bound) - 1e-9);
+  const Real needed = std::ceil(tick / longest - 1e-9);
   return static_cast<UInt32>(
       std::clamp<Real>(needed, 1.0, CDescribedBodyEngine::kMaxIterations + 1.0));
 }
@@ -168,13 +168,13 @@ void CPointMass3DEngine::CheckBody(CEmbodiedEntity& body) const {
 
 void CPointMass3DEngine::CheckFlyer(const CEmbodiedEntity& body) const {
   const SBodyDescription& description = *body.GetBodyDescription();
-  const Real bound = ComputeFlightBound(description);
-  if (!m_moveAsArgos3 && CountSubsteps(m_cSimulator.GetTickLength(), bound) > kMaxIterations) {
-    THROW_ARGOSEXCEPTION("the controllers of "
-                         << NameOf(body) << " are stable only in substeps of less than " << bound
-                         << " s: a tick of " << m_cSimulator.GetTickLength()
-                         << " s would take more than " << kMaxIterations
-                         << "; raise \"ticks_per_second\"");
+  const Real longest = ComputeMaxFlightSubstep(description);
+  if (!m_moveAsArgos3 && CountSubsteps(m_cSimulator.GetTickLength(), longest) > kMaxIterations) {
+    THROW_ARGOSEXCEPTION("the controllers of " << NameOf(body) << " need substeps of at most "
+                                               << longest << " s: a tick of "
+                                               << m_cSimulator.GetTickLength()
+                                               << " s would take more than " << kMaxIterations
+                                               << "; raise \"ticks_per_second\"");
   }
   const auto [lowest, highest] = ComputeFlightSpace(body);
   if (!(lowest <= highest)) {
@@ -321,7 +321,7 @@ void CPointMass3DEngine::SetMotion(CEmbodiedEntity& body, const SBodyMotion& mot
 UInt32 CPointMass3DEngine::GetSubsteps() {
   if (m_substeps == 0) {
     m_substeps = std::max(GetIterations(), CountSubsteps(m_cSimulator.GetTickLength(),
-                                                         m_flyers->ComputeStableSubstep()));
+                                                         m_flyers->ComputeMaxSubstep()));
   }
   return m_substeps;
 }
@@ -481,8 +481,8 @@ ATTRIBUTES
 
   id          text, required: unique among the engines.
   iterations  integer in [1,10000], default 10: least number of substeps of a tick; in each, the controllers of
-              flying robots run once. There are more if the controllers of a robot would not be stable by a factor
-              of two: an eye-bot takes substeps of at most 1/30 s, so 3 in a tick of 0.1 s.
+              flying robots run once. There are more if one would be longer than 2/3 of the time constant of a
+              robot's fastest controller: an eye-bot takes substeps of at most 1/30 s, so 3 in a tick of 0.1 s.
   motion      exact (default) or argos3: as in version 3.0.0-beta59 of ARGoS, to repeat its experiments. A tick is
               then one substep of the length of a tick divided by iterations, so that with the default of 10
               everything moves at a tenth of its speed; the loops on velocity and yaw rate are those of

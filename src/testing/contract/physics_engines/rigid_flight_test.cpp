@@ -7,6 +7,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace argos::rigid_flight_test {
@@ -73,9 +74,53 @@ TEST_CASE("rigid flight: a robot stops at a wall, and its step response is that 
   // its arms reach 0.25 m
   CHECK_THAT(world.Position().GetX(), WithinAbs(1.75, 0.01));
   world.Places().SetAbsolutePosition(CVector3(0.0, 0.0, 1.0));
-  // within 2 % after 1.3 s in continuous time, see the README of pointmass3d
+  // within 2 % after 1.6 s in continuous time, see the README of pointmass3d
   world.Step(25);
   CHECK_THAT(world.Position().GetX(), WithinAbs(0.0, 0.02 * 1.75));
+}
+
+TEST_CASE("rigid flight: the response to a step is that of continuous time for any substeps",
+          "[contract][engine][rigid]") {
+  const UInt32 substeps = GENERATE(1U, 10U, 100U, 1000U);
+  CAPTURE(substeps);
+  const std::string iterations = "iterations='" + std::to_string(substeps) + "'";
+  CFlightWorld world(
+      Flight("quadrotor_position", RigidEngine(iterations, "<gravity g='9.81'/>"), CVector3()));
+  world.Places().SetAbsolutePosition(CVector3(1, 0, 0));
+  world.Places().SetAbsoluteYaw(CRadians(1.0));
+  // ODE moves a body by its speed at the end of the substep, so half a substep too far; the speeds
+  // are at most 1.4 m/s and 2.9 rad/s
+  const Real half = 0.5 * 0.1 / std::max<Real>(3.0, substeps);
+  for (int tick = 1; tick <= 20; ++tick) {
+    world.Step();
+    CAPTURE(tick);
+    CHECK_THAT(
+        world.Position().GetX(),
+        WithinAbs(testing::ComputeContinuousResponse(EyeBotPlace(), 0.1 * tick), 1.4 * half));
+    CHECK_THAT(world.Yaw(),
+               WithinAbs(testing::ComputeContinuousResponse(EyeBotYaw(), 0.1 * tick), 2.9 * half));
+  }
+}
+
+TEST_CASE("rigid flight: a robot turns the shorter way, also across 180 degrees",
+          "[contract][engine][rigid]") {
+  const Real side = GENERATE(1.0, -1.0);
+  // full turns of a target do not count
+  const Real turns = GENERATE(0.0, 1.0);
+  CAPTURE(side, turns);
+  CFlightWorld world(
+      Flight("quadrotor_position", GroundedEngine(), CVector3(0, 0, 1), side * 170.0));
+  world.Places().SetAbsoluteYaw(
+      CRadians(-side * 170.0 * ARGOS_PI / 180.0 + turns * 2.0 * ARGOS_PI));
+  for (int tick = 1; tick <= 30; ++tick) {
+    world.Step();
+    // 20 degrees, of which the response overshoots by 4.3 %
+    CAPTURE(tick);
+    const Real beyond = std::remainder(side * world.Yaw() - ARGOS_PI, 2.0 * ARGOS_PI);
+    CHECK_THAT(beyond, WithinAbs(0.0, 11.0 * ARGOS_PI / 180.0));
+  }
+  CHECK_THAT(std::remainder(world.Yaw() + side * 170.0 * ARGOS_PI / 180.0, 2.0 * ARGOS_PI),
+             WithinAbs(0.0, 1e-3));
 }
 
 TEST_CASE("rigid flight: a robot placed on its side returns upright", "[contract][engine][rigid]") {

@@ -9,7 +9,7 @@ namespace argos::testing {
 
 /**
  * One axis of a flying body with its controller, as specified for the actuators of the quadrotor: a
- * scalar loop over substeps.
+ * scalar loop over substeps, each of constant thrust.
  */
 struct SPDLoop {
   // the body
@@ -21,35 +21,40 @@ struct SPDLoop {
   Real Lowest = -std::numeric_limits<Real>::infinity();  // m
   Real Highest = std::numeric_limits<Real>::infinity();  // m
   // its state
-  Real Place = 0.0, Speed = 0.0, Thrust = 0.0, LastError = 0.0;
+  Real Place = 0.0, Speed = 0.0;
 
   /** A substep of the position loop. @param substep s. */
   void StepToPlace(Real target, Real substep);
-  /** A substep of the speed loop: the derivative of the error is that of the coming substep. */
+  /** A substep of the speed loop. */
   void StepToSpeed(Real target, Real substep);
 
  private:
-  void Move(Real substep);
-  void Push(Real wanted);
+  Real ComputePlaceError(Real target, Real place) const;
+  template <typename CONTROL>
+  void Step(Real substep, CONTROL&& control);
 };
 
 /**
  * Position of a body that its position loop moves from 0 to 1, starting from rest.
  *
- * Computed by powers of the companion matrix of the recurrence of the deviation d from the target,
+ * Computed by powers of the matrix of the midpoint rule for d'' = -(Kp d + Kd d') / m.
  *
- *     d[k+2] = 2 d[k+1] - (1 + a + b) d[k] + b d[k-1],  a = Kp h^2 / m,  b = Kd h / m.
- *
+ * @param a, b      Kp h^2 / m and Kd h / m.
  * @param substeps  of length h since the change of the target, > 0; thrust is not limited.
  */
 Real ComputeStepResponse(Real a, Real b, UInt32 substeps);
 
 /**
  * Path of a body, in units of a substep at full speed, that starts from rest and whose speed loop
- * reduces the error by the share @p p in each substep.
+ * reduces the error at the rate @p p per substep, by the midpoint rule.
  * @param substeps  since the change of the target, > 0.
  */
 Real ComputeWayToSpeed(Real p, UInt32 substeps);
+
+/** The same as ComputeStepResponse() in continuous time. @param time s, since the step. */
+Real ComputeContinuousResponse(const SPDLoop& loop, Real time);
+/** Path after a step of the ordered speed from 0 to 1 in continuous time. @param time s. */
+Real ComputeContinuousWay(const SPDLoop& loop, Real time);
 
 }  // namespace argos::testing
 

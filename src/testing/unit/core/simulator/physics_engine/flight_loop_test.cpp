@@ -1,4 +1,4 @@
-// Compares the stability bounds of the flight loops with the eigenvalues of their recurrences.
+// The gains of the flight loops against the equations that they solve, and their stability.
 
 #include <argos3/core/simulator/physics_engine/flight_loop.h>
 
@@ -17,15 +17,6 @@ using Catch::Matchers::WithinRel;
 
 namespace {
 
-// factor by which the slowest mode of the position loop shrinks or grows in a substep
-Real ComputePositionLoopFactor(const SControlGains& gains, Real inertia, Real substep) {
-  const Real a = gains.Proportional * substep * substep / inertia;
-  const Real b = gains.Derivative * substep / inertia;
-  Eigen::Matrix3d companion;
-  companion << 2.0, -(1.0 + a + b), b, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0;
-  return companion.eigenvalues().cwiseAbs().maxCoeff();
-}
-
 // a random factor, log-uniform over four decades
 Real RandomFactor(CRandomStream& random) {
   return std::pow(10.0, random.Uniform(-2.0, 2.0));
@@ -33,27 +24,55 @@ Real RandomFactor(CRandomStream& random) {
 
 }  // namespace
 
-TEST_CASE("flight loops: a position loop is stable until its eigenvalues leave the unit circle",
+TEST_CASE("flight loops: a position loop applies the force of the middle of the substep",
           "[pointmass3d]") {
   CRandomStream random(3, "test", "flight loops", "");
   for (int i = 0; i < 200; ++i) {
     const SControlGains gains{RandomFactor(random), RandomFactor(random)};
     const Real inertia = RandomFactor(random);
-    const Real bound = ComputePositionLoopBound(gains, inertia);
-    CAPTURE(gains.Proportional, gains.Derivative, inertia, bound);
-    CHECK(ComputePositionLoopFactor(gains, inertia, 0.999 * bound) < 1.0);
-    CHECK(ComputePositionLoopFactor(gains, inertia, 1.001 * bound) > 1.0);
+    const Real substep = 0.1 * RandomFactor(random);
+    const Real error = random.Uniform(-1.0, 1.0);
+    const Real speed = random.Uniform(-1.0, 1.0);
+    CAPTURE(gains.Proportional, gains.Derivative, inertia, substep, error, speed);
+    const SSubstepGains chosen = ComputePositionGains(gains, inertia, substep);
+    const Real force = chosen.Error * error - chosen.Speed * speed;
+    const Real middleSpeed = speed + 0.5 * substep * force / inertia;
+    const Real middleError = error - 0.5 * substep * middleSpeed;
+    CHECK_THAT(force, WithinAbs(gains.Proportional * middleError - gains.Derivative * middleSpeed,
+                                1e-10 * (gains.Proportional + gains.Derivative) *
+                                    (1.0 + substep + substep * substep)));
   }
 }
 
-TEST_CASE("flight loops: a speed loop is stable until its factor reaches -1", "[pointmass3d]") {
+TEST_CASE("flight loops: a position loop is stable in substeps of any length", "[pointmass3d]") {
+  CRandomStream random(5, "test", "flight loops", "");
+  for (int i = 0; i < 200; ++i) {
+    const SControlGains gains{RandomFactor(random), RandomFactor(random)};
+    const Real inertia = RandomFactor(random);
+    const Real h = RandomFactor(random);
+    CAPTURE(gains.Proportional, gains.Derivative, inertia, h);
+    const SSubstepGains chosen = ComputePositionGains(gains, inertia, h);
+    const Real perError = chosen.Error / inertia;
+    const Real perSpeed = chosen.Speed / inertia;
+    Eigen::Matrix2d step;
+    step << 1.0 - 0.5 * h * h * perError, h - 0.5 * h * h * perSpeed, -h * perError,
+        1.0 - h * perSpeed;
+    CHECK(step.eigenvalues().cwiseAbs().maxCoeff() < 1.0);
+  }
+}
+
+TEST_CASE("flight loops: a speed loop shrinks the error in substeps of any length",
+          "[pointmass3d]") {
   CRandomStream random(4, "test", "flight loops", "");
   for (int i = 0; i < 200; ++i) {
     const SControlGains gains{RandomFactor(random), i % 2 == 0 ? 0.0 : RandomFactor(random)};
     const Real inertia = RandomFactor(random);
-    const Real bound = ComputeSpeedLoopBound(gains, inertia);
-    const Real factor = 1.0 - ComputeSpeedGain(gains, inertia) * bound / inertia;
-    CHECK_THAT(factor, WithinAbs(-1.0, 1e-14));
+    const Real h = RandomFactor(random);
+    // the midpoint rule: (1 - q) / (1 + q) with q = Kp h / 2 (m + Kd)
+    const Real q = 0.5 * gains.Proportional * h / (inertia + gains.Derivative);
+    const Real factor = 1.0 - ComputeSpeedGains(gains, inertia, h).Error * h / inertia;
+    CHECK_THAT(factor, WithinAbs((1.0 - q) / (1.0 + q), 1e-12));
+    CHECK(ComputeSpeedGains(gains, inertia, h).Speed == 0.0);
   }
 }
 
@@ -65,24 +84,38 @@ TEST_CASE("flight loops: the derivative of a speed's error counts as inertia", "
   CHECK_THAT(force, WithinRel(0.5 * error - 0.1 * force / 0.01, 1e-14));
 }
 
-TEST_CASE("flight loops: the bounds of the eye-bot", "[pointmass3d]") {
-  // m Kd / (m Kp + Kd^2) = 10 / 120; 0.001 / (0.005 + 0.01); 2 m / Kp; 2 (m + Kd) / Kp
-  CHECK_THAT(ComputePositionLoopBound({20.0, 10.0}, 1.0), WithinRel(1.0 / 12.0, 1e-15));
-  CHECK_THAT(ComputePositionLoopBound({0.5, 0.1}, 0.01), WithinRel(1.0 / 15.0, 1e-14));
-  CHECK_THAT(ComputeSpeedLoopBound({20.0, 0.0}, 1.0), WithinRel(0.1, 1e-15));
-  CHECK_THAT(ComputeSpeedLoopBound({0.5, 0.1}, 0.01), WithinRel(0.44, 1e-15));
+TEST_CASE("flight loops: the thrust counters the weight within its limit", "[pointmass3d]") {
+  CHECK(ComputeThrust(3.0, -10.0, 20.0) == 13.0);
+  CHECK(ComputeThrust(15.0, -10.0, 20.0) == 20.0);
+  CHECK(ComputeThrust(-35.0, -10.0, 20.0) == -20.0);
+}
 
+TEST_CASE("flight loops: substeps are 2/3 of the time constant of the fastest loop",
+          "[pointmass3d]") {
   SBodyDescription body;
   body.Shapes.push_back(SShapeDescription::Cylinder(0.25, 0.5));
   body.Mass = 1.0;
   body.PlanarInertia = 0.01;
+  // the eye-bot: its loop on velocity, at a rate of 20 / s
   body.Propellers =
       SPropellersDescription{{20.0, 10.0}, {0.5, 0.1}, {20.0, 0.0}, {0.5, 0.1}, 1000.0, 1000.0};
-  CHECK_THAT(ComputeFlightBound(body), WithinRel(1.0 / 15.0, 1e-14));
-  // a body description without inertia has that of its solids: m r^2 / 2 = 0.005
-  body.Shapes = {SShapeDescription::Cylinder(0.1, 0.5)};
+  CHECK_THAT(ComputeMaxFlightSubstep(body), WithinRel(1.0 / 30.0, 1e-14));
+  // yaw: s^2 + 100 s + 500
+  body.PlanarInertia = 0.001;
+  CHECK_THAT(ComputeMaxFlightSubstep(body),
+             WithinRel(2.0 / 3.0 / (50.0 + std::sqrt(2000.0)), 1e-14));
+  // a body description without inertia has that of its solids: m r^2 / 2; s^2 + 8 s + 5000
+  // oscillates
+  body.Shapes = {SShapeDescription::Cylinder(0.5, 0.5)};
   body.PlanarInertia.reset();
-  CHECK_THAT(ComputeFlightBound(body), WithinRel(0.1 * 0.005 / (0.5 * 0.005 + 0.01), 1e-14));
+  body.Propellers->Yaw = {625.0, 1.0};
+  CHECK_THAT(ComputeMaxFlightSubstep(body), WithinRel(2.0 / 3.0 / std::sqrt(5000.0), 1e-14));
+  // position: s^2 + 200 s + 100; yaw rate: 625 / (0.125 + 0.5)
+  body.Propellers->Position = {100.0, 200.0};
+  CHECK_THAT(ComputeMaxFlightSubstep(body),
+             WithinRel(2.0 / 3.0 / (100.0 + std::sqrt(9900.0)), 1e-14));
+  body.Propellers->YawRate = {625.0, 0.5};
+  CHECK_THAT(ComputeMaxFlightSubstep(body), WithinRel(2.0 / 3.0 / 1000.0, 1e-14));
 }
 
 }  // namespace flight_loop_test
