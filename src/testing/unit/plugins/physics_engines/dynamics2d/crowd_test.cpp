@@ -234,4 +234,138 @@ TEST_CASE("crowd: a robot that nothing pushes ends exactly at its planned pose",
   }
 }
 
+TEST_CASE("crowd: a disc moves no farther in a tick than the longest path", "[dynamics2d][crowd]") {
+  // 3 m/s against a robot at rest are 1.5 m/s of both; the longest path allows 0.5 m/s
+  SCrowdScene scene;
+  scene.AddRobot(0.0, 0.0);
+  scene.AddRobot(0.1, 0.0);
+  scene.DisableDrives();
+  scene.GetDriven(scene.Bodies[0]).Velocity = {3.0, 0.0, 0.0};
+  scene.Tick();
+  for (size_t i = 0; i < 2; ++i) {
+    const SDrivenBody& body = scene.Store.GetDriven()[i];
+    CHECK(body.Velocity.X == Approx(kPath / CPlanarScene::kTick).epsilon(1e-5));
+    CHECK(body.Pose.X - 0.1 * static_cast<Real>(i) == Approx(kPath).epsilon(1e-5));
+  }
+}
+
+TEST_CASE("crowd: the path to leave an overlap is at most half a radius", "[dynamics2d][crowd]") {
+  // A pile so deep that a tick does not resolve it. In the next one, all are at the greatest speed.
+  SCrowdScene scene;
+  for (int i = 0; i < 100; ++i) {
+    scene.AddRobot(1e-3 * (i % 10), 1e-3 * (i / 10));
+  }
+  scene.DisableDrives();
+  scene.Tick();
+  REQUIRE(scene.Crowd.GetAllowance() == Approx(0.5 * CPlanarScene::kRadius));
+  for (SDrivenBody& body : scene.Store.GetDriven()) {
+    body.Velocity = {6.0, 0.0, 0.0};
+  }
+  scene.Tick();
+  Real fastest = 0.0;
+  for (const SDrivenBody& body : scene.Store.GetDriven()) {
+    fastest = std::max(fastest, std::hypot(body.Velocity.X, body.Velocity.Y));
+  }
+  CHECK(fastest ==
+        Approx((kPath + 0.5 * CPlanarScene::kRadius) / CPlanarScene::kTick).epsilon(1e-5));
+}
+
+TEST_CASE("crowd: a drive that presses exerts its impulse once in a tick", "[dynamics2d][crowd]") {
+  // two robots in contact, the second without a drive, which adds no momentum
+  SCrowdScene scene;
+  scene.AddRobot(0.0, 0.0, 0.3, 0.3);
+  scene.AddRobot(0.1, 0.0);
+  scene.DisableDrives();
+  SDrivenBody& pusher = scene.GetDriven(scene.Bodies[0]);
+  scene.MakeKind(pusher).MaxSpeedChange = 0.02;
+  for (int tick = 1; tick <= 5; ++tick) {
+    scene.Tick();
+    CHECK(scene.SumMomentum().X == Approx(pusher.Kind->Mass * 0.02 * tick).epsilon(1e-4));
+  }
+}
+
+TEST_CASE("crowd: a drive that has used its impulse before an impact adds none to it",
+          "[dynamics2d][crowd]") {
+  // It reaches its speed at the start of the tick, and hits the other one in the second substep.
+  // The other one wants to turn so fast that there are four, but has no torque.
+  const bool areFour = GENERATE(false, true);
+  CAPTURE(areFour);
+  SCrowdScene scene;
+  const Real turn = areFour ? 0.8 : 0.0;
+  scene.AddRobot(0.0, 0.0, 0.2, 0.2);
+  scene.AddRobot(areFour ? 0.109 : 0.111, 0.0, -turn, turn);
+  SDrivenBody& pusher = scene.GetDriven(scene.Bodies[0]);
+  scene.MakeKind(pusher).MaxSpeedChange = 0.2;
+  SDrivenKind& weak = scene.MakeKind(scene.GetDriven(scene.Bodies[1]));
+  weak.MaxSpeedChange = weak.MaxYawRateChange = 1e-9;
+  scene.Tick();
+  CHECK(scene.GetDriven(scene.Bodies[1]).Velocity.X > 0.05);
+  CHECK(scene.SumMomentum().X == Approx(pusher.Kind->Mass * 0.2).epsilon(1e-4));
+}
+
+TEST_CASE("crowd: a drive that has used its torque before an impact adds none to it",
+          "[dynamics2d][crowd]") {
+  // as above, with four substeps; it rolls so slowly that the friction of the impact takes 2 %
+  SCrowdScene scene;
+  scene.AddRobot(0.0, 0.0, 0.01 - 0.2, 0.01 + 0.2);
+  scene.AddRobot(0.10035, 0.0, -0.8, 0.8);
+  SDrivenKind& kind = scene.MakeKind(scene.GetDriven(scene.Bodies[0]));
+  kind.MaxSpeedChange = 0.01;
+  kind.MaxYawRateChange = 5.0;  // rad/s, just enough
+  SDrivenKind& weak = scene.MakeKind(scene.GetDriven(scene.Bodies[1]));
+  weak.MaxSpeedChange = weak.MaxYawRateChange = 1e-9;
+  scene.Tick();
+  CHECK(scene.GetDriven(scene.Bodies[1]).Velocity.X > 0.001);
+  CHECK(scene.GetDriven(scene.Bodies[0]).Velocity.W == Approx(4.95).margin(0.06));
+}
+
+TEST_CASE("crowd: friction between discs is 0.49 of the pressing impulse", "[dynamics2d][crowd]") {
+  SCrowdScene scene;
+  scene.AddRobot(0.0, 0.0);
+  scene.AddRobot(0.1, 0.0);
+  scene.DisableDrives();
+  const Real turn = GENERATE(200.0, -200.0);  // rad/s: the rims slip for the whole impact
+  scene.GetDriven(scene.Bodies[0]).Velocity = {0.2, 0.0, turn};
+  scene.Tick();
+  const SDrivenBody& hit = scene.GetDriven(scene.Bodies[1]);
+  CHECK(hit.Velocity.X == Approx(0.1).epsilon(1e-3));
+  CHECK(hit.Velocity.Y == Approx(std::copysign(0.49 * hit.Velocity.X, turn)).epsilon(1e-3));
+}
+
+TEST_CASE("crowd: discs leave a deep overlap with a quarter of a radius in a tick",
+          "[dynamics2d][crowd]") {
+  constexpr Real kSpeed = 0.25 * CPlanarScene::kRadius / CPlanarScene::kTick;  // m/s
+  SCrowdScene scene;
+  const bool isWall = GENERATE(false, true);
+  CAPTURE(isWall);
+  // 4 cm deep, of which 60 % would be more than that
+  if (isWall) {
+    scene.AddBox(0.0, 0.0, false);
+    scene.AddRobot(0.06, 0.0);
+  } else {
+    scene.AddRobot(0.0, 0.0);
+    scene.AddRobot(0.06, 0.0);
+  }
+  scene.DisableDrives();
+  scene.Tick();
+  const SDrivenBody& leaving = scene.Store.GetDriven().back();
+  CHECK(leaving.Velocity.X == Approx(isWall ? kSpeed : 0.5 * kSpeed).epsilon(1e-3));
+}
+
+TEST_CASE("crowd: a drive that presses exerts its torque once in a tick", "[dynamics2d][crowd]") {
+  // the touch is so slight that its friction is a thousandth of the torque
+  SCrowdScene scene;
+  scene.AddRobot(0.0, 0.0, -0.2, 0.2);
+  scene.AddRobot(0.1, 0.0);
+  scene.DisableDrives();
+  SDrivenBody& turning = scene.GetDriven(scene.Bodies[0]);
+  turning.Velocity = {1e-4, 0.0, 0.0};
+  SDrivenKind& kind = scene.MakeKind(turning);
+  kind.MaxSpeedChange = 1e-9;
+  kind.MaxYawRateChange = 1.0;
+  scene.Tick();
+  REQUIRE(scene.GetDriven(scene.Bodies[1]).Velocity.X > 0.0);
+  CHECK(turning.Velocity.W == Approx(1.0).epsilon(5e-3));
+}
+
 }  // namespace argos::dynamics2d_crowd_test

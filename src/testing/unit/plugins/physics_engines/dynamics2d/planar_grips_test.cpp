@@ -1,11 +1,14 @@
 #include "planar_scene.h"
 
 #include <argos3/plugins/simulator/entities/gripper_equipped_entity.h>
+#include <argos3/plugins/simulator/entities/turret_entity.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_limits.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_grips.h>
 
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace argos::planar_grips_test {
 
@@ -15,13 +18,30 @@ namespace {
 struct SGripScene : CPlanarScene {
   CPlanarGrips Grips{Store, Active};
   std::deque<CGripperEquippedEntity> Grippers;
+  std::deque<SAnchor> Anchors;
+  std::deque<CTurretEntity> Turrets;
 
-  SBody& AddGripper(Real x, Real y, SBodyDescription description = DescribeRobot()) {
-    SBody& body = AddRobot(x, y);
+  SBody& AddGripper(Real x, Real y, const SBodyDescription& description = DescribeRobot()) {
+    SBody& body = AddRobot(x, y, 0.0, 0.0, description);
     CGripperEquippedEntity& gripper = Grippers.emplace_back(nullptr);
     gripper.SetOffset(CVector3(kRadius, 0.0, 0.0));
     Grips.SetManipulator(body.GetOwner(), description, &gripper, nullptr);
     Active.Activate(body.Handle.Slot);
+    return body;
+  }
+  /** A robot with a gripper and a turret of a speed, rad/s, which no gripper can grip. */
+  SBody& AddTurret(Real x, Real y, Real speed) {
+    SBodyDescription description = DescribeRobot();
+    description.Grippable = false;
+    description.Turret = STurretDescription{0.1, 1e-4, 1.0, 0.0};
+    SBody& body = AddGripper(x, y, description);
+    SAnchor& anchor = Anchors.emplace_back(body.Entity, "turret", 1, CVector3(), CQuaternion(),
+                                           CVector3(), CQuaternion());
+    CTurretEntity& turret =
+        Turrets.emplace_back(nullptr, "turret", anchor, SControlGains{0.4, 0.2});
+    turret.SetMode(CTurretEntity::MODE_SPEED_CONTROL);
+    turret.SetDesiredRotationSpeed(CRadians(speed));
+    Grips.SetManipulator(body.GetOwner(), description, &Grippers.back(), &turret);
     return body;
   }
   /** Locks all grippers, and starts a tick. */
@@ -157,6 +177,63 @@ TEST_CASE("planar grips: a cluster is transferred with its grips", "[dynamics2d]
   REQUIRE(grips.size() == 1);
   CHECK(grips[0].Arm == grip.Arm);
   CHECK(grips[0].PointOnHeld == grip.PointOnHeld);
+}
+
+TEST_CASE("planar grips: 255 grippers hold a body, and no more", "[dynamics2d][grip]") {
+  // so many are counted
+  SGripScene scene;
+  SBodyDescription description = CPlanarScene::DescribeRobot();
+  description.Grippable = false;
+  for (int i = 0; i < 300; ++i) {
+    scene.AddGripper(0.0, 0.0, description);
+  }
+  auto& box = scene.AddBox(0.105, 0.0, true);
+  scene.Lock();
+  CHECK(scene.GetPassive(box).NumGrips == 255);
+  const auto isGripping = [](const CGripperEquippedEntity& each) { return each.IsGripping(); };
+  CHECK(std::count_if(scene.Grippers.begin(), scene.Grippers.end(), isGripping) == 255);
+  // a released place is taken by another
+  scene.Grippers.front().SetLockState(0.0);
+  scene.Grips.StartTick();
+  CHECK(scene.GetPassive(box).NumGrips == 254);
+  scene.Grips.MakeGrips();
+  CHECK(scene.GetPassive(box).NumGrips == 255);
+}
+
+TEST_CASE("planar grips: a robot that 255 grippers hold does not grip", "[dynamics2d][grip]") {
+  SGripScene scene;
+  SBodyDescription description = CPlanarScene::DescribeRobot();
+  description.Grippable = false;
+  const int holders = GENERATE(254, 255);
+  CAPTURE(holders);
+  for (int i = 0; i < holders; ++i) {
+    scene.AddGripper(0.0, 0.0, description);
+  }
+  auto& held = scene.AddGripper(0.105, 0.0);
+  scene.AddBox(0.21, 0.0, true);
+  scene.Lock();
+  CHECK(scene.GetDriven(held).NumGrips == 255);
+  CHECK(scene.Grippers.back().IsGripping() == (holders < 255));
+}
+
+TEST_CASE("planar grips: the rate of a turret with a load is bounded by that of its substeps",
+          "[dynamics2d][grip]") {
+  const Real speed = GENERATE(2.0, 1e4, -1e4);  // rad/s
+  CAPTURE(speed);
+  SGripScene scene;
+  scene.AddTurret(0.0, 0.0, speed);
+  scene.AddBox(0.105, 0.0, true);
+  scene.Lock();
+  REQUIRE(scene.Grips.IsHoldingAny());
+  const Real rate = std::min(std::abs(speed), kMaxSubsteps * kMaxStepTurn / CPlanarScene::kTick);
+  // the box is held 5.5 cm ahead; half of its diagonal is its bounding radius
+  const Real reach = 0.055 + 2.0 * 0.05 * std::sqrt(2.0);
+  CHECK(scene.Grips.ComputeLongestSwing() ==
+        Approx(rate * CPlanarScene::kTick * reach).epsilon(1e-4));
+  CHECK(scene.Grips.ComputeNeededSubsteps() ==
+        Approx(rate * CPlanarScene::kTick *
+               std::max(reach / (kMaxStepShare * 0.05), 1.0 / kMaxStepTurn))
+            .epsilon(1e-4));
 }
 
 }  // namespace argos::planar_grips_test

@@ -59,10 +59,10 @@ class CPlanarScene {
   }
 
   /** A robot that looks along x. */
-  SBody& AddRobot(Real x, Real y, Real left = 0.0, Real right = 0.0) {
+  SBody& AddRobot(Real x, Real y, Real left = 0.0, Real right = 0.0,
+                  const SBodyDescription& description = DescribeRobot()) {
     SBody& body = Bodies.emplace_back("robot");
     body.Wheels = {left, right};
-    const SBodyDescription description = DescribeRobot();
     Store.AddDriven(body.GetOwner(), description, PoseAt(x, y),
                     CDriveSource(body.Wheels.data(), description.Drive->InterwheelDistance));
     return body;
