@@ -84,8 +84,21 @@ TEST_CASE("push solver: an off-centre push turns a body if it exceeds the torque
   if (torque > kForce * kLever) {
     CHECK_THAT(twist.Turn, WithinAbs(0.0, kPrecision / kLever));
   } else {
-    CHECK(twist.Turn < -0.1 * kNeed / kLever);
+    // the friction torque of the body balances a push of torque / lever, below its friction force
+    CHECK_THAT(twist.X, WithinAbs(0.0, 0.01 * kNeed));
+    CHECK_THAT(twist.Turn, WithinAbs(-kNeed / kLever, 0.01 * kNeed / kLever));
   }
+}
+
+TEST_CASE("push solver: a body whose friction has no torque turns about its centre",
+          "[unit][kinematics2d]") {
+  constexpr Real kLever = 0.08;  // m
+  CPushSolver solver;
+  const UInt32 body = solver.AddBody({}, 1.49, 0.0, kSquaredGyration);
+  solver.AddContact({CPushSolver::kNone, body, 1.0, 0.0, 0.0, -kLever, kNeed, 15.0, 0.0});
+  solver.Solve();
+  CHECK_THAT(solver.GetTwist(body).X, WithinAbs(0.0, 0.01 * kNeed));
+  CHECK_THAT(solver.GetTwist(body).Turn, WithinAbs(-kNeed / kLever, 0.01 * kNeed / kLever));
 }
 
 TEST_CASE("push solver: a pushed body does not penetrate an immovable one",
