@@ -1,3 +1,7 @@
+#include <argos3/core/control_interface/ci_actuator.h>
+#include <argos3/core/simulator/entity/actuator.h>
+#include <argos3/core/simulator/simulator.h>
+#include <argos3/core/simulator/space/metrics.h>
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/threads/thread_pool.h>
 #include <argos3/testing/support/captured_logs.h>
@@ -46,6 +50,15 @@ SExperiment ManyRobots(UInt32 threads, const std::string& method) {
   return experiment;
 }
 
+/** Records a metric in each tick. */
+class CScribeActuator : public CSimulatedActuator, public CCI_Actuator {
+ public:
+  void SetRobot(CComposableEntity& /*robot*/) override {}
+  void Update() override { CSimulator::GetInstance().GetMetrics().Record("acts", 2.5); }
+  void Reset() override {}
+};
+REGISTER_ACTUATOR(CScribeActuator, "tick_scribe", "default", "", "", "", "", "")
+
 CToyController& ControllerOf(CTestWorld& world, const std::string& robot) {
   return dynamic_cast<CToyController&>(
       world.Get<CToyRobotEntity>(robot).GetControllableEntity().GetController());
@@ -79,6 +92,23 @@ TEST_CASE("tick: a command of step k acts in tick k + 1", "[core][tick]") {
   CHECK(X(world, "r1") == 0.2);
   world.Step();
   CHECK_THAT(X(world, "r1"), WithinAbs(0.0, 1e-15));
+}
+
+TEST_CASE("tick: metrics that actuators record count in the same tick", "[core][tick][metrics]") {
+  SExperiment experiment = Recorded();
+  experiment.Controllers = R"(<toy_controller id='c'>
+      <actuators> <tick_scribe implementation='default' /> </actuators> <sensors />
+      </toy_controller>)";
+  CTestWorld world(experiment);
+  const CMetrics& metrics = world.GetSimulator().GetMetrics();
+  for (UInt32 tick = 1; tick <= 2; ++tick) {
+    world.Step();
+    const CMetrics::SMetric* const acts = metrics.Find("acts");
+    REQUIRE(acts != nullptr);
+    CHECK(acts->Tick == tick);
+    CHECK(acts->Count == 2);
+    CHECK(acts->Sum == 5.0);
+  }
 }
 
 TEST_CASE("tick: sensors read the poses after this tick's physics and PreStep's changes",
