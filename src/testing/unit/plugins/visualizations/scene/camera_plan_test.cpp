@@ -1,5 +1,6 @@
 #include <argos3/plugins/simulator/visualizations/scene/camera_plan.h>
 #include <argos3/plugins/simulator/visualizations/scene/camera_xml.h>
+#include <argos3/plugins/simulator/visualizations/scene/enclosing_entity.h>
 
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/simulator.h>
@@ -20,15 +21,16 @@ namespace {
 constexpr double kAspectRatio = 4.0 / 3.0;
 constexpr double kRounding = 1e-9;  // m
 
-// an arena of 4 m x 2 m with a crate of 0.2 m at (1, 0.5)
+// an arena of 4 m x 2 m with a crate of 0.2 m at (1, 0.5), and more entities
 class CWorld {
  public:
-  CWorld() : m_scope(m_simulator) {
+  explicit CWorld(const std::string& more = "") : m_scope(m_simulator) {
     m_document.Parse(R"(<argos-configuration>
       <framework><experiment length="1" ticks_per_second="10" random_seed="1"/></framework>
       <controllers/><arena size="4,2,1" center="0,0,0.5">
         <floor id="floor" source="loop_functions" pixels_per_meter="5"/>
-        <box id="crate" size="0.2,0.2,0.2" movable="false"><body position="1,0.5,0"/></box>
+        <box id="crate" size="0.2,0.2,0.2" movable="false"><body position="1,0.5,0"/></box>)" +
+                     more + R"(
       </arena><physics_engines><dynamics2d id="d"/></physics_engines><media/>
       </argos-configuration>)");
     m_simulator.Load(m_document);
@@ -77,6 +79,16 @@ TEST_CASE("camera plan: a view of the arena shows its ground and what stands acr
   CHECK(IsSeen(placement, {-2.0, -1.0, 0.0}));
   CHECK(IsSeen(placement, {-2.0, 1.0, 0.0}));
   CHECK(IsSeen(placement, {2.6, 0.1, 0.2}));
+}
+
+TEST_CASE("camera plan: a body across the border of the arena extends the view to its edge",
+          "[visualizations][offscreen][camera]") {
+  CWorld world;
+  world.MoveCrate(CVector3(2.0, 0.0, 0.0));
+  CCameraPlan plan = world.Plan("view='top' projection='orthographic' margin='0'");
+  // from -2 m to 2.1 m along x; the arena is 2 m deep
+  CHECK_THAT(plan.ComputeAt(world.GetSpace(), 0).OrthographicHeight,
+             WithinAbs(4.1 / kAspectRatio, kRounding));
 }
 
 TEST_CASE("camera plan: a view of the contents leaves out empty ground, and only grows",
@@ -137,21 +149,46 @@ TEST_CASE(
 TEST_CASE("camera plan: a camera inside of an entity is reported once",
           "[visualizations][offscreen][camera]") {
   CWorld world;
-  const std::string place = GENERATE("1.05,0.45,0.1", "1.2,0.5,0.1");
-  CAPTURE(place);
-  CCameraPlan plan = world.Plan("", "<placements><placement index='0' position='" + place +
-                                        "' look_at='0,0,0'/></placements>");
+  CCameraPlan plan = world.Plan(
+      "",
+      "<placements><placement index='0' position='1.05,0.45,0.1' look_at='0,0,0'/></placements>");
   TakeLogErr();
   plan.ComputeAt(world.GetSpace(), 0);
   plan.ComputeAt(world.GetSpace(), 1);
   const std::string warning = TakeLogErr();
-  if (place == "1.2,0.5,0.1") {
-    CHECK(warning.empty());
-  } else {
-    CHECK_THAT(warning, Contains("[WARNING]") && Contains("inside of \"crate\"") &&
-                            Contains("(1.05,0.45,0.1)"));
-    CHECK(warning.find("inside") == warning.rfind("inside"));
+  CHECK_THAT(warning, Contains("[WARNING]") && Contains("inside of \"crate\"") &&
+                          Contains("(1.05,0.45,0.1)"));
+  CHECK(warning.find("inside") == warning.rfind("inside"));
+}
+
+TEST_CASE("camera plan: inside of an entity means within its visible shape",
+          "[visualizations][offscreen][camera]") {
+  CWorld world(R"(<cylinder id="tin" radius="0.1" height="0.3" movable="false">
+      <body position="-1,-0.5,0"/></cylinder>)");
+  const CEntity* const crate = &world.GetSpace().GetEntity("crate");
+  const CEntity* const tin = &world.GetSpace().GetEntity("tin");
+  const auto find = [&world](double x, double y, double z) {
+    return FindEnclosingEntity(world.GetSpace(), Eigen::Vector3d(x, y, z));
+  };
+  // the crate, of 0.2 m, is centred on (1, 0.5)
+  for (const double side : {-1.0, 1.0}) {
+    CAPTURE(side);
+    CHECK(find(1.0 + side * 0.099, 0.5 + 0.099, 0.1) == crate);
+    CHECK(find(1.0 + side * 0.101, 0.5, 0.1) == nullptr);
+    CHECK(find(1.0, 0.5 + side * 0.099, 0.1) == crate);
+    CHECK(find(1.0, 0.5 + side * 0.101, 0.1) == nullptr);
+    // its middle is at 0.1 m
+    CHECK(find(1.0, 0.5, 0.1 + side * 0.099) == crate);
+    CHECK(find(1.0, 0.5, 0.1 + side * 0.101) == nullptr);
   }
+  // the tin has a radius of 0.1 m: its edge along the diagonal is at 0.0707 m
+  CHECK(find(-1.0 + 0.099, -0.5, 0.1) == tin);
+  CHECK(find(-1.0 + 0.101, -0.5, 0.1) == nullptr);
+  CHECK(find(-1.0 + 0.0700, -0.5 - 0.0700, 0.1) == tin);
+  CHECK(find(-1.0 + 0.0714, -0.5 - 0.0714, 0.1) == nullptr);
+  CHECK(find(-1.0, -0.5, 0.299) == tin);
+  CHECK(find(-1.0, -0.5, 0.301) == nullptr);
+  CHECK(find(-1.0, -0.5, -0.001) == nullptr);
 }
 
 TEST_CASE("camera plan: errors name file, line, attribute and what would be right",
