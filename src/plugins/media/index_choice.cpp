@@ -58,17 +58,19 @@ const char* SIndexChoice::GetName() const {
 
 SIndexChoice::SCells SIndexChoice::MakeCells(const CVector3& extent) const {
   SCells cells;
-  Real numCells = 1.0;
   for (UInt32 axis = 0; axis < 3; ++axis) {
     const Real length = extent[axis] > 0.0 ? extent[axis] : 1.0;
     cells.Extent[axis] = length;
     cells.Number[axis] = GridSize[axis] > 0
                              ? GridSize[axis]
                              : static_cast<SInt32>(std::clamp(std::floor(length), 1.0, kMaxCells));
-    numCells *= cells.Number[axis];
   }
-  if (numCells > kMaxCells) {
-    const Real shrink = std::cbrt(kMaxCells / numCells);
+  const auto multiply = [&cells] {
+    return static_cast<Real>(cells.Number[0]) * cells.Number[1] * cells.Number[2];
+  };
+  // repeated, because an axis with one cell does not shrink
+  while (multiply() > kMaxCells) {
+    const Real shrink = std::cbrt(kMaxCells / multiply());
     for (SInt32& number : cells.Number) {
       number = std::max(1, static_cast<SInt32>(number * shrink));
     }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <vector>
 
 namespace point_cells_test {
@@ -80,9 +81,16 @@ TEST_CASE("point cells: few points out of reach are visited", "[media]") {
     points.X.push_back(random.Uniform(-5.0, 5.0));
     points.Y.push_back(random.Uniform(-5.0, 5.0));
   }
+  // points far outside of the arena, which do not make the cells larger
+  const Real stray = GENERATE(0.0, 1e6, -1e6);
+  CAPTURE(stray);
+  for (const Real place : {stray, 0.5 * stray}) {
+    points.X.push_back(place);
+    points.Y.push_back(place);
+  }
   CPointCells cells;
   cells.SetOptions(MakeOptions(kind, 0), kArena);
-  cells.Sort(points.X.data(), points.Y.data(), kNum, kReach);
+  cells.Sort(points.X.data(), points.Y.data(), points.X.size(), kReach);
   size_t visited = 0;
   for (size_t i = 0; i < kNum; ++i) {
     cells.ForPlacesNear(points.X[i], points.Y[i], kReach, [&](size_t) { ++visited; });
@@ -90,6 +98,28 @@ TEST_CASE("point cells: few points out of reach are visited", "[media]") {
   // On average pi r^2 = 0.126 m^2 of the 100 m^2 are in reach. Cells of side r/2 cover a square of
   // at most 3 r, 2.9 times as much.
   CHECK(static_cast<Real>(visited) / kNum < 3.0 * 0.126 * kNum / 100.0);
+}
+
+TEST_CASE("index choice: cells of a metre, as many as the user wants, and at most 2^18",
+          "[media]") {
+  const auto count = [](const SIndexChoice& choice, const CVector3& extent) {
+    const SIndexChoice::SCells cells = choice.MakeCells(extent);
+    return std::vector<SInt32>(std::begin(cells.Number), std::end(cells.Number));
+  };
+  const SIndexChoice own = MakeOptions(SIndexChoice::EKind::Grid, 0);
+  CHECK(count(own, CVector3(10.7, 0.5, 0.0)) == std::vector<SInt32>{10, 1, 1});
+  CHECK(own.MakeCells(CVector3(10.7, 0.5, 0.0)).Extent == CVector3(10.7, 0.5, 1.0));
+  CHECK(count(MakeOptions(SIndexChoice::EKind::Grid, 7), CVector3(10.7, 0.5, 0.0)) ==
+        std::vector<SInt32>{7, 7, 7});
+  CHECK(count(own, CVector3(64.0, 64.0, 64.0)) == std::vector<SInt32>{64, 64, 64});
+  // each axis shrinks alike, but one with a single cell
+  for (const CVector3& extent : {CVector3(128.0, 128.0, 128.0), CVector3(1e7, 1e7, 1.0)}) {
+    const std::vector<SInt32> many = count(own, extent);
+    CHECK(many[0] == many[1]);
+    CHECK(many[2] == (extent.GetZ() == 1.0 ? 1 : many[0]));
+    CHECK(many[0] * many[1] * many[2] <= 1 << 18);
+    CHECK(many[0] * many[1] * many[2] > 1 << 17);
+  }
 }
 
 TEST_CASE("point cells: sorting the same number of points again allocates nothing",
