@@ -17,8 +17,8 @@ namespace argos {
 
 namespace {
 
-// m/s; assumed greatest speed that a flying robot at rest reaches in a tick: the controllers of an
-// eye-bot with a new target reach it in 0.1 s
+// m/s; assumed greatest speed that a flying robot at rest reaches in a tick: an eye-bot reaches it
+// in 0.1 s with a new target 5 m away
 constexpr Real kStartFlightSpeed = 6.0;
 // factor for what other bodies that push add to the path of the fastest body
 constexpr Real kPathMargin = 1.5;
@@ -355,7 +355,7 @@ Real CRigidWorld::ComputeGhostReach() const {
 }
 
 // ODE finds contacts only at the end of a substep, so that no body may pass through another in one;
-// and all controllers must be stable.
+// and the controllers of flying robots must be accurate.
 UInt32 CRigidWorld::CountSubsteps() const {
   const Real gain = m_gravity.Length() * m_settings.Tick;
   // ODE finds no contact of a cylinder that sticks out of the other side of a box
