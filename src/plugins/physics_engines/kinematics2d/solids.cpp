@@ -218,6 +218,9 @@ void CSolids::Step(const CDiscSwarm& discs) {
     const STwist& twist = m_solver.GetTwist(solid.Number);
     solid.Twist = Shortened(solid, twist, ComputeFarthest(solid));
     solid.Number = CPushSolver::kNone;
+    // the rest of a deep overlap is corrected in the next ticks
+    solid.IsFresh =
+        solid.IsFresh && ComputeLength(solid, solid.Twist) > kSolidTolerance * solid.NarrowestHalf;
   }
   for (int pass = 0; pass < kPasses; ++pass) {
     for (const UInt32 slot : m_pushed) {
@@ -229,8 +232,8 @@ void CSolids::Step(const CDiscSwarm& discs) {
   for (SSolid& solid : m_solids) {
     if (!solid.IsPassive()) {
       StepDriven(solid, discs);
+      solid.IsFresh = false;
     }
-    solid.IsFresh = false;
   }
 }
 

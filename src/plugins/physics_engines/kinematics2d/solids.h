@@ -38,7 +38,7 @@ struct SSolid {
   STwist Twist;
   SPlanarPose Arc;  // the end of the arc that a robot's drive commands
   UInt32 Number = CPushSolver::kNone;  // in the solver
-  bool IsFresh = true;  // was placed since the last tick, so it may overlap others
+  bool IsFresh = true;  // was placed in an overlap, perhaps, and has not left it yet
   bool HasMoved = false;  // since its pose was last written to the entity
 
   bool IsPassive() const { return !Drive; }

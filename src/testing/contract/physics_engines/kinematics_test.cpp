@@ -408,6 +408,62 @@ TEST_CASE("kinematics: piled robots separate equally with any number of threads"
   }
 }
 
+TEST_CASE("kinematics: a robot deep inside a wall leaves it by at most its radius in a tick",
+          "[contract][engine][kinematics]") {
+  // its edge is 0.3 m inside
+  CDriveWorld world(kEngine, WallXml("wall", "2,4,0.5", 0, 0) +
+                                 DriverXml("e-puck", "r", 0.7 + kEPuckRadius, 0, 0, 0, 0));
+  const Real start = world.Position("r").GetX();
+  for (int tick = 1; tick <= 12; ++tick) {
+    world.Step();
+    CAPTURE(tick);
+    // steps below 1e-6 radii are not followed up
+    CHECK_THAT(world.Position("r").GetX() - start,
+               WithinAbs(std::min(0.3, tick * kEPuckRadius), 1e-6));
+    CHECK_THAT(world.Position("r").GetY(), WithinAbs(0.0, kRoundings));
+  }
+}
+
+TEST_CASE("kinematics: a robot inside two walls may move by its depth in the deeper one",
+          "[contract][engine][kinematics]") {
+  // 0.06 m inside of one, 0.002 m of the other: a radius in the first tick, the rest in the second
+  const bool deeperFirst = GENERATE(true, false);
+  CAPTURE(deeperFirst);
+  const std::string deeper = WallXml("deeper", "2,6,0.5", -1, 0);
+  const std::string other = WallXml("other", "6,2,0.5", 0, -1);
+  CDriveWorld world(
+      kEngine, (deeperFirst ? deeper + other : other + deeper) +
+                   DriverXml("e-puck", "r", kEPuckRadius - 0.06, kEPuckRadius - 0.002, 0, 0, 0));
+  const CVector3 start = world.Position("r");
+  world.Step();
+  CHECK_THAT(Distance(world.Position("r"), start), WithinAbs(kEPuckRadius, 1e-4));
+  world.Step();
+  CHECK_THAT(world.Position("r").GetX(), WithinAbs(kEPuckRadius, 1e-4));
+  CHECK_THAT(world.Position("r").GetY(), WithinAbs(kEPuckRadius, 1e-4));
+}
+
+TEST_CASE("kinematics: an object deep inside another leaves it by a share of its size in a tick",
+          "[contract][engine][kinematics]") {
+  // a quarter of half of the narrowest side
+  constexpr Real kMost = 0.25 * 0.1;  // m
+  const bool isWall = GENERATE(true, false);
+  CAPTURE(isWall);
+  CDriveWorld world(kEngine, (isWall ? WallXml("wall", "0.4,0.4,0.5", 0, 0)
+                                     : BoxXml("wall", 0, 0, 0, "0.4,0.4,0.5")) +
+                                 BoxXml("box", 0.2, 0, 0, "0.2,0.2,0.5"));
+  Real last = 0.2;
+  for (int tick = 1; tick <= 6; ++tick) {
+    world.Step();
+    CAPTURE(tick);
+    const Real now = world.Position("box").GetX() - world.Position("wall").GetX();
+    // 0.1 m deep at the start; friction gives way by 1e-3
+    CHECK_THAT(now - last, WithinAbs(tick <= 4 ? kMost : 0.0, tick < 4 ? 1e-3 : 2e-3));
+    last = now;
+  }
+  CHECK(last >= 0.3 - 1e-5);
+  CHECK((world.Position("wall").GetX() == 0.0) == isWall);
+}
+
 TEST_CASE("kinematics: walls of a region stop robots and objects without overlap",
           "[contract][engine][kinematics]") {
   // a square standing on a corner, 1 m from its centre to each side; robots drive at all of its
