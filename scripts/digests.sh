@@ -44,7 +44,7 @@ differences=0
 # experiments write their data into the current folder
 work="$(mktemp -d)"
 trap 'rm -rf -- "$work"' EXIT
-ln -s "$repo/experiments" "$work/experiments"
+ln -s "$repo/experiments" "$repo/src" "$work"
 new="$work/digests.txt"
 while IFS= read -r line; do
   if [[ "$line" == build:* ]]; then
