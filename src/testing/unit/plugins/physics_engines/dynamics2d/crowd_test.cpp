@@ -303,6 +303,27 @@ TEST_CASE("crowd: a drive that has used its impulse before an impact adds none t
   CHECK(scene.SumMomentum().X == Approx(pusher.Kind->Mass * 0.2).epsilon(1e-4));
 }
 
+TEST_CASE("crowd: a drive that touches nothing uses its impulse and torque once in a tick",
+          "[dynamics2d][crowd]") {
+  // both are far below what the wheels want; an impact in the third of four substeps, as above,
+  // makes the result of the tick count
+  SCrowdScene scene;
+  scene.AddRobot(0.0, 0.0, 0.0, 0.4);
+  scene.AddRobot(0.1022, 0.0, -0.8, 0.8);
+  SDrivenBody& pusher = scene.GetDriven(scene.Bodies[0]);
+  SDrivenKind& kind = scene.MakeKind(pusher);
+  kind.MaxSpeedChange = 0.04;
+  kind.MaxYawRateChange = 1.0;
+  SDrivenKind& weak = scene.MakeKind(scene.GetDriven(scene.Bodies[1]));
+  weak.MaxSpeedChange = weak.MaxYawRateChange = 1e-9;
+  scene.Tick();
+  REQUIRE(scene.GetDriven(scene.Bodies[1]).Velocity.X > 0.001);
+  CHECK(std::hypot(scene.SumMomentum().X, scene.SumMomentum().Y) ==
+        Approx(kind.Mass * 0.04).epsilon(1e-3));
+  // friction at the impact takes at most 0.4 rad/s
+  CHECK(pusher.Velocity.W == Approx(0.8).margin(0.25));
+}
+
 TEST_CASE("crowd: a drive that has used its torque before an impact adds none to it",
           "[dynamics2d][crowd]") {
   // as above, with four substeps; it rolls so slowly that the friction of the impact takes 2 %
