@@ -203,6 +203,33 @@ TEST_CASE("camera framing: an orthographic view has the scale that its height gi
   CHECK_THAT(at.y(), WithinAbs(0.5, kRounding));
 }
 
+TEST_CASE("camera framing: the eye is not inside of what it shows",
+          "[visualizations][offscreen][camera]") {
+  // a row along the view: the angle of view contains it from its first point on, so that the eye
+  // would be there; it is 5 cm ahead
+  CCameraFraming row(SView::FromName("side"), 1.0, 0.0);
+  row.Extend({1.0, 2.0, 0.5});
+  row.Extend({1.0, 30.0, 0.5});
+  SCameraPlacement placement = row.ComputePlacement();
+  CheckVector(placement.Position, {1.0, 1.95, 0.5});
+  CheckVector(placement.LookAt, {1.0, 16.0, 0.5});
+  // a single point
+  CCameraFraming point(SView::FromName("top"), 1.0, 0.0);
+  point.Extend({1.0, 2.0, 0.5});
+  CheckVector(point.ComputePlacement().Position, {1.0, 2.0, 0.55});
+  // an orthographic eye is ahead by the height of the picture, which is at least 5 cm
+  SView view = SView::FromName("top");
+  view.IsOrthographic = true;
+  CCameraFraming flat(view, 1.0, 0.0);
+  flat.Extend({1.0, 2.0, 0.5});
+  placement = flat.ComputePlacement();
+  CHECK_THAT(placement.OrthographicHeight, WithinAbs(0.05, kRounding));
+  CheckVector(placement.Position, {1.0, 2.0, 0.55});
+  // without content, a cube of 10 cm around the origin
+  CCameraFraming empty(view, 1.0, 0.0);
+  CHECK_THAT(empty.ComputePlacement().OrthographicHeight, WithinAbs(0.1, kRounding));
+}
+
 TEST_CASE("camera framing: an unknown view is an error that names the known ones",
           "[visualizations][offscreen][camera]") {
   CHECK_THROWS_WITH(SView::FromName("tpo"),
