@@ -9,6 +9,8 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <limits>
+#include <span>
 #include <vector>
 
 namespace sample_summary_test {
@@ -87,6 +89,9 @@ TEST_CASE("quantile: definition 7 of Hyndman and Fan", "[campaign][statistics]")
   CHECK(ComputeQuantile(sorted, 0.5) == 3.0);
   CHECK(ComputeQuantile(sorted, 0.75) == 5.0);
   CHECK(ComputeQuantile(sorted, 1.0) == 8.0);
+  // what follows the sample does not count
+  const std::vector<Real> longer = {1.0, 2.0, std::numeric_limits<Real>::quiet_NaN()};
+  CHECK(ComputeQuantile(std::span(longer).first(2), 1.0) == 2.0);
   CHECK(ComputeMedian(sorted) == 3.0);
   CHECK(ComputeMedian(std::vector<Real>{1.0, 2.0, 4.0}) == 2.0);
 }

@@ -162,6 +162,13 @@ TEST_CASE("sequential mean: the cap ends what precision does not", "[campaign][s
   }
   CHECK(mean.GetDecision() == EStopDecision::CapReached);
   CHECK(mean.GetCount() == 4);
+  // 10 values need more positions than there may be, 12, because 5 failed
+  CSequentialMean few(MakeRule(EMeanPrecision::Absolute, 1.0, 10, 12));
+  for (size_t i = 0; i < 5; ++i) {
+    few.Insert(i, kNaN);
+  }
+  CHECK(few.GetDecision() == EStopDecision::Continue);
+  CHECK(few.EstimateNumPositions() == 12);
   // failed runs alone
   CSequentialMean failed(MakeRule(EMeanPrecision::Relative, 0.1, 2, 3));
   for (size_t i = 0; i < 3; ++i) {
