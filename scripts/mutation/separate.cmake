@@ -1,0 +1,26 @@
+# Included by scripts/mutate.sh into the project: compiles the targets of the files in MUTATED source by source, so that a
+# changed source is compiled alone, and writes "<file> <target>" for each into MUTATED_TARGETS.
+function(argos_visit_targets folder)
+  get_property(targets DIRECTORY "${folder}" PROPERTY BUILDSYSTEM_TARGETS)
+  foreach(target IN LISTS targets)
+    get_target_property(sources ${target} SOURCES)
+    foreach(source IN LISTS sources)
+      get_filename_component(path "${source}" ABSOLUTE BASE_DIR "${folder}")
+      if(path IN_LIST MUTATED)
+        set_target_properties(${target} PROPERTIES UNITY_BUILD OFF)
+        target_compile_options(${target} PRIVATE -w) # a change may leave something unused
+        file(APPEND "${MUTATED_TARGETS}" "${path} ${target}\n")
+      endif()
+    endforeach()
+  endforeach()
+  get_property(children DIRECTORY "${folder}" PROPERTY SUBDIRECTORIES)
+  foreach(child IN LISTS children)
+    argos_visit_targets("${child}")
+  endforeach()
+endfunction()
+
+function(argos_separate_mutated)
+  file(WRITE "${MUTATED_TARGETS}" "")
+  argos_visit_targets("${PROJECT_SOURCE_DIR}")
+endfunction()
+cmake_language(DEFER DIRECTORY "${CMAKE_SOURCE_DIR}" CALL argos_separate_mutated)
