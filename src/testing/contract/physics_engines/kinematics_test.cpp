@@ -299,6 +299,20 @@ TEST_CASE("kinematics: an object pushes the next one until a wall stops all",
   CHECK(world.Position("wall") == CVector3(1.1, 0, 0));
 }
 
+TEST_CASE("kinematics: an object that is pushed fast stops at a wall",
+          "[contract][engine][kinematics]") {
+  // 0.15 m in a tick: more than the radius of the object, to the middle of a gap of 0.25 m
+  CDriveWorld world(kEngine, DriverXml("e-puck", "r", -0.3, 0, 0, 150, 150) + BoxXml("box", 0, 0) +
+                                 WallXml("wall", "0.2,2,0.5", 0.45, 0));
+  for (int tick = 0; tick < 10; ++tick) {
+    world.Step();
+    CHECK(world.Position("box").GetX() <= 0.25 + 1e-6);
+    CHECK(world.Position("r").GetX() <= world.Position("box").GetX() - 0.1 - kEPuckRadius + 1e-5);
+  }
+  CHECK_THAT(world.Position("box").GetX(), WithinAbs(0.25, 1e-5));
+  CHECK_THAT(world.Position("r").GetX(), WithinAbs(0.15 - kEPuckRadius, 1e-5));
+}
+
 TEST_CASE("kinematics: robots do not push robots, but pass around them where they can",
           "[contract][engine][kinematics]") {
   const Real offset = GENERATE(0.0, 0.01);

@@ -61,6 +61,30 @@ TEST_CASE("poses: moving a body to what is not a pose is an error, and leaves it
   CHECK(std::isfinite(world.Position("a").Length()));
 }
 
+TEST_CASE("poses: enabled anchors move with the body", "[contract][engine]") {
+  const SEngineType engine = GENERATE(from_range(kEnginesWithWheels));
+  CAPTURE(engine);
+  CDriveWorld world(engine.ToXml(), DriverXml("foot-bot", "a", 1, 2, 30, 10, 5));
+  CEmbodiedEntity& body = world.Body("a");
+  body.EnableAnchor("turret");
+  const SAnchor& anchor = body.GetAnchor("turret");
+  const CVector3 start = world.Position("a");
+  for (int tick = 0; tick < 5; ++tick) {
+    world.Step();
+    const SAnchor& origin = body.GetOriginAnchor();
+    CVector3 offset = anchor.OffsetPosition;
+    offset.Rotate(origin.Orientation);
+    CHECK_THAT(Distance(anchor.Position, origin.Position + offset), WithinAbs(0.0, 1e-12));
+    // the turret has not turned
+    CVector3 ahead = CVector3::X;
+    CVector3 expected = CVector3::X;
+    ahead.Rotate(anchor.Orientation);
+    expected.Rotate(origin.Orientation * anchor.OffsetOrientation);
+    CHECK_THAT(Distance(ahead, expected), WithinAbs(0.0, 1e-12));
+  }
+  CHECK(Distance(world.Position("a"), start) > 0.01);
+}
+
 TEST_CASE("poses: a body that is made with what is not a pose is an error", "[contract][engine]") {
   const SEngineType engine = GENERATE(from_range(kEnginesWithWheels));
   CAPTURE(engine);
