@@ -5,6 +5,7 @@
 #include <argos3/core/simulator/default_visualization.h>
 #include <argos3/core/simulator/entity/robots_code.h>
 #include <argos3/core/simulator/geometry/body_index.h>
+#include <argos3/core/simulator/loaded_simulators.h>
 #include <argos3/core/simulator/loading/experiment_loader.h>
 #include <argos3/core/simulator/loading/experiment_parts.h>
 #include <argos3/core/simulator/replay/replay.h>
@@ -26,6 +27,7 @@
 
 #include <cstdio>
 #include <exception>
+#include <utility>
 
 namespace argos {
 
@@ -86,11 +88,15 @@ CSimulator::~CSimulator() {
   } catch (...) {
     static_cast<void>(std::fputs("[FATAL] a simulation was not destroyed in full\n", stderr));
   }
+  CLoadedSimulators::Remove(*this);
 }
 
 CSimulator& CSimulator::GetInstance() {
   if (currentSimulator != nullptr) {
     return *currentSimulator;
+  }
+  if (CSimulator* const loaded = CLoadedSimulators::FindForThisThread(); loaded != nullptr) {
+    return *loaded;
   }
   // never deleted: at the end of the process the code of plug-ins may already be unloaded
   static CSimulator* const instance =
@@ -111,12 +117,9 @@ SSimulationContext& CurrentContext() {
 }
 
 CSimulator::CScope::CScope(CSimulator& simulator)
-    : m_previous(currentSimulator),
-      m_previousRegistry(&CRandom::GetCurrentRegistry()),
-      m_previousSlabs(CObjectSlabs::SetCurrent(simulator.m_slabs.get())) {
-  currentSimulator = &simulator;
-  CRandom::SetCurrentRegistry(simulator.m_ownRegistry.get());
-}
+    : m_previous(std::exchange(currentSimulator, &simulator)),
+      m_previousRegistry(CRandom::SetCurrentRegistry(&simulator.GetRegistry())),
+      m_previousSlabs(CObjectSlabs::SetCurrent(simulator.m_slabs.get())) {}
 
 CSimulator::CScope::~CScope() {
   if (m_keep) {
@@ -125,6 +128,10 @@ CSimulator::CScope::~CScope() {
   currentSimulator = m_previous;
   CRandom::SetCurrentRegistry(m_previousRegistry);
   CObjectSlabs::SetCurrent(m_previousSlabs);
+}
+
+CRandom::CRegistry& CSimulator::GetRegistry() const {
+  return m_ownRegistry != nullptr ? *m_ownRegistry : CRandom::GetProcessRegistry();
 }
 
 CSpace& CSimulator::GetSpace() const {
@@ -352,6 +359,7 @@ void CSimulator::Load(CConfigurationDocument& document, bool forceNoVisualizatio
 void CSimulator::Init() {
   const CScope scope(*this);
   GetConfigurationRoot();
+  CLoadedSimulators::Add(*this, GetRegistry());
   CExperimentLoader loader(m_context, *m_tick, *m_experiment, m_settings);
   loader.SetWorkerStart([this, label = CLogControl::GetThreadLabel()] {
     CLogControl::SetThreadLabel(label);
@@ -452,6 +460,7 @@ void CSimulator::Destroy() {
   const CScope scope(*this);
   const CRunState::CScope destroying(m_context.Run, CRunState::EActivity::Destroying);
   const std::exception_ptr failure = m_experiment->Destroy();
+  CLoadedSimulators::Remove(*this);
   if (m_space->GetRootEntityVector().empty()) {
     // without memory for it, what is destroyed stays and can be destroyed again
     auto next = std::make_unique<SExperimentParts>(m_context);

@@ -41,10 +41,9 @@ struct STickTimes;
  * SSimulationContext has what the parts share, SExperimentParts the parts of one experiment. The
  * loader (loading/experiment_loader.h) creates the experiment, CTick runs it.
  *
- * A process may contain several simulators, of which at most one is current per thread:
- * GetInstance() returns the calling thread's current one. Programs with several simulators
- * construct them and use each inside a CScope; other programs use GetInstance(), which creates one
- * at the first call.
+ * A process may contain several simulators. Programs with several construct them and use each
+ * inside a CScope, which makes it the current one of the calling thread; other programs use
+ * GetInstance(), which creates one at the first call.
  */
 class CSimulator {
  public:
@@ -54,7 +53,11 @@ class CSimulator {
   CSimulator& operator=(const CSimulator&) = delete;
 
   /**
-   * The calling thread's current simulator; the process-wide default one if none was made current.
+   * The calling thread's current simulator. A thread without one, such as a helper thread of users'
+   * code, gets the only simulator of the process that has an experiment (from the start of its
+   * loading to the end of Destroy()), of several the one that it has loaded last, and if none has
+   * an experiment, the default simulator of the process. May be called by any thread.
+   * @throws CARGoSException if several have an experiment, and the thread has loaded none of them.
    */
   static CSimulator& GetInstance();
 
@@ -252,6 +255,7 @@ class CSimulator {
   CMedium& GetMediumBase(const std::string& id);
   void ThrowIfLoaded() const;
   void ShowUnseenTick();
+  CRandom::CRegistry& GetRegistry() const;
 
   CObjectSlabs::TOwner m_slabs;  // of the entities, devices and controllers
   std::unique_ptr<CRandom::CRegistry> m_ownRegistry;  // null: the process's default one

@@ -9,9 +9,11 @@
 #include <gsl/gsl_rng.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <mutex>
+#include <utility>
 
 namespace argos {
 
@@ -81,12 +83,8 @@ UInt32 InvertPoisson(Real probability, Real mean) {
                                       : InvertPoissonByExpansion(probability, mean);
 }
 
-CRandom::CRegistry& GetProcessRegistry() {
-  static CRandom::CRegistry registry;
-  return registry;
-}
-
 thread_local CRandom::CRegistry* currentRegistry = nullptr;
+std::atomic<CRandom::CRegistry*> sharedRegistry{nullptr};  // null: that of the process
 
 // guards the lists of generators of all categories and owners: robots may create generators in a
 // phase of a tick
@@ -343,6 +341,8 @@ CRandom::CRegistry::~CRegistry() {
   if (currentRegistry == this) {
     currentRegistry = nullptr;
   }
+  CRegistry* expected = this;
+  sharedRegistry.compare_exchange_strong(expected, nullptr);
 }
 
 bool CRandom::CRegistry::CreateCategory(const std::string& category, UInt32 seed) {
@@ -374,6 +374,14 @@ bool CRandom::CRegistry::ExistsCategory(const std::string& category) const {
 void CRandom::CRegistry::RemoveCategory(const std::string& category) {
   GetCategory(category);  // throws on an unknown one
   m_categories.erase(category);
+}
+
+std::vector<std::string> CRandom::CRegistry::ListCategories() const {
+  std::vector<std::string> ids;
+  for (const auto& [id, category] : m_categories) {
+    ids.push_back(id);
+  }
+  return ids;
 }
 
 void CRandom::CRegistry::Reset() {
@@ -414,12 +422,25 @@ void CRandom::Reset() {
   GetCurrentRegistry().Reset();
 }
 
-void CRandom::SetCurrentRegistry(CRegistry* registry) {
-  currentRegistry = registry;
+CRandom::CRegistry* CRandom::SetCurrentRegistry(CRegistry* registry) {
+  return std::exchange(currentRegistry, registry);
 }
 
 CRandom::CRegistry& CRandom::GetCurrentRegistry() {
-  return currentRegistry != nullptr ? *currentRegistry : GetProcessRegistry();
+  if (currentRegistry != nullptr) {
+    return *currentRegistry;
+  }
+  CRegistry* const shared = sharedRegistry.load(std::memory_order_acquire);
+  return shared != nullptr ? *shared : GetProcessRegistry();
+}
+
+void CRandom::SetSharedRegistry(CRegistry* registry) {
+  sharedRegistry.store(registry, std::memory_order_release);
+}
+
+CRandom::CRegistry& CRandom::GetProcessRegistry() {
+  static CRegistry registry;
+  return registry;
 }
 
 }  // namespace argos

@@ -24,7 +24,7 @@ namespace argos {
  * rng_owner.h, which also says how those of robots added during a run are seeded.
  *
  * Categories belong to a registry. The static functions act on the current registry of the calling
- * thread: the one set with SetCurrentRegistry(), otherwise a process-wide one. A registry, its
+ * thread: the one set with SetCurrentRegistry(), otherwise the shared one. A registry, its
  * categories and its generators may be used by one thread at a time, except that CreateRNG() may be
  * called by several threads.
  */
@@ -60,10 +60,22 @@ class CRandom {
   /** Calls ResetRNGs() on every category, in the order of their ids. */
   static void Reset();
 
-  /** Sets the current registry of the calling thread; null selects the process-wide one. */
-  static void SetCurrentRegistry(CRegistry* registry);
+  /**
+   * Sets the current registry of the calling thread; null selects the shared one.
+   * @return what was set before; null if nothing was.
+   */
+  static CRegistry* SetCurrentRegistry(CRegistry* registry);
 
   static CRegistry& GetCurrentRegistry();
+
+  /**
+   * Sets the shared registry, that of threads which have set none; null selects that of the
+   * process. The simulator sets that of the only experiment.
+   */
+  static void SetSharedRegistry(CRegistry* registry);
+
+  /** The registry that exists as long as the process. */
+  static CRegistry& GetProcessRegistry();
 };
 
 /**
@@ -232,6 +244,8 @@ class CRandom::CRegistry {
   CCategory& GetCategory(const std::string& category);
   bool ExistsCategory(const std::string& category) const;
   void RemoveCategory(const std::string& category);
+  /** Their ids, in ascending order. */
+  std::vector<std::string> ListCategories() const;
   void Reset();
 
  private:

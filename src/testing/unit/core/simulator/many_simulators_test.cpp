@@ -1,3 +1,4 @@
+#include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/testing/support/experiment.h>
 #include <argos3/testing/support/toy_world.h>
 
@@ -171,6 +172,74 @@ TEST_CASE("current simulator: each simulator has its own random categories",
   CHECK(CRandom::GetSeedOf("mine") == 1);
   // outside any simulator the thread has yet another registry
   std::thread([] { CHECK_FALSE(CRandom::ExistsCategory("mine")); }).join();
+}
+
+TEST_CASE("current simulator: a thread without one sees the only one with an experiment",
+          "[core][simulator][many]") {
+  CSimulator& byDefault = CSimulator::GetInstance();
+  CSimulator unused;
+  // what another thread sees
+  const auto find = [] {
+    CSimulator* found = nullptr;
+    std::thread([&found] { found = &CSimulator::GetInstance(); }).join();
+    return found;
+  };
+  const auto findSeed = [] {
+    UInt32 seed = 0;
+    std::thread([&seed] {
+      seed = CRandom::ExistsCategory("argos") ? CRandom::GetSeedOf("argos") : 0;
+    }).join();
+    return seed;
+  };
+  {
+    CTestWorld world(Experiment(5));
+    CHECK(find() == &world.GetSimulator());
+    CHECK(findSeed() == 5);
+    // so does this thread outside of a scope
+    CHECK(&CSimulator::GetInstance() == &world.GetSimulator());
+    {
+      const CSimulator::CScope scope(unused);
+      CHECK(&CSimulator::GetInstance() == &unused);
+      CHECK_FALSE(CRandom::ExistsCategory("argos"));
+      CHECK(find() == &world.GetSimulator());
+    }
+    CHECK(&CSimulator::GetInstance() == &world.GetSimulator());
+    CHECK(CRandom::GetSeedOf("argos") == 5);
+    world.GetSimulator().Destroy();
+    CHECK(find() == &byDefault);
+    CHECK(findSeed() == 0);
+  }
+  CHECK(&CSimulator::GetInstance() == &byDefault);
+}
+
+TEST_CASE("current simulator: of several with experiments, a thread has its own, or must choose",
+          "[core][simulator][many]") {
+  const auto catchText = [] {
+    std::string text;
+    std::thread([&text] {
+      try {
+        CSimulator::GetInstance();
+      } catch (const CARGoSException& error) {
+        text = error.what();
+      }
+    }).join();
+    return text;
+  };
+  CTestWorld one(Experiment(1));
+  CHECK(catchText().empty());
+  {
+    CTestWorld two(Experiment(2));
+    CHECK_THAT(catchText(), Catch::Contains("2 simulators of this process have an experiment") &&
+                                Catch::Contains("CSimulator::CScope"));
+    // the one that this thread has loaded last
+    CHECK(&CSimulator::GetInstance() == &two.GetSimulator());
+    std::thread([&two] {
+      const CSimulator::CScope scope(two.GetSimulator());
+      CHECK(&CSimulator::GetInstance() == &two.GetSimulator());
+    }).join();
+  }
+  CHECK(catchText().empty());
+  CHECK(&CSimulator::GetInstance() == &one.GetSimulator());
 }
 
 }  // namespace many_simulators_test
