@@ -5,11 +5,11 @@
 #include <argos3/campaign/report/report_text.h>
 #include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/files/input_file.h>
+#include <argos3/core/utility/files/scratch_folder.h>
 #include <argos3/core/utility/processes/child_process.h>
 #include <argos3/core/utility/text/string_utilities.h>
 
 #include <fmt/format.h>
-#include <stdlib.h>
 
 #include <array>
 #include <filesystem>
@@ -31,14 +31,14 @@ std::string ReadFile(const fs::path& path) {
 }
 
 void WriteSources(const fs::path& folder, const std::string& name, const SFigureDraft& draft,
-                  const SFigureRequest& request, const std::vector<std::string>& formats) {
+                  const SFigureLook& look, const std::vector<std::string>& formats) {
   // the plot command comes once for each format
   const size_t plot = draft.Script.rfind("\nplot ") + 1;
   std::string script =
       fmt::format("# run it in its folder: gnuplot {0}.gp\n{1} = '{0}.dat'\n", name, kDataName) +
       draft.Script.substr(0, plot);
   for (const std::string& format : formats) {
-    script += MakeTerminal(format, request.Width, request.Height);
+    script += MakeTerminal(format, look.Width, look.Height, look.IsOpaque);
     script += fmt::format("set output '{}.{}'\n", name, format) + draft.Script.substr(plot) +
               "unset output\n";
   }
@@ -89,33 +89,18 @@ std::string MakeUnique(const std::string& name, std::set<std::string>& names) {
   return unique;
 }
 
-/** A folder that is removed with all that is in it. */
-class CTemporaryFolder {
- public:
-  CTemporaryFolder() {
-    std::string pattern = (fs::temp_directory_path() / "argos3_figure_XXXXXX").string();
-    if (mkdtemp(pattern.data()) == nullptr) {
-      THROW_ARGOSEXCEPTION("no folder can be created in \"" << fs::temp_directory_path().string()
-                                                            << '"');
-    }
-    m_path = pattern;
-  }
-  ~CTemporaryFolder() {
-    std::error_code ignored;
-    fs::remove_all(m_path, ignored);
-  }
-  CTemporaryFolder(const CTemporaryFolder&) = delete;
-  CTemporaryFolder& operator=(const CTemporaryFolder&) = delete;
-  const fs::path& GetPath() const { return m_path; }
-
- private:
-  fs::path m_path;
-};
-
 }  // namespace
 
+std::string GetFigureFormat(const std::string& file) {
+  const std::string ending = StringToLowerCase(fs::path(file).extension().string());
+  if (ending != ".svg" && ending != ".png" && ending != ".pdf") {
+    THROW_ARGOSEXCEPTION("the figure \"" << file << "\" must end in .svg, .png or .pdf");
+  }
+  return ending.substr(1);
+}
+
 std::string FindGnuplotProblem() {
-  return FindProgram("gnuplot").empty() ? "gnuplot, which draws the figures, is not installed "
+  return FindProgram("gnuplot").empty() ? "gnuplot is not installed, which draws the figures "
                                           "(Debian: apt-get install gnuplot-nox)"
                                         : "";
 }
@@ -141,7 +126,8 @@ std::vector<SDrawnFigure> DrawFigures(const CReportData& data,
       continue;
     }
     figure.Caption = draft.Caption;
-    WriteSources(folder, figure.Name, draft, request, {"svg", "png"});
+    WriteSources(folder, figure.Name, draft, {request.Width, request.Height, false},
+                 {"svg", "png"});
     if (!gnuplotProblem.empty()) {
       figure.Problem = gnuplotProblem;
       continue;
@@ -157,21 +143,22 @@ std::vector<SDrawnFigure> DrawFigures(const CReportData& data,
   return figures;
 }
 
-void DrawFigure(const CReportData& data, const SFigureRequest& request, const std::string& file) {
-  const std::string ending = StringToLowerCase(fs::path(file).extension().string());
-  if (ending != ".svg" && ending != ".png" && ending != ".pdf") {
-    THROW_ARGOSEXCEPTION("the figure \"" << file << "\" must end in .svg, .png or .pdf");
-  }
-  const SFigureDraft draft = MakeFigure(data, request);
+void DrawFigure(const SFigureDraft& draft, const SFigureLook& look, const std::string& file) {
+  const std::string format = GetFigureFormat(file);
   const std::string problem = FindGnuplotProblem();
   if (!problem.empty()) {
     THROW_ARGOSEXCEPTION(problem);
   }
-  const CTemporaryFolder folder;
-  const std::string format = ending.substr(1);
-  WriteSources(folder.GetPath(), "figure", draft, request, {format});
+  const CScratchFolder folder("argos3_figure_");
+  WriteSources(folder.GetPath(), "figure", draft, look, {format});
   RunGnuplot(folder.GetPath(), "figure");
-  WriteReportFile(file, ReadFile(folder.GetPath() / ("figure" + ending)));
+  WriteReportFile(file, ReadFile(folder.GetPath() / ("figure." + format)));
+}
+
+void DrawFigure(const CReportData& data, const SFigureRequest& request, const std::string& file) {
+  // before what takes time
+  GetFigureFormat(file);
+  DrawFigure(MakeFigure(data, request), {request.Width, request.Height, false}, file);
 }
 
 }  // namespace argos

@@ -17,6 +17,12 @@ struct SDrawnFigure {
   std::string Problem; /**< why it was not drawn */
 };
 
+/**
+ * The format of a figure's file, by its ending: "svg", "png" or "pdf".
+ * @throws CARGoSException for another ending.
+ */
+std::string GetFigureFormat(const std::string& file);
+
 /** @return what to install if there is no gnuplot; else empty. */
 std::string FindGnuplotProblem();
 
@@ -31,6 +37,20 @@ std::string FindGnuplotProblem();
 std::vector<SDrawnFigure> DrawFigures(const CReportData& data,
                                       const std::vector<SFigureRequest>& requests,
                                       const std::string& folder);
+
+/** Size and background of a figure. */
+struct SFigureLook {
+  UInt32 Width = 640, Height = 400; /**< pixels of an SVG file */
+  bool IsOpaque = false; /**< an SVG file has a white background */
+};
+
+/**
+ * Draws a figure that is computed already.
+ * @param file  its ending is the format: .svg, .png or .pdf.
+ * @throws CARGoSException for another ending, if there is no gnuplot or it fails, and if the file
+ *   cannot be written.
+ */
+void DrawFigure(const SFigureDraft& draft, const SFigureLook& look, const std::string& file);
 
 /**
  * Draws one figure.

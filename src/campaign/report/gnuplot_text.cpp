@@ -63,12 +63,12 @@ std::string MakeTics(const std::string& axis,
                      list);
 }
 
-std::string MakeTerminal(const std::string& format, UInt32 width, UInt32 height) {
+std::string MakeTerminal(const std::string& format, UInt32 width, UInt32 height, bool isOpaque) {
   if (format == "svg") {
     return fmt::format(
         "set terminal svg size {},{} dynamic font 'DejaVu Sans,Helvetica,Arial,sans-serif,14' "
-        "linewidth 1\n",
-        width, height);
+        "linewidth 1{}\n",
+        width, height, isOpaque ? " background rgb 'white'" : "");
   }
   if (format == "pdf") {
     constexpr Real kPixelsPerInch = 100.0;

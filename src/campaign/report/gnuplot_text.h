@@ -28,8 +28,12 @@ std::string MakeStyle(const std::string& title, const std::string& xLabel,
 std::string MakeTics(const std::string& axis,
                      const std::vector<std::pair<Real, std::string>>& placesAndLabels);
 
-/** The commands that draw the figure a second time, for each format. */
-std::string MakeTerminal(const std::string& format, UInt32 width, UInt32 height);
+/**
+ * The commands that draw the figure a second time, for each format.
+ * @param isOpaque  an SVG has a white background; other formats always have.
+ */
+std::string MakeTerminal(const std::string& format, UInt32 width, UInt32 height,
+                         bool isOpaque = false);
 
 /** A number in data and scripts. */
 std::string FormatForGnuplot(Real value);

@@ -163,7 +163,8 @@ const std::string& CConfigurationDocument::GetName() const {
 // modification, unread elements and attributes
 /****************************************/
 
-std::string CConfigurationDocument::SetByPath(const std::string& path, const std::string& value) {
+std::string CConfigurationDocument::SetByPath(const std::string& path, const std::string& value,
+                                              bool mustBeRead) {
   tinyxml2::XMLElement* root = m_store->GetXml().RootElement();
   if (root == nullptr) {
     THROW_CONFIGURATION_ERROR("Cannot set \"" << path << "\": the document is empty");
@@ -183,7 +184,9 @@ std::string CConfigurationDocument::SetByPath(const std::string& path, const std
     element->SetAttribute(parsed.GetAttribute().c_str(), value.c_str());
     setting.Elements.push_back(&record);
   }
-  m_store->AddSetting(std::move(setting));
+  if (mustBeRead) {
+    m_store->AddSetting(std::move(setting));
+  }
   return report;
 }
 

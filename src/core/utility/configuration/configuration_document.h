@@ -71,12 +71,14 @@ class CConfigurationDocument {
    *
    * With "//" in the path every match is changed; otherwise there must be exactly one match.
    *
+   * @param mustBeRead  if nothing reads the attribute, DescribeUnreadSettings() reports it; if
+   *   false, the attribute counts as one of the file.
    * @return a report for the log, 'file:12: <experiment> length="10" (was "0")', one line per
    *   element.
    * @throws CARGoSException if the path is malformed, if a step has no match (the text gives the
    *   step and the nearest existing names), or several (the text gives their lines).
    */
-  std::string SetByPath(const std::string& path, const std::string& value);
+  std::string SetByPath(const std::string& path, const std::string& value, bool mustBeRead = true);
 
   /**
    * Reports unread content in the order of the file: elements that were not visited (attribute is
@@ -102,8 +104,8 @@ class CConfigurationDocument {
   std::vector<std::string> DescribeRepeated() const;
 
   /**
-   * Describes the calls of SetByPath() that have no effect, because the attribute was read of none
-   * of the elements that were changed; with the nearest names that are read.
+   * Describes the calls of SetByPath() with mustBeRead that have no effect, because the attribute
+   * was read of none of the elements that were changed; with the nearest names that are read.
    * @param pending  elements of this document whose contents may still be read: left out.
    */
   std::vector<std::string> DescribeUnreadSettings(
