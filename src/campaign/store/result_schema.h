@@ -22,6 +22,8 @@ struct CResultStore::SDatabase {
   std::unique_ptr<CDatabase> File;
   std::set<std::pair<bool, std::string>> Collected; /**< (is a series, name) in the database */
   pid_t Owner = 0;
+  dev_t Device = 0; /**< of the file that was opened for writing */
+  ino_t Inode = 0;
 };
 
 /** Creates the tables in an empty database; the caller has begun a transaction. */

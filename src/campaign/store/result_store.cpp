@@ -5,6 +5,8 @@
 #include <argos3/core/utility/files/input_file.h>
 
 #include <fmt/format.h>
+
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace argos {
@@ -94,6 +96,11 @@ CResultStore::CResultStore(const std::string& file, EMode mode)
     CreateSchema(database);
     transaction.Commit();
   }
+  struct stat status {};
+  if (stat(file.c_str(), &status) == 0) {
+    m_database->Device = status.st_dev;
+    m_database->Inode = status.st_ino;
+  }
   CQuery query(database, "SELECT is_series, name FROM collected");
   while (query.Step()) {
     m_database->Collected.emplace(query.GetInteger(0) != 0, query.GetText(1));
@@ -104,6 +111,18 @@ CResultStore::~CResultStore() {
   // a forked process has a copy, but neither the lock nor the right to close the database
   if (m_database != nullptr && m_database->Owner != getpid()) {
     static_cast<void>(m_database.release());
+  }
+}
+
+void CResultStore::ThrowIfRemoved() const {
+  const std::string& file = m_database->File->GetFile();
+  struct stat status {};
+  const bool isThere = stat(file.c_str(), &status) == 0;
+  if (!isThere || status.st_dev != m_database->Device || status.st_ino != m_database->Inode) {
+    THROW_ARGOSEXCEPTION("the results file \""
+                         << file << "\" was " << (isThere ? "replaced" : "removed or renamed")
+                         << " while the campaign was running: results that are not in it are lost, "
+                            "and missing at the next run");
   }
 }
 
@@ -126,6 +145,7 @@ UInt32 CResultStore::GetCombinationId(const std::string& combinationKey) const {
 }
 
 void CResultStore::Add(const std::vector<SStoredRun>& runs) {
+  ThrowIfRemoved();
   CDatabase& database = *m_database->File;
   const auto collected = m_database->Collected;
   CTransaction transaction(database);

@@ -89,6 +89,13 @@ class CResultStore {
    */
   void Add(const std::vector<SStoredRun>& runs);
 
+  /**
+   * For a store that is written: checks that its file is still there. Results go to the file that
+   * was opened, so those that are added after its removal would be lost at the end.
+   * @throws CARGoSException if it was removed, renamed or replaced.
+   */
+  void ThrowIfRemoved() const;
+
   std::vector<std::string> ListFactors() const;
   std::vector<SStoredCombination> ListCombinations() const;
   /** Of the newest generation, by combination and seed; without metrics, series and logs. */

@@ -8,6 +8,7 @@
 #include <catch2/catch.hpp>
 
 #include <csignal>
+#include <filesystem>
 #include <random>
 
 #include <sys/wait.h>
@@ -83,6 +84,15 @@ TEST_CASE("campaign: Ctrl-C finishes what runs, stores it, and says how to go on
   const SProgramRun rest = folder.RunProgram("argos3-campaign", {"resume", "c.xml", "-j", "2"});
   CHECK(rest.Status == 0);
   CHECK(ReadTable(folder.Path("results.sqlite")).size() == kRuns);
+}
+
+TEST_CASE("campaign: results that are removed end it with an error", "[campaign][interruptions]") {
+  const CTestFolder folder;
+  WriteCampaign(folder, "thread");
+  const pid_t process = StartCampaign(folder, {"run", "c.xml", "-j", "1"});
+  REQUIRE(AwaitRuns(folder.Path("results.sqlite"), 1, process));
+  std::filesystem::remove(folder.Path("results.sqlite"));
+  CHECK(AwaitCampaign(process) == 1);
 }
 
 TEST_CASE("campaign: a second signal kills runs that hang", "[campaign][interruptions]") {

@@ -65,6 +65,23 @@ std::vector<SStoredRun> MakeBatch(UInt32 combination, UInt32 firstSeed) {
 
 }  // namespace
 
+TEST_CASE("result store: a file that is removed or replaced is noticed", "[campaign][store]") {
+  const CTemporaryFolder folder;
+  const SCampaign campaign = ReadTestCampaign(folder, "<runs seeds=\"1\"/>");
+  CResultStore store(campaign.ResultsFile, kWrite);
+  store.Register(campaign, false);
+  store.Add(MakeBatch(1, 1));
+  CHECK_NOTHROW(store.ThrowIfRemoved());
+  std::filesystem::rename(campaign.ResultsFile, campaign.ResultsFile + ".old");
+  const std::string removed = "\"" + campaign.ResultsFile + "\" was removed or renamed";
+  CHECK_THROWS_WITH(store.ThrowIfRemoved(), Contains(removed));
+  CHECK_THROWS_WITH(store.Add(MakeBatch(1, 11)), Contains(removed));
+  std::filesystem::copy_file(campaign.ResultsFile + ".old", campaign.ResultsFile);
+  CHECK_THROWS_WITH(store.Add(MakeBatch(1, 11)), Contains("was replaced while"));
+  std::filesystem::rename(campaign.ResultsFile + ".old", campaign.ResultsFile);
+  CHECK_NOTHROW(store.Add(MakeBatch(1, 11)));
+}
+
 TEST_CASE("result store: kill -9 at any moment loses and doubles nothing", "[campaign][store]") {
   const CTemporaryFolder folder;
   const SCampaign campaign = ReadTestCampaign(folder, "<runs seeds=\"1\"/>");
