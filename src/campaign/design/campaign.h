@@ -24,6 +24,7 @@ struct SLevel {
 struct SFactor {
   std::string Name; /**< letters, digits and '_', beginning with a letter */
   std::vector<SLevel> Levels;
+  bool SetsThreads = false; /**< and nothing else: results do not depend on it */
 };
 
 /** One level of each factor. */
@@ -103,8 +104,8 @@ struct SCampaign {
   std::string File; /**< path of the campaign file */
   std::string Text; /**< its contents */
   std::string ExperimentFile; /**< path */
-  /** with Constants, without factors; without constants exactly the contents of the file, so that
-   * lines in messages are those of the file */
+  std::string ExperimentSource; /**< contents of that file */
+  /** with Constants, without factors: what a run depends on besides its combination and its seed */
   std::string ExperimentText;
   std::string ResultsFile; /**< path of the database */
   std::vector<SSetting> Constants;
@@ -115,7 +116,7 @@ struct SCampaign {
   SRunLimits Limits;
   UInt32 Jobs = 0; /**< runs at the same time; 0: as many as there are processors */
   EIsolation Isolation = EIsolation::Process;
-  UInt32 Threads = 0; /**< of each run */
+  UInt32 Threads = 0; /**< of each run whose combination sets no other number */
   EKeptFiles Kept = EKeptFiles::Failed;
   std::vector<SCollectedMetric> Metrics; /**< empty: all that a run sets */
   std::vector<SFigure> Figures;
@@ -130,7 +131,7 @@ const std::vector<std::string>& ListBuiltInMetrics();
 /**
  * Reads a campaign file.
  * @throws CARGoSException that lists all errors of the file, with lines: also factors whose paths
- *   match nothing in the experiment, or that set an attribute twice.
+ *   match nothing in the experiment, or that set an attribute twice or the seed.
  */
 SCampaign ReadCampaign(const std::string& file);
 

@@ -7,8 +7,11 @@
 #include <argos3/campaign/design/setting_checks.h>
 #include <argos3/core/utility/configuration/configuration_document.h>
 #include <argos3/core/utility/files/input_file.h>
+#include <argos3/core/utility/text/string_utilities.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <set>
 
 namespace argos {
 
@@ -88,7 +91,11 @@ class CCampaignReader {
             ReadRuns(node, m_campaign);
           }},
          {"limits", [&](TConfigurationNode& node) { ReadLimits(node, m_campaign); }},
-         {"execution", [&](TConfigurationNode& node) { ReadExecution(node, m_campaign); }},
+         {"execution",
+          [&](TConfigurationNode& node) {
+            m_hasThreads = NodeAttributeExists(node, "threads");
+            ReadExecution(node, m_campaign);
+          }},
          {"collect",
           [&](TConfigurationNode& node) {
             hasAllMetrics = ReadCollected(m_errors, node, m_campaign);
@@ -143,10 +150,40 @@ class CCampaignReader {
                              << ": the root element is <" << document.GetRoot().Value()
                              << ">, expected <" << kExperimentTag << ">; is it an experiment?");
       }
+      m_campaign.ExperimentSource = original;
       ApplyConstants(m_errors, m_campaign.ExperimentFile, m_constants, m_campaign.ExperimentText);
-      CheckSettings(m_errors, m_campaign.ExperimentFile, m_campaign.ExperimentText, m_constants,
-                    m_design);
+      const std::set<std::string> ofThreads = CheckSettings(
+          m_errors, m_campaign.ExperimentFile, m_campaign.ExperimentText, m_constants, m_design);
+      NoteThreads(ofThreads);
     });
+  }
+
+  // the number of threads is that of <execution>, unless a setting has another
+  void NoteThreads(const std::set<std::string>& paths) {
+    for (const SLocatedSetting& constant : m_constants) {
+      if (paths.count(constant.Setting.Path) == 0) {
+        continue;
+      }
+      if (m_hasThreads) {
+        THROW_ARGOSEXCEPTION(constant.Location << ": \"" << constant.Setting.Path
+                                               << "\" is set twice, also by <execution threads=\""
+                                               << m_campaign.Threads << "\">");
+      }
+      if (ParseNumber(constant.Setting.Value, m_campaign.Threads) != ENumberParsing::Ok) {
+        THROW_ARGOSEXCEPTION(constant.Location << ": \"" << constant.Setting.Value
+                                               << "\" is no number of threads");
+      }
+    }
+    const auto setsThreads = [&paths](const SSetting& setting) {
+      return paths.count(setting.Path) > 0;
+    };
+    for (SFactor& factor : m_campaign.Factors) {
+      factor.SetsThreads =
+          std::all_of(factor.Levels.begin(), factor.Levels.end(), [&](const SLevel& level) {
+            return !level.Settings.empty() &&
+                   std::all_of(level.Settings.begin(), level.Settings.end(), setsThreads);
+          });
+    }
   }
 
   SCampaign m_campaign;
@@ -154,6 +191,7 @@ class CCampaignReader {
   CLoadErrors m_errors;
   SDesignSource m_design;
   std::vector<SLocatedSetting> m_constants;
+  bool m_hasThreads = false;  // <execution> has a number
 };
 
 }  // namespace

@@ -129,6 +129,24 @@ void ReportConflict(CLoadErrors& errors, const SPaths& paths, size_t first, size
   }
 }
 
+// of an element of <framework>; empty if there is none
+std::string FindFrameworkAttribute(CConfigurationDocument& document, const char* tag,
+                                   const char* attribute) {
+  const CConfigurationNode* const framework =
+      document.GetRoot().FirstChildElement("framework", false);
+  const CConfigurationNode* const element =
+      framework == nullptr ? nullptr : framework->FirstChildElement(tag, false);
+  return element == nullptr ? "" : element->GetAttribute(attribute);
+}
+
+void RefuseSeed(CLoadErrors& errors, const std::string& path, const std::vector<SUse>& uses) {
+  for (const SUse& use : uses) {
+    errors.Add("", CARGoSException(use.Location + ": \"" + path +
+                                   "\" is the seed of a run, which <runs> sets: list the seeds "
+                                   "there, <runs seeds=\"11, 12\" />"));
+  }
+}
+
 }  // namespace
 
 void ApplyConstants(CLoadErrors& errors, const std::string& experimentFile,
@@ -147,21 +165,35 @@ void ApplyConstants(CLoadErrors& errors, const std::string& experimentFile,
   text = document.ToText();
 }
 
-void CheckSettings(CLoadErrors& errors, const std::string& experimentFile, const std::string& text,
-                   const std::vector<SLocatedSetting>& constants, const SDesignSource& design) {
+std::set<std::string> CheckSettings(CLoadErrors& errors, const std::string& experimentFile,
+                                    const std::string& text,
+                                    const std::vector<SLocatedSetting>& constants,
+                                    const SDesignSource& design) {
   SPaths paths = CollectPaths(constants, design);
   std::vector<std::string> matching;
+  std::set<std::string> ofThreads;
   for (const std::string& path : paths.Paths) {
     CConfigurationDocument document;
     document.Parse(text, experimentFile);
     std::string report;
-    const SUse& use = paths.Uses[path].front();
-    if (TrySet(document, path, "", report)) {
-      matching.push_back(path);
-    } else if (use.Owner != kConstants) {
+    const std::vector<SUse>& uses = paths.Uses[path];
+    const std::string marker = MakeMarker(0);
+    if (!TrySet(document, path, marker, report)) {
       // those of constants were reported when they were applied
-      errors.Add("", CARGoSException(use.Location + ": " + experimentFile + ": " + report));
+      if (uses.front().Owner != kConstants) {
+        errors.Add("",
+                   CARGoSException(uses.front().Location + ": " + experimentFile + ": " + report));
+      }
+      continue;
     }
+    if (FindFrameworkAttribute(document, "experiment", "random_seed") == marker) {
+      RefuseSeed(errors, path, uses);
+      continue;
+    }
+    if (FindFrameworkAttribute(document, "system", "threads") == marker) {
+      ofThreads.insert(path);
+    }
+    matching.push_back(path);
   }
   paths.Paths = matching;
   const std::vector<std::set<size_t>> overlaps = FindOverlaps(experimentFile, text, paths.Paths);
@@ -171,6 +203,7 @@ void CheckSettings(CLoadErrors& errors, const std::string& experimentFile, const
       ReportConflict(errors, paths, i, j, design);
     }
   }
+  return ofThreads;
 }
 
 }  // namespace argos

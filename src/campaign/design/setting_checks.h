@@ -6,6 +6,7 @@
 #include <argos3/campaign/design/factor_reader.h>
 #include <argos3/core/simulator/context/load_errors.h>
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -19,12 +20,15 @@ void ApplyConstants(CLoadErrors& errors, const std::string& experimentFile,
                     const std::vector<SLocatedSetting>& constants, std::string& text);
 
 /**
- * Checks that each path of factors and constants matches something, and that no attribute is set
- * twice in one combination: by two factors, by a factor and a constant, or twice by one of them.
- * Attributes are compared, not the texts of paths.
+ * Checks that each path of factors and constants matches something other than the seed, which each
+ * run has from <runs>, and that no attribute is set twice in one combination: by two factors, by a
+ * factor and a constant, or twice by one of them. Attributes are compared, not the texts of paths.
+ * @return the paths that lead to the number of threads.
  */
-void CheckSettings(CLoadErrors& errors, const std::string& experimentFile, const std::string& text,
-                   const std::vector<SLocatedSetting>& constants, const SDesignSource& design);
+std::set<std::string> CheckSettings(CLoadErrors& errors, const std::string& experimentFile,
+                                    const std::string& text,
+                                    const std::vector<SLocatedSetting>& constants,
+                                    const SDesignSource& design);
 
 }  // namespace argos
 

@@ -49,6 +49,21 @@ void MakeInputPathsAbsolute(CConfigurationDocument& document, const std::string&
   });
 }
 
+void ParseExperiment(const SRunSetup& setup, CConfigurationDocument& document) {
+  document.Parse(setup.ExperimentText, setup.ExperimentFile);
+  for (const SSetting& constant : setup.Constants) {
+    // one that nothing reads is reported like an attribute of the file
+    document.SetByPath(constant.Path, constant.Value, false);
+  }
+  CConfigurationNode* const framework = document.GetRoot().FirstChildElement("framework", false);
+  if (framework != nullptr && setup.Threads) {
+    CConfigurationNode* const system = framework->FirstChildElement("system", false);
+    (system != nullptr ? system : framework->InsertEndChild(CConfigurationNode("system")))
+        ->SetAttribute("threads", *setup.Threads);
+  }
+  MakeInputPathsAbsolute(document, setup.StartFolder);
+}
+
 std::string MakeInputPathAbsolute(const SSetting& setting, const std::string& startFolder) {
   const std::string name = setting.Path.substr(setting.Path.rfind('@') + 1);
   const bool isInput = std::find(std::begin(kInputAttributes), std::end(kInputAttributes), name) !=

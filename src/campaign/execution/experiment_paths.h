@@ -2,6 +2,7 @@
 #define ARGOS3_CAMPAIGN_EXECUTION_EXPERIMENT_PATHS_H
 
 #include <argos3/campaign/design/campaign.h>
+#include <argos3/campaign/execution/run_request.h>
 
 #include <argos3/core/utility/configuration/configuration_document.h>
 
@@ -16,6 +17,13 @@ namespace argos {
  * @p startFolder. Other values stay.
  */
 void MakeInputPathsAbsolute(CConfigurationDocument& document, const std::string& startFolder);
+/**
+ * Reads the experiment of a campaign's runs: with its constants, with the number of threads of the
+ * campaign where the experiment has one, and with absolute paths of input files.
+ * @throws CARGoSException if it is no XML, or a constant matches nothing.
+ */
+void ParseExperiment(const SRunSetup& setup, CConfigurationDocument& document);
+
 /** @return @p path, absolute under the same conditions. */
 std::string MakeInputPathAbsolute(const std::string& path, const std::string& startFolder);
 /** @return the value of a setting, absolute under the same conditions. */

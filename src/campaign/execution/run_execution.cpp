@@ -4,6 +4,8 @@
 #include <argos3/campaign/execution/experiment_paths.h>
 #include <argos3/campaign/execution/metric_collection.h>
 
+#include <argos3/core/simulator/context/current.h>
+#include <argos3/core/simulator/loading/loading_check.h>
 #include <argos3/core/simulator/outputs/run_output.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/space.h>
@@ -22,9 +24,11 @@
 #include <chrono>
 #include <cstdio>
 #include <cstring>
+#include <fstream>
 #include <new>
-#include <string_view>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace argos {
 
@@ -49,16 +53,17 @@ Real GetCPUTime() {
   return toSeconds(usage.ru_utime) + toSeconds(usage.ru_stime);
 }
 
+// since ForgetPeakMemory(); bytes
 UInt64 GetPeakMemory() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   return static_cast<UInt64>(usage.ru_maxrss) << 10;
 }
 
-bool SetsThreads(const SSetting& setting) {
-  constexpr std::string_view kEnd = "system/@threads";
-  const std::string_view path = setting.Path;
-  return path.size() >= kEnd.size() && path.substr(path.size() - kEnd.size()) == kEnd;
+// Linux then counts from what is resident now. Without it (a container may forbid it) the peak is
+// that of the process, which has executed other runs if they share one
+void ForgetPeakMemory() {
+  std::ofstream("/proc/self/clear_refs") << '5';
 }
 
 void Configure(CSimulator& simulator, const SRunSetup& setup, const SRunRequest& request) {
@@ -66,10 +71,6 @@ void Configure(CSimulator& simulator, const SRunSetup& setup, const SRunRequest&
   simulator.SetRandomSeed(request.Seed);
   for (const SSetting& setting : request.Settings) {
     simulator.AddOverride(setting.Path, MakeInputPathAbsolute(setting, setup.StartFolder));
-  }
-  const bool isFactor = std::any_of(request.Settings.begin(), request.Settings.end(), &SetsThreads);
-  if (setup.Threads && !isFactor) {
-    simulator.SetNumThreads(*setup.Threads);
   }
 }
 
@@ -83,11 +84,28 @@ void ThrowIfOutputsFailed() {
   }
 }
 
-/* The stages of a run, in this order. */
+/*
+ * The stages of a run, in this order, in the default simulator of the process without a scope, as
+ * in argos3: it is what CSimulator::GetInstance() has returned to static objects of users'
+ * libraries, which were loaded before, and what it returns to helper threads.
+ */
 class CExecution {
  public:
   CExecution(const SRunSetup& setup, const SRunRequest& request)
-      : m_setup(setup), m_request(request), m_metrics(setup.Metrics) {}
+      : m_setup(setup), m_request(request), m_metrics(setup.Metrics) {
+    ForgetPeakMemory();
+  }
+  ~CExecution() {
+    m_simulator.SetTickObserver(nullptr);
+    // those that users' code has created in this run; another run of this process begins without
+    for (const std::string& id : m_registry.ListCategories()) {
+      if (std::find(m_categories.begin(), m_categories.end(), id) == m_categories.end()) {
+        m_registry.RemoveCategory(id);
+      }
+    }
+  }
+  CExecution(const CExecution&) = delete;
+  CExecution& operator=(const CExecution&) = delete;
 
   void Load() {
     if (chdir(m_request.Folder.c_str()) != 0) {
@@ -96,8 +114,7 @@ class CExecution {
                            << "\" of the run cannot be entered: " << std::strerror(errno));
     }
     Configure(m_simulator, m_setup, m_request);
-    m_document.Parse(m_setup.ExperimentText, m_setup.ExperimentFile);
-    MakeInputPathsAbsolute(m_document, m_setup.StartFolder);
+    ParseExperiment(m_setup, m_document);
     m_simulator.Load(m_document, true);
     m_metrics.Begin(m_simulator);
     if (auto output = m_metrics.MakeOutput()) {
@@ -172,8 +189,9 @@ class CExecution {
   const SRunSetup& m_setup;
   const SRunRequest& m_request;
   CConfigurationDocument m_document;  // the experiment refers to it
-  CSimulator m_simulator;
-  CSimulator::CScope m_scope{m_simulator};
+  CSimulator& m_simulator = CurrentSimulator();
+  CRandom::CRegistry& m_registry = CRandom::GetCurrentRegistry();
+  std::vector<std::string> m_categories = m_registry.ListCategories();
   CMetricCollection m_metrics;
   SRunResult m_result;
 };
@@ -183,6 +201,17 @@ class CExecution {
 bool SaysOutOfMemory(const std::string& text) {
   return text.find("not enough memory") != std::string::npos ||
          text.find("std::bad_alloc") != std::string::npos;
+}
+
+bool LoadRun(const SRunSetup& setup, const SRunRequest& request) {
+  const CLoadingCheck check;
+  CExecution execution(setup, request);
+  const bool isLoaded = execution.Try([&] { execution.Load(); });
+  const bool isDestroyed = execution.Try([&] { execution.Destroy(); });
+  LOG.Flush();
+  LOGERR.Flush();
+  std::fflush(nullptr);
+  return isLoaded && isDestroyed;
 }
 
 SRunResult ExecuteRun(const SRunSetup& setup, const SRunRequest& request) {

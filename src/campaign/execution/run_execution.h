@@ -16,6 +16,13 @@ namespace argos {
 SRunResult ExecuteRun(const SRunSetup& setup, const SRunRequest& request);
 
 /**
+ * Loads the experiment of a run in this process and destroys it; nothing is written but what users'
+ * Init() and Destroy() write. Errors are printed on LOGERR.
+ * @return true if there was none.
+ */
+bool LoadRun(const SRunSetup& setup, const SRunRequest& request);
+
+/**
  * @return true if the text of an error, or the end of a log, says that memory was not granted: by
  *   an exception of users' code, which libraries wrap into others, or of Lua.
  */

@@ -27,8 +27,10 @@ namespace argos {
 namespace {
 
 constexpr int kLostResult = 1;  // exit status of a process whose results are not read any more
-constexpr int kDeathCheckPeriod = 20;  // ms, for processes that have closed their files
-constexpr int kLongestWait = 60'000;  // ms
+// ms; the first for processes that have closed their files. Others have died unnoticed if users'
+// code has forked: the fork keeps the files open
+constexpr int kDeathCheckPeriod = 20;
+constexpr int kLongDeathCheckPeriod = 200;
 
 void Close(int& file) {
   if (file >= 0) {
@@ -46,6 +48,15 @@ void OpenPipe(int (&ends)[2]) {
 void Limit(int resource, rlim_t value) {
   const rlimit limit{value, value};
   setrlimit(static_cast<__rlimit_resource_t>(resource), &limit);
+}
+
+// of this process, which users' code has forked and that have not ended
+bool HasRunningChildren() {
+  pid_t child = 0;
+  do {
+    child = waitpid(-1, nullptr, WNOHANG);
+  } while (child > 0);
+  return child == 0;
 }
 
 /* What is done in the child before anything else. */
@@ -88,11 +99,10 @@ CRunProcess::~CRunProcess() {
 
 std::optional<SRunResult> CRunProcess::Execute(const SRunRequest& request) {
   const bool wasUsed = m_process >= 0;
-  std::optional<SRunResult> result = ExecuteOnce(request);
-  const bool hasDied = result && m_process < 0 && m_setup.Isolation == EIsolation::Thread &&
-                       result->Status != ERunStatus::TimedOut;
-  if (hasDied && wasUsed) {
-    result = ExecuteOnce(request);
+  EEnd end = EEnd::Result;
+  std::optional<SRunResult> result = ExecuteOnce(request, end);
+  if (end == EEnd::Death && wasUsed) {
+    result = ExecuteOnce(request, end);
     // the next run begins with a new process again
     UInt64 peakMemory = 0;
     End(peakMemory);
@@ -100,7 +110,7 @@ std::optional<SRunResult> CRunProcess::Execute(const SRunRequest& request) {
   return result;
 }
 
-std::optional<SRunResult> CRunProcess::ExecuteOnce(const SRunRequest& request) {
+std::optional<SRunResult> CRunProcess::ExecuteOnce(const SRunRequest& request, EEnd& end) {
   m_start = TClock::now();
   m_tail = COutputTail(m_setup.Limits.Output);
   mkdir(request.Folder.c_str(), 0777);
@@ -111,8 +121,11 @@ std::optional<SRunResult> CRunProcess::ExecuteOnce(const SRunRequest& request) {
   }
   ++m_numRuns;
   SRunResult result;
-  const EEnd end = Supervise(result);
-  if (end != EEnd::Result || m_setup.Isolation == EIsolation::Process) {
+  end = Supervise(request.Id, result);
+  // what a failed run leaves may harm others
+  const bool isReusable = end == EEnd::Result && m_setup.Isolation == EIsolation::Thread &&
+                          result.Status == ERunStatus::Done;
+  if (!isReusable) {
     UInt64 peakMemory = 0;
     const int status = End(peakMemory);
     if (end == EEnd::Timeout) {
@@ -173,14 +186,20 @@ void CRunProcess::Start(const SRunRequest& request) {
 
 // In the child. It ends by _exit(): exit handlers and static objects are the worker's, too.
 void CRunProcess::Serve(const SRunRequest& first) {
-  const auto execute = [this, process = getpid()](const SRunRequest& request) {
+  const pid_t server = getpid();
+  const auto execute = [this, server](const SRunRequest& request) {
     const SRunResult result = ExecuteRun(m_setup, request);
-    if (getpid() != process) {
-      // a copy that code of the run has made by fork(): the result is that of the original
+    // a process that users' code has forked, and that has returned from it: the run is its parent's
+    if (getpid() != server) {
       _exit(0);
     }
     if (!WriteMessage(m_results, SMessage::EKind::Result, EncodeResult(request.Id, result))) {
       _exit(kLostResult);
+    }
+    // they would print, and write files, during the next run: that begins in a new process, and
+    // these are killed with the group of this one
+    if (HasRunningChildren()) {
+      _exit(0);
     }
   };
   execute(first);
@@ -196,7 +215,7 @@ void CRunProcess::Serve(const SRunRequest& first) {
   _exit(0);
 }
 
-CRunProcess::EEnd CRunProcess::Supervise(SRunResult& result) {
+CRunProcess::EEnd CRunProcess::Supervise(UInt64 request, SRunResult& result) {
   for (;;) {
     std::array<pollfd, 3> files = {pollfd{m_output, POLLIN, 0}, pollfd{m_results, POLLIN, 0},
                                    pollfd{m_abortFile, 0, 0}};
@@ -207,10 +226,13 @@ CRunProcess::EEnd CRunProcess::Supervise(SRunResult& result) {
     if (count > 0 && files[0].revents != 0) {
       ReadOutput();
     }
-    if (count > 0 && files[1].revents != 0 && TakeResult(result)) {
+    // before the results are read: what it has written before its end is in the pipe, which holds
+    // no more than is read at once
+    const bool hasDied = HasDied();
+    if (m_results >= 0 && TakeResult(request, result)) {
       return EEnd::Result;
     }
-    if (m_results < 0 && HasDied()) {
+    if (hasDied) {
       return EEnd::Death;
     }
     const std::chrono::duration<Real> wall = TClock::now() - m_start;
@@ -222,7 +244,7 @@ CRunProcess::EEnd CRunProcess::Supervise(SRunResult& result) {
 
 // ms
 int CRunProcess::ComputeTimeout() const {
-  Real timeout = m_results < 0 ? kDeathCheckPeriod : kLongestWait;
+  Real timeout = m_results < 0 ? kDeathCheckPeriod : kLongDeathCheckPeriod;
   if (m_setup.Limits.WallTime > 0.0) {
     const std::chrono::duration<Real> wall = TClock::now() - m_start;
     timeout = std::min(timeout, 1e3 * (m_setup.Limits.WallTime - wall.count()) + 1.0);
@@ -230,11 +252,15 @@ int CRunProcess::ComputeTimeout() const {
   return static_cast<int>(std::max(0.0, timeout));
 }
 
-bool CRunProcess::TakeResult(SRunResult& result) {
+bool CRunProcess::TakeResult(UInt64 request, SRunResult& result) {
   const bool isOpen = m_reader.Fill(m_results);
   try {
-    if (const std::optional<SMessage> message = m_reader.Take()) {
-      result = DecodeResult(message->Body).second;
+    while (const std::optional<SMessage> message = m_reader.Take()) {
+      auto [id, taken] = DecodeResult(message->Body);
+      if (id != request) {
+        continue;
+      }
+      result = std::move(taken);
       // what was printed before is there
       while (m_output >= 0) {
         const UInt64 before = m_tail.GetNumBytes();

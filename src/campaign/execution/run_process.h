@@ -17,8 +17,9 @@ namespace argos {
  * Executes runs in a forked process, under the limits of the setup.
  *
  * EIsolation::Process: each run has a process. EIsolation::Thread: one process executes them, one
- * after another, until it dies; the run that was executed then is repeated alone in a process of
- * its own, and that is its result, because an earlier run may have broken the memory.
+ * after another, until a run fails or it dies; the run that was executed when it died is repeated
+ * alone in a process of its own, and that is its result, because an earlier run may have broken the
+ * memory.
  *
  * A process of runs is the leader of a process group, which is killed with it. It has the limit of
  * memory (RLIMIT_AS), writes no core files, and dies if this process does. Its standard streams
@@ -49,12 +50,13 @@ class CRunProcess {
   using TClock = std::chrono::steady_clock;
   enum class EEnd { Result, Death, Timeout, Abort };
 
-  std::optional<SRunResult> ExecuteOnce(const SRunRequest& request);
+  /** @param end  how the run has ended. */
+  std::optional<SRunResult> ExecuteOnce(const SRunRequest& request, EEnd& end);
   void Start(const SRunRequest& request);
   [[noreturn]] void Serve(const SRunRequest& first);
-  EEnd Supervise(SRunResult& result);
+  EEnd Supervise(UInt64 request, SRunResult& result);
   int ComputeTimeout() const;
-  bool TakeResult(SRunResult& result);
+  bool TakeResult(UInt64 request, SRunResult& result);
   bool HasDied();
   void ReadOutput();
   void DescribeDeath(int status, SRunResult& result);

@@ -12,9 +12,11 @@ namespace argos {
 /** What the runs of a campaign have in common. */
 struct SRunSetup {
   std::string ExperimentFile; /**< absolute path: for messages and files beside it */
-  std::string ExperimentText; /**< XML */
+  std::string ExperimentText; /**< contents of that file */
+  std::vector<SSetting> Constants; /**< of all runs */
   std::string StartFolder; /**< absolute; relative paths of input files begin here, too */
-  std::optional<UInt32> Threads = 0; /**< of a run; none: as in the experiment */
+  /** of a run that sets no other number; none: as in the experiment */
+  std::optional<UInt32> Threads = 0;
   std::vector<SCollectedMetric> Metrics; /**< empty: all that a run sets */
   SRunLimits Limits;
   EIsolation Isolation = EIsolation::Process;

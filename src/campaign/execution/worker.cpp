@@ -26,8 +26,7 @@ namespace {
 void LoadLibraries(const SRunSetup& setup) {
   CDynamicLoading::LoadAllLibraries();
   CConfigurationDocument document;
-  document.Parse(setup.ExperimentText, setup.ExperimentFile);
-  MakeInputPathsAbsolute(document, setup.StartFolder);
+  ParseExperiment(setup, document);
   for (const std::string& library : ListLibraries(document)) {
     try {
       CDynamicLoading::LoadLibrary(library);
@@ -79,16 +78,20 @@ void ExecuteRequests(const SRunSetup& setup, int requests, int results) {
 
 }  // namespace
 
+void PrepareWorker(const SRunSetup& setup) {
+  SilenceStandardOutput();
+  LOG.DisableColoredOutput();
+  LOGERR.DisableColoredOutput();
+  MakePluginPathAbsolute();
+  LoadLibraries(setup);
+  CCrashHandler::Install();
+  // what is buffered now would be written by each fork
+  Flush();
+}
+
 void RunWorker(const SRunSetup& setup, int requests, int results) {
   try {
-    SilenceStandardOutput();
-    LOG.DisableColoredOutput();
-    LOGERR.DisableColoredOutput();
-    MakePluginPathAbsolute();
-    LoadLibraries(setup);
-    CCrashHandler::Install();
-    // what is buffered now would be written by each fork
-    Flush();
+    PrepareWorker(setup);
     ExecuteRequests(setup, requests, results);
   } catch (...) {
     WriteMessage(results, SMessage::EKind::Error, DescribeCurrentException());

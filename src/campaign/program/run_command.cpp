@@ -1,4 +1,5 @@
 #include <argos3/campaign/design/factor_values.h>
+#include <argos3/campaign/execution/run_check.h>
 #include <argos3/campaign/program/command_options.h>
 #include <argos3/campaign/program/commands.h>
 #include <argos3/campaign/scheduling/run_plan.h>
@@ -54,7 +55,8 @@ void PrintPlan(const SCampaign& campaign, UInt64 open) {
   }
 }
 
-// changes nothing, not even the database
+// Runs nothing and changes no results. The experiment is loaded, with the first combination only:
+// the others seldom have errors of their own.
 int PrintDryRun(const SCampaign& campaign) {
   std::vector<SKnownRun> known;
   if (HasResults(campaign)) {
@@ -62,6 +64,14 @@ int PrintDryRun(const SCampaign& campaign) {
     known = ListKnownRuns(campaign, store);
   }
   PrintPlan(campaign, CRunPlan::Create(campaign, known)->CountOpen());
+  SRunRequest request;
+  request.Seed = campaign.Stopping.Metric.empty() ? campaign.Stopping.Seeds.front()
+                                                  : campaign.Stopping.FirstSeed;
+  request.Settings = campaign.Combinations.front().Settings;
+  if (!CheckRun(MakeRunSetup(campaign), request)) {
+    fmt::print(stderr, "[FATAL] the experiment cannot be loaded with the first combination\n");
+    return CAMPAIGN_ERROR;
+  }
   return CAMPAIGN_DONE;
 }
 
@@ -96,8 +106,10 @@ void AddCommand(CLI::App& app, TCampaignCommand& chosen, bool isResumed) {
       .add_option("--seeds", options->Seeds,
                   "seeds of each combination, such as 3,5,8:12, instead of those of the file")
       ->type_name("LIST");
-  command.add_flag("--dry-run", options->IsDryRun,
-                   "list the combinations and the number of runs, and execute nothing");
+  command.add_flag(
+      "--dry-run", options->IsDryRun,
+      "list the combinations and the number of runs, load the experiment of the first, "
+      "and execute nothing");
   command.add_flag("--accept-change", options->AcceptsChange,
                    "the experiment has changed: begin a new generation of runs");
   command.callback([options, &chosen] { chosen = [options] { return Run(*options); }; });

@@ -89,7 +89,8 @@ std::vector<SKnownRun> ListKnownRuns(const SCampaign& campaign, const CResultSto
 SRunSetup MakeRunSetup(const SCampaign& campaign) {
   SRunSetup setup;
   setup.ExperimentFile = fs::absolute(campaign.ExperimentFile).string();
-  setup.ExperimentText = campaign.ExperimentText;
+  setup.ExperimentText = campaign.ExperimentSource;
+  setup.Constants = campaign.Constants;
   setup.StartFolder = fs::current_path().string();
   setup.Threads = campaign.Threads;
   setup.Metrics = campaign.Metrics;
@@ -130,6 +131,7 @@ SCampaignEnd CCampaignManager::Run() {
   }
   m_workers.clear();
   Store();
+  m_store.ThrowIfRemoved();
   // only if it is empty
   rmdir(m_runsFolder.c_str());
   m_end.OpenRuns = m_plan.CountOpen();
@@ -159,6 +161,7 @@ void CCampaignManager::Loop() {
       }
     }
     StoreIfDue();
+    m_store.ThrowIfRemoved();
     WarnOfMissingMetrics(false);
     m_line->Update(GetProgress());
   }

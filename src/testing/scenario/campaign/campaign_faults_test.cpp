@@ -3,6 +3,7 @@
 #include "campaign_run.h"
 #include "campaign_world.h"
 
+#include <argos3/campaign/store/result_store.h>
 #include <argos3/testing/support/sanitizers.h>
 
 #include <catch2/catch.hpp>
@@ -206,6 +207,96 @@ TEST_CASE("campaign: a constant attribute that nothing reads is a warning", "[ca
   CHECK(place != std::string::npos);
   // once, not of each run
   CHECK(run.Err.find("lenght", place + 30) == std::string::npos);
+}
+
+namespace {
+
+std::string MakeCampaignText(const std::string& contents) {
+  return "<argos-campaign experiment='experiment.argos' results='results.sqlite'>\n" + contents +
+         "\n</argos-campaign>\n";
+}
+
+void Insert(std::string& text, const std::string& before, const std::string& inserted) {
+  const size_t place = text.find(before);
+  REQUIRE(place != std::string::npos);
+  text.insert(place, inserted);
+}
+
+}  // namespace
+
+TEST_CASE("campaign: a dry run loads the experiment of the first combination",
+          "[campaign][program]") {
+  const CTestFolder folder;
+  folder.Write("experiment.argos", MakeCampaignExperiment());
+  const auto [places, status, text] = GENERATE(table<std::string, int, std::string>(
+      {{"1;, 2,0,0", 1, "the experiment cannot be loaded with the first combination"},
+       {"1,1,0; -1,", 0, ""}}));
+  folder.Write("c.xml",
+               MakeCampaignText("<factors><factor name='place' path='//foot-bot[1]/body/@position' "
+                                "values='" +
+                                places + "' /></factors><runs seeds='2' />"));
+  const SProgramRun run = folder.RunProgram("argos3-campaign", {"run", "c.xml", "--dry-run"});
+  CHECK(run.Status == status);
+  CHECK_THAT(run.Err, Contains(text));
+}
+
+TEST_CASE("campaign: warnings have the lines of the experiment's file", "[campaign][program]") {
+  const CTestFolder folder;
+  std::string experiment = MakeCampaignExperiment();
+  Insert(experiment, "<controllers>", "<!-- some\n\nlines -->\n\n");
+  Insert(experiment, "id=\"fb0\"", "\n  ");
+  Insert(experiment, "id=\"fb1\"", "unused=\"1\" ");
+  const auto line =
+      1 + std::count(experiment.begin(),
+                     experiment.begin() + static_cast<std::ptrdiff_t>(experiment.find("unused")),
+                     '\n');
+  folder.Write("experiment.argos", experiment);
+  folder.Write("c.xml", MakeCampaignText("<set path='//experiment/@length' value='0.5' />\n"
+                                         "<set path='//loop_functions/@gainn' value='2' />\n"
+                                         "<runs seeds='1' />"));
+  const SProgramRun run = folder.RunProgram("argos3-campaign", {"run", "c.xml"});
+  CHECK(run.Status == 0);
+  CHECK_THAT(run.Err, Contains("experiment.argos:" + std::to_string(line) + ": <foot-bot>"));
+  // what the campaign has set is a warning, too
+  CHECK_THAT(run.Err, Contains("\"gainn\" is not used by anything"));
+}
+
+TEST_CASE("campaign: a <set> of the number of threads reaches the runs", "[campaign][program]") {
+  const CTestFolder folder;
+  std::string experiment = MakeCampaignExperiment();
+  const bool hasSystem = GENERATE(false, true);
+  if (hasSystem) {
+    Insert(experiment, "<experiment", "<system threads='1' />");
+  }
+  folder.Write("experiment.argos", experiment);
+  folder.Write("c.xml", MakeCampaignText((hasSystem ? "<set path='//system/@threads' value='2' />"
+                                                    : "<execution threads='2' />") +
+                                         std::string("<runs seeds='1' />")));
+  REQUIRE(folder.RunProgram("argos3-campaign", {"run", "c.xml"}).Status == 0);
+  const CResultStore store(folder.Path("results.sqlite"), CResultStore::EMode::ReadOnly);
+  const std::vector<SStoredRun> runs = store.ListRuns();
+  REQUIRE(runs.size() == 1);
+  CHECK_THAT(store.FindRun(runs[0].Id)->Result.Log, Contains("Using 2 threads"));
+}
+
+TEST_CASE("campaign: a factor without effect is reported", "[campaign][program]") {
+  const CTestFolder folder;
+  folder.Write("experiment.argos", MakeCampaignExperiment());
+  folder.Write("c.xml", MakeCampaignText(R"(<factors>
+    <factor name='place' path='//foot-bot[1]/body/@position' values='1,1,0; -1,-1,0' />
+    <factor name='deed' path='//params/@what' values='none, nothing' />
+    <factor name='gain' path='//loop_functions/@gain' values='1, 2, 3' />
+  </factors><runs seeds='2' />)"));
+  const SProgramRun run = folder.RunProgram("argos3-campaign", {"run", "c.xml"});
+  CHECK(run.Status == 0);
+  CHECK_THAT(run.Err,
+             Contains("[WARNING] the levels none and nothing of the factor \"deed\" have equal "
+                      "final states (digests) in all 12 pairs of runs: it seems to be without "
+                      "effect") &&
+                 Contains("[WARNING] all 3 levels of the factor \"gain\" have equal final states "
+                          "(digests) in all 16 pairs of runs: it affects metrics, but nothing in "
+                          "the simulation") &&
+                 !Contains("\"place\""));
 }
 
 }  // namespace campaign_faults_test

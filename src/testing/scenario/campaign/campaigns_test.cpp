@@ -186,6 +186,7 @@ TEST_CASE("campaign: the file says how many runs are executed at the same time",
 }
 
 TEST_CASE("campaign: a dry run lists combinations and changes nothing", "[campaign][program]") {
+  SetPluginPath();
   const CTestFolder folder;
   folder.Write("c.xml", MakeDiffusionCampaign(""));
   const SProgramRun run = folder.RunProgram("argos3-campaign", {"run", "c.xml", "--dry-run"});

@@ -19,6 +19,7 @@
 #include <cmath>
 #include <csignal>
 #include <filesystem>
+#include <map>
 
 namespace worker_test {
 
@@ -172,6 +173,73 @@ TEST_CASE("worker: the run that fails is known, and no other one is touched",
   CheckIsDone(results[2]);
   const std::vector<SRunResult> alone = Execute(folder, setup, {3});
   CHECK(alone[0].Digest == results[2].Digest);
+}
+
+TEST_CASE("worker: a run whose code forks has one result", "[campaign][execution]") {
+  const EIsolation isolation = GENERATE(EIsolation::Process, EIsolation::Thread);
+  CAPTURE(static_cast<int>(isolation));
+  const CTestFolder folder;
+  const std::vector<SRunResult> results =
+      Execute(folder, MakeSetup(folder, "fork", isolation), {1, 2, 3, 4});
+  const std::vector<SRunResult> plain =
+      Execute(folder, MakeSetup(folder, "", isolation), {1, 2, 3, 4});
+  for (size_t i = 0; i < results.size(); ++i) {
+    CAPTURE(i);
+    CheckIsDone(results[i]);
+    CHECK(results[i].Digest == plain[i].Digest);
+    CHECK(results[i].Metrics.at(0).Value == plain[i].Metrics.at(0).Value);
+  }
+}
+
+TEST_CASE("worker: the death of a run is noticed, though a fork of it lives",
+          "[campaign][execution]") {
+  const EIsolation isolation = GENERATE(EIsolation::Process, EIsolation::Thread);
+  const CTestFolder folder;
+  const auto start = std::chrono::steady_clock::now();
+  const std::vector<SRunResult> results =
+      Execute(folder, MakeSetup(folder, "fork_and_exit", isolation), {1, 2, 3});
+  // the fork sleeps for a minute
+  CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(30));
+  CheckIsDone(results[0]);
+  CHECK(results[1].Status == ERunStatus::Failed);
+  CHECK(results[1].ExitStatus == 7);
+  CheckIsDone(results[2]);
+}
+
+TEST_CASE("worker: the peak of memory is that of the run", "[campaign][execution]") {
+  if (!kCanLimitMemory) {
+    WARN("skipped: a sanitizer keeps memory that was freed");
+    return;
+  }
+  const EIsolation isolation = GENERATE(EIsolation::Process, EIsolation::Thread);
+  const CTestFolder folder;
+  const std::vector<SRunResult> results =
+      Execute(folder, MakeSetup(folder, "touch", isolation), {1, 2, 3});
+  // 64 MiB in the second run; runs without it differ by less
+  constexpr UInt64 kHalf = 32 << 20;
+  CHECK(results[1].PeakMemory > results[0].PeakMemory + kHalf);
+  CHECK(results[1].PeakMemory > results[2].PeakMemory + kHalf);
+}
+
+TEST_CASE("worker: helper threads and static objects see the run's simulator",
+          "[campaign][execution]") {
+  const EIsolation isolation = GENERATE(EIsolation::Process, EIsolation::Thread);
+  const CTestFolder folder;
+  SRunSetup setup = MakeSetup(folder, "", isolation);
+  const std::string gain = "gain=\"1\"";
+  setup.ExperimentText.replace(setup.ExperimentText.find(gain), gain.size(),
+                               "uses_threads=\"true\"");
+  for (const SRunResult& result : Execute(folder, setup, {1, 2})) {
+    INFO(result.Log);
+    REQUIRE(result.Status == ERunStatus::Done);
+    std::map<std::string, Real> metrics;
+    for (const SMetricValue& metric : result.Metrics) {
+      metrics[metric.Name] = metric.Value;
+    }
+    CHECK(metrics.at("ticks") == 10.0);
+    CHECK(metrics.at("thread") == 10.0);
+    CHECK(metrics.at("static") == 10.0);
+  }
 }
 
 TEST_CASE("worker: output is read to its end, and dropped beyond its limit",

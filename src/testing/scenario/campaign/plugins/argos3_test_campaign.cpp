@@ -14,6 +14,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <future>
 #include <memory>
 #include <new>
 #include <stdexcept>
@@ -45,6 +46,12 @@ void PrintMuch() {
   std::fputs("end of the flood\n", stdout);
 }
 
+// resident for a moment
+void TouchMemory() {
+  const std::vector<char> block(64 << 20, 'x');
+  std::fwrite(block.data(), 1, 1, stdout);
+}
+
 // more bytes than 32 bits can count
 void Flood() {
   const std::vector<char> block(1 << 20, '.');
@@ -66,11 +73,19 @@ void Misbehave(const std::string& what) {
     PrintMuch();
   } else if (what == "flood") {
     Flood();
-  } else if (what == "fork") {
-    // both processes go on
-    static_cast<void>(fork());
   } else if (what == "exit") {
     std::exit(7);
+  } else if (what == "touch") {
+    TouchMemory();
+  } else if (what == "fork") {
+    // both go on with the run
+    fork();
+  } else if (what == "fork_and_exit") {
+    // the fork keeps the pipes of this process open
+    if (fork() == 0) {
+      sleep(60);
+    }
+    std::_Exit(7);
   } else if (what == "throw") {
     throw std::runtime_error("deliberate error");
   } else if (what == "kill_parent") {
@@ -150,6 +165,9 @@ class CMeeting {
   UInt32 m_seed;
 };
 
+// as users' libraries have it: from the time when they are loaded
+CSimulator& g_simulator = CSimulator::GetInstance();
+
 /* Metrics, and a table in the working directory. */
 class CMeasures : public CLoopFunctions {
  public:
@@ -157,6 +175,7 @@ class CMeasures : public CLoopFunctions {
     GetNodeAttributeOrDefault(params, "gain", m_gain, m_gain);
     GetNodeAttributeOrDefault(params, "event_every", m_eventEvery, m_eventEvery);
     GetNodeAttributeOrDefault(params, "result", m_result, m_result);
+    GetNodeAttributeOrDefault(params, "uses_threads", m_usesThreads, m_usesThreads);
     m_rng = CRandom::CreateRNG("argos");
     m_value = m_rng->Gaussian(1.0, 10.0);
     std::string meet;
@@ -176,6 +195,12 @@ class CMeasures : public CLoopFunctions {
     metrics.Set("ticks", tick);
     if (m_eventEvery > 0 && tick % m_eventEvery == 0) {
       metrics.Set("event", tick);
+    }
+    if (m_usesThreads) {
+      metrics.Set("static", g_simulator.GetSpace().GetSimulationClock());
+      metrics.Set("thread", std::async(std::launch::async, [] {
+                              return CSimulator::GetInstance().GetSpace().GetSimulationClock();
+                            }).get());
     }
     m_table.push_back(m_gain * tick);
   }
@@ -199,6 +224,7 @@ class CMeasures : public CLoopFunctions {
   Real m_gain = 1.0;
   UInt32 m_eventEvery = 0;  // ticks; 0: never
   Real m_result = 0.0;  // recorded when the run is over; 0: none
+  bool m_usesThreads = false;
   Real m_value = 0.0;
   CRandom::CRNG* m_rng = nullptr;
   std::unique_ptr<CMeeting> m_meeting;

@@ -113,10 +113,42 @@ TEST_CASE("campaign file: defaults", "[campaign][design]") {
   CHECK(campaign.Kept == EKeptFiles::Failed);
   CHECK(campaign.Metrics.empty());
   CHECK(campaign.Jobs == 0);
-  // without constants it is the file itself, so that lines in messages are right
   CHECK(campaign.ExperimentText == kCampaignExperiment);
+  // also with constants, so that lines in messages are right
+  CHECK(ReadTestCampaign(folder,
+                         "<set path=\"//experiment/@length\" value=\"6\"/><runs seeds=\"1\"/>")
+            .ExperimentSource == kCampaignExperiment);
   CHECK(ReadTestCampaign(folder, "<runs seeds=\"3, 5\"/>").Stopping.Seeds ==
         std::vector<UInt32>{3, 5});
+}
+
+TEST_CASE("campaign file: the seed of a run is that of <runs> only", "[campaign][design]") {
+  const std::string path =
+      GENERATE("//experiment/@random_seed", "framework/experiment/@random_seed",
+               "//framework/*/@random_seed");
+  const std::string refused = "\"" + path + "\" is the seed of a run, which <runs> sets";
+  CHECK_THAT(ErrorOfFactor("<factor name=\"s\" path=\"" + path + "\" values=\"11, 12\"/>"),
+             Contains("test.xml:3: <factor>: " + refused));
+  CHECK_THAT(ErrorOfFactor("<factor name=\"s\"><level value=\"a\">\n<set path=\"" + path +
+                           "\" value=\"1\"/></level><level value=\"b\"/></factor>"),
+             Contains("test.xml:4: <set>: " + refused));
+  CHECK_THAT(ErrorWith("<set path=\"" + path + "\" value=\"7\"/>"),
+             Contains("test.xml:7: <set>: " + refused));
+}
+
+TEST_CASE("campaign file: a <set> of the number of threads counts", "[campaign][design]") {
+  const CTemporaryFolder folder;
+  const std::string set = "<set path=\"//system/@threads\" value=\"3\"/>";
+  CHECK(ReadTestCampaign(folder, "<runs seeds=\"1\"/>" + set).Threads == 3);
+  CHECK_THAT(ErrorWith(set + "\n<execution threads=\"2\"/>"),
+             Contains("is set twice, also by <execution threads=\"2\">"));
+  CHECK_THAT(ErrorWith("<set path=\"//system/@threads\" value=\"many\"/>"),
+             Contains("\"many\" is no number of threads"));
+  const SCampaign campaign = ReadTestCampaign(folder, R"(<runs seeds="1"/><factors>
+    <factor name="threads" path="/argos-configuration/framework/system/@threads" values="0, 2"/>
+    <factor name="speed" path="//lua_controller[1]/params/@speed" values="1, 2"/></factors>)");
+  CHECK(campaign.Factors[0].SetsThreads);
+  CHECK_FALSE(campaign.Factors[1].SetsThreads);
 }
 
 TEST_CASE("campaign file: all errors at once, with lines", "[campaign][design]") {
