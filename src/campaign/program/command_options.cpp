@@ -1,5 +1,6 @@
 #include <argos3/campaign/program/command_options.h>
 
+#include <argos3/campaign/report/equal_levels.h>
 #include <argos3/campaign/store/failed_runs.h>
 
 #include <argos3/core/utility/errors/argos_exception.h>
@@ -75,6 +76,9 @@ int ExecutePlan(const SCampaign& campaign, CResultStore& store, CRunPlan& plan, 
   {
     CCampaignManager manager(campaign, store, plan, known, managerOptions);
     end = manager.Run();
+  }
+  for (const std::string& warning : WarnOfEqualLevels(CReportData(campaign, store))) {
+    PrintWarnings(warning);
   }
   const std::string failures = DescribeFailedRuns(campaign, store);
   std::fputs(failures.c_str(), stdout);

@@ -4,6 +4,7 @@ target_sources(argos3campaign PRIVATE
   report/campaign_report.cpp
   report/comparison_text.cpp
   report/comparisons.cpp
+  report/equal_levels.cpp
   report/figure_drawing.cpp
   report/figure_request.cpp
   report/figures.cpp
