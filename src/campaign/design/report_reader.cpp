@@ -32,7 +32,8 @@ const std::map<std::string, SFigureKind>& ListFigureKinds() {
       {"boxplot",
        {{{"y", EAxis::Metric, true}, {"x", EAxis::Factor, true}, {"group", EAxis::Factor, false}},
         {}}},
-      {"series", {{{"y", EAxis::Series, true}, {"group", EAxis::Factor, false}}, {"band"}}},
+      {"series",
+       {{{"y", EAxis::Series, true}, {"group", EAxis::Factor, false}}, {"band", "ended"}}},
       {"means", {kPoints, {"xscale", "bars", "reference", "reference_label"}}},
       {"scaling", {kPoints, {}}},
       {"heatmap",
@@ -101,6 +102,10 @@ void CheckLook(TConfigurationNode& node, const std::string& name) {
     ReadChoice(node, name, {"linear", "log"});
   } else if (name == "bars") {
     ReadChoice(node, name, {"interval", "deviation"});
+  } else if (name == "band") {
+    ReadChoice(node, name, {"quartiles", "interval"});
+  } else if (name == "ended") {
+    ReadChoice(node, name, {"survivors", "hold", "drop"});
   } else if (name == "reference") {
     Real reference = 0.0;
     GetNodeAttribute(node, name, reference);

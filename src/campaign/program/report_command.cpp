@@ -25,10 +25,11 @@ struct SReportOptions {
 void RefuseFigureOptions(const SFigureRequest& figure) {
   if (!figure.X.empty() || !figure.Y.empty() || !figure.Z.empty() || !figure.Group.empty() ||
       !figure.Title.empty() || !figure.Where.empty() || figure.IsLogarithmic ||
-      figure.IsXLogarithmic || figure.Reference || figure.ShowsInterval) {
+      figure.IsXLogarithmic || figure.Reference || figure.ShowsInterval ||
+      figure.EndedRuns != EEndedRuns::Survivors) {
     THROW_ARGOSEXCEPTION(
-        "--x, --y, --z, --group, --title, --where, --band, --log, --xlog and --reference describe "
-        "one figure: give --plot KIND, too");
+        "--x, --y, --z, --group, --title, --where, --band, --ended, --log, --xlog and --reference "
+        "describe one figure: give --plot KIND, too");
   }
 }
 
@@ -44,8 +45,9 @@ int MakeReport(const SReportOptions& options) {
     if (figure.Kind != "means" && (figure.IsXLogarithmic || figure.Reference)) {
       THROW_ARGOSEXCEPTION("--xlog and --reference belong to --plot means");
     }
-    if (figure.Kind != "series" && figure.ShowsInterval) {
-      THROW_ARGOSEXCEPTION("--band belongs to --plot series");
+    if (figure.Kind != "series" &&
+        (figure.ShowsInterval || figure.EndedRuns != EEndedRuns::Survivors)) {
+      THROW_ARGOSEXCEPTION("--band and --ended belong to --plot series");
     }
     DrawFigure(CReportData(campaign, store), figure, options.Output);
     return CAMPAIGN_DONE;
@@ -100,6 +102,14 @@ void AddReportCommand(CLI::App& app, TCampaignCommand& chosen) {
           "of series: quartiles around medians (default), or interval: 95 % intervals of means")
       ->type_name("KIND")
       ->check(CLI::IsMember({"quartiles", "interval"}));
+  command
+      .add_option_function<std::string>(
+          "--ended",
+          [&figure](const std::string& rule) { figure.EndedRuns = ParseEndedRuns(rule); },
+          "of series, runs that end before others: survivors (default) do not count them any more, "
+          "hold keeps their last value, drop leaves out the times after the first end")
+      ->type_name("RULE")
+      ->check(CLI::IsMember({"survivors", "hold", "drop"}));
   command.add_flag("--xlog", figure.IsXLogarithmic, "logarithmic axis of x, of means");
   command.add_option("--reference", figure.Reference, "height of a dashed line, of means")
       ->type_name("NUMBER");

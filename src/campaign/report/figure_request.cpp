@@ -84,6 +84,8 @@ void SetAttribute(const std::string& name, const std::string& value, SFigureRequ
     request.IsXLogarithmic = ParseScale(name, value);
   } else if (name == "band") {
     request.ShowsInterval = ParseBand(value);
+  } else if (name == "ended") {
+    request.EndedRuns = ParseEndedRuns(value);
   } else if (name == "bars") {
     request.HasDeviationBars = ParseBars(value);
   } else if (name == "reference") {
@@ -92,6 +94,20 @@ void SetAttribute(const std::string& name, const std::string& value, SFigureRequ
 }
 
 }  // namespace
+
+EEndedRuns ParseEndedRuns(const std::string& text) {
+  if (text == "hold") {
+    return EEndedRuns::Hold;
+  }
+  if (text == "drop") {
+    return EEndedRuns::Drop;
+  }
+  if (text != "survivors") {
+    THROW_ARGOSEXCEPTION("attribute \"ended\": \"" << text
+                                                   << "\" is none of survivors, hold and drop");
+  }
+  return EEndedRuns::Survivors;
+}
 
 SFigureRequest MakeFigureRequest(const SCampaign& campaign, const SFigure& figure) {
   SFigureRequest request;

@@ -2,6 +2,7 @@
 #define ARGOS3_CAMPAIGN_REPORT_FIGURE_REQUEST_H
 
 #include <argos3/campaign/report/report_data.h>
+#include <argos3/campaign/statistics/series_bands.h>
 
 #include <optional>
 #include <string>
@@ -22,8 +23,12 @@ struct SFigureRequest {
   std::optional<Real> Reference; /**< of means: a horizontal line */
   std::string ReferenceLabel; /**< empty: none */
   bool ShowsInterval = false; /**< of series: means with intervals, not medians with quartiles */
+  EEndedRuns EndedRuns = EEndedRuns::Survivors; /**< of series */
   UInt32 Width = 640, Height = 400; /**< pixels of the SVG file */
 };
+
+/** "survivors", "hold" or "drop". @throws CARGoSException for another text. */
+EEndedRuns ParseEndedRuns(const std::string& text);
 
 /** @throws CARGoSException if an attribute has a wrong value; the text has file and line. */
 SFigureRequest MakeFigureRequest(const SCampaign& campaign, const SFigure& figure);

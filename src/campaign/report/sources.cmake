@@ -21,4 +21,5 @@ target_sources(argos3campaign PRIVATE
   report/report_text.cpp
   report/scaling_figure.cpp
   report/series_figure.cpp
+  report/series_lines.cpp
   report/summary_tables.cpp)

@@ -34,6 +34,23 @@ void CollectTick(std::span<const std::vector<Real>> series, size_t tick,
 
 }  // namespace
 
+void ApplyToEndedRuns(std::vector<std::vector<Real>>& series, EEndedRuns rule) {
+  if (series.empty() || rule == EEndedRuns::Survivors) {
+    return;
+  }
+  const auto isShorter = [](const std::vector<Real>& a, const std::vector<Real>& b) {
+    return a.size() < b.size();
+  };
+  const auto [shortest, longest] = std::minmax_element(series.begin(), series.end(), isShorter);
+  const size_t length = rule == EEndedRuns::Drop ? shortest->size() : longest->size();
+  for (std::vector<Real>& each : series) {
+    const auto last =
+        std::find_if(each.rbegin(), each.rend(), [](Real value) { return !std::isnan(value); });
+    const bool hasValue = last != each.rend();
+    each.resize(length, hasValue ? *last : std::numeric_limits<Real>::quiet_NaN());
+  }
+}
+
 SSeriesBands ComputeSeriesBands(std::span<const std::vector<Real>> series, Real lower, Real upper) {
   RequireProbability(lower, "lower probability of a band");
   RequireProbability(upper, "upper probability of a band");

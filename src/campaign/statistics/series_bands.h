@@ -8,6 +8,19 @@
 
 namespace argos {
 
+/** What happens to series that end before others, because their runs have ended. */
+enum class EEndedRuns {
+  Survivors, /**< they do not count after their end: later times show fewer runs */
+  Hold, /**< they keep their last value */
+  Drop /**< times that not all series have reached are left out */
+};
+
+/**
+ * Makes the lengths of series equal, unless they are survivors: cuts all after the first end, or
+ * appends to each its last value that is not NaN. Series without any value get none.
+ */
+void ApplyToEndedRuns(std::vector<std::vector<Real>>& series, EEndedRuns rule);
+
 /** Median and a band of quantiles at each tick of several time series. */
 struct SSeriesBands {
   std::vector<size_t> Counts;  // (length of the longest series): values at each tick

@@ -82,6 +82,38 @@ TEST_CASE("figures: a series has its median and quartiles at each time", "[campa
   CHECK_THAT(draft.Script, Contains("'time (s)'") && Contains("'spread (m)'"));
 }
 
+TEST_CASE("figures: a series says how many runs it shows, and what became of others",
+          "[campaign][report]") {
+  // runs of 1 to 10 samples, in which run n has the value n
+  CSyntheticCampaign campaign({{"robots", {"5", "10"}}});
+  for (UInt32 run = 1; run <= 10; ++run) {
+    SMetricSeries series{"spread", "m", {}, {}};
+    for (UInt32 sample = 1; sample <= run; ++sample) {
+      series.Ticks.push_back(10 * sample);
+      series.Values.push_back(run);
+    }
+    campaign.AddSeries(0, run, series);
+  }
+  const CReportData& data = campaign.Open();
+  SFigureRequest request = MakeRequest("series", "spread", "", "robots");
+  request.ShowsInterval = true;
+  const SFigureDraft survivors = MakeFigure(data, request);
+  // the means of 1 to 10 and of 10 alone
+  CHECK_THAT(survivors.Data, Contains(" 5.5 ") && Contains("\n10 10 10 10 1\n"));
+  CHECK_THAT(survivors.Script,
+             Contains("'robots = 5: 10 runs, 1 at the end'") && Contains("'robots = 10: 0 runs'"));
+  CHECK_THAT(survivors.Caption, Contains("Runs that ended before others do not count after"));
+  request.EndedRuns = EEndedRuns::Hold;
+  const SFigureDraft held = MakeFigure(data, request);
+  CHECK_THAT(held.Data, Contains(" 5.5 ") && Contains(" 10\n\n"));
+  CHECK_THAT(held.Script, Contains("'robots = 5: 10 runs'"));
+  CHECK_THAT(held.Caption, Contains("keep their last value"));
+  request.EndedRuns = EEndedRuns::Drop;
+  const SFigureDraft dropped = MakeFigure(data, request);
+  CHECK_THAT(dropped.Data, Contains("\n1 ") && !Contains("\n2 "));
+  CHECK_THAT(dropped.Caption, Contains("Times that not all runs have reached are left out"));
+}
+
 TEST_CASE("figures: a series may have means with their intervals", "[campaign][report]") {
   CSyntheticCampaign campaign({{"robots", {"5", "10"}}});
   campaign.AddSeries(0, 1, {"spread", "m", {10, 20}, {1, 7}});

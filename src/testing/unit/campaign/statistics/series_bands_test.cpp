@@ -52,4 +52,25 @@ TEST_CASE("bands of series: hostile input", "[campaign][statistics]") {
   CHECK_THROWS_WITH(ComputeSeriesBands(one, 0.6, 0.5), Contains("must not be greater"));
 }
 
+TEST_CASE("series bands: what counts of series that have ended", "[campaign][statistics]") {
+  const auto apply = [](EEndedRuns rule) {
+    std::vector<std::vector<Real>> series = {
+        {1.0, 2.0, 3.0, 4.0}, {5.0, 6.0}, {7.0, 8.0, kNaN}, {kNaN, kNaN}};
+    ApplyToEndedRuns(series, rule);
+    return ComputeSeriesBands(series);
+  };
+  const SSeriesBands survivors = apply(EEndedRuns::Survivors);
+  CHECK(survivors.Counts == std::vector<size_t>{3, 3, 1, 1});
+  CHECK(survivors.Median == std::vector<Real>{5.0, 6.0, 3.0, 4.0});
+  // a value that is missing within a series stays so
+  const SSeriesBands held = apply(EEndedRuns::Hold);
+  CHECK(held.Counts == std::vector<size_t>{3, 3, 2, 3});
+  CHECK(held.Median == std::vector<Real>{5.0, 6.0, 4.5, 6.0});
+  const SSeriesBands dropped = apply(EEndedRuns::Drop);
+  CHECK(dropped.Counts == std::vector<size_t>{3, 3});
+  CHECK(dropped.Median == std::vector<Real>{5.0, 6.0});
+  std::vector<std::vector<Real>> none;
+  CHECK_NOTHROW(ApplyToEndedRuns(none, EEndedRuns::Hold));
+}
+
 }  // namespace series_bands_test
