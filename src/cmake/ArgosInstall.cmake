@@ -29,7 +29,6 @@ configure_file(src/cmake/install/argos3.pc.in "${argosGenerated}/argos3_${ARGOS_
 install(FILES "${argosGenerated}/argos3_${ARGOS_BUILD_FOR}.pc" DESTINATION lib/pkgconfig COMPONENT dev)
 
 if(ARGOS_BUILD_FOR_SIMULATOR)
-  install(PROGRAMS scripts/argos3-plot DESTINATION "${CMAKE_INSTALL_BINDIR}")
   install(FILES src/cmake/install/argos.xml DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/mime/packages")
 
   # each package has its licence where Debian looks for it

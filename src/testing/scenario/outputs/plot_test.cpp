@@ -2,18 +2,26 @@
 
 #include "../command_line/program_run.h"
 
+#include <argos3/core/utility/datatypes/datatypes.h>
 #include <argos3/testing/support/paths.h>
 
 #include <catch2/catch.hpp>
 
+#include <FreeImage.h>
+
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <cstdlib>
+#include <filesystem>
+#include <memory>
+#include <vector>
 
 namespace plot_test {
 
 using namespace argos;
 using Catch::Matchers::Contains;
+using Catch::Matchers::WithinAbs;
 
 namespace {
 
@@ -33,7 +41,7 @@ std::string Metrics(int value) {
 SProgramRun Plot(const CTestFolder& folder, const std::string& arguments,
                  const std::string& environment = "") {
   const std::string command = "cd '" + folder.Path("") + "' && " + environment + " '" +
-                              InSourceTree("scripts/argos3-plot") + "' " + arguments +
+                              InBuildTree("bin/argos3-plot") + "' " + arguments +
                               " >out.txt 2>err.txt";
   const int status = std::system(command.c_str());
   SProgramRun run;
@@ -41,6 +49,90 @@ SProgramRun Plot(const CTestFolder& folder, const std::string& arguments,
   run.Err = folder.Read("err.txt");
   return run;
 }
+
+// a word of a command for a shell
+std::string Quote(const std::string& text) {
+  std::string quoted = "'";
+  for (const char c : text) {
+    quoted += c == '\'' ? "'\\''" : std::string(1, c);
+  }
+  return quoted + "'";
+}
+
+constexpr UInt32 kAxisColor = 0x555555;
+constexpr UInt32 kFirstColor = 0x332288;  // of the first course or robot
+
+/** Pixels from the left and from the top, both ends included. */
+struct SPixelBox {
+  double Left, Top, Right, Bottom;
+  double GetWidth() const { return Right - Left; }
+  double GetHeight() const { return Bottom - Top; }
+};
+
+/** A PNG file in memory. */
+class CPicture {
+ public:
+  explicit CPicture(const std::string& file)
+      : m_bitmap(FreeImage_Load(FIF_PNG, file.c_str()), &FreeImage_Unload) {
+    REQUIRE(m_bitmap != nullptr);
+  }
+  double GetWidth() const { return FreeImage_GetWidth(m_bitmap.get()); }
+  double GetHeight() const { return FreeImage_GetHeight(m_bitmap.get()); }
+  SPixelBox GetWhole() const { return {0.0, 0.0, GetWidth() - 1.0, GetHeight() - 1.0}; }
+
+  // the box around all pixels of a colour
+  SPixelBox FindBox(UInt32 color, const SPixelBox& area) const {
+    SPixelBox box{area.Right, area.Bottom, area.Left, area.Top};
+    for (double y = area.Top; y <= area.Bottom; ++y) {
+      for (double x = area.Left; x <= area.Right; ++x) {
+        if (HasColor(x, y, color)) {
+          box = {std::min(box.Left, x), std::min(box.Top, y), std::max(box.Right, x),
+                 std::max(box.Bottom, y)};
+        }
+      }
+    }
+    REQUIRE(box.Left <= box.Right);
+    return box;
+  }
+
+  // from the left axis to the end of the lower one: the first column, and the last row, of pixels
+  // with the colour of axes that are nearly as many as in any other
+  SPixelBox FindAxes() const {
+    const SPixelBox whole = GetWhole();
+    std::vector<double> columns(static_cast<size_t>(GetWidth()));
+    std::vector<double> rows(static_cast<size_t>(GetHeight()));
+    for (size_t y = 0; y < rows.size(); ++y) {
+      for (size_t x = 0; x < columns.size(); ++x) {
+        const bool isAxis = HasColor(static_cast<double>(x), static_cast<double>(y), kAxisColor);
+        columns[x] += isAxis ? 1.0 : 0.0;
+        rows[y] += isAxis ? 1.0 : 0.0;
+      }
+    }
+    const auto isLong = [](const std::vector<double>& counts) {
+      return [most = *std::max_element(counts.begin(), counts.end())](double count) {
+        return count > 0.9 * most;
+      };
+    };
+    const double left = static_cast<double>(
+        std::find_if(columns.begin(), columns.end(), isLong(columns)) - columns.begin());
+    const double bottom =
+        whole.Bottom -
+        static_cast<double>(std::find_if(rows.rbegin(), rows.rend(), isLong(rows)) - rows.rbegin());
+    return {left, FindBox(kAxisColor, {left, 0.0, left, bottom}).Top,
+            FindBox(kAxisColor, {left, bottom, whole.Right, bottom}).Right, bottom};
+  }
+
+ private:
+  bool HasColor(double x, double y, UInt32 color) const {
+    RGBQUAD pixel{};
+    // FreeImage counts rows from the bottom
+    FreeImage_GetPixelColor(m_bitmap.get(), static_cast<unsigned>(x),
+                            static_cast<unsigned>(GetHeight() - 1.0 - y), &pixel);
+    return (UInt32(pixel.rgbRed) << 16 | UInt32(pixel.rgbGreen) << 8 | pixel.rgbBlue) == color;
+  }
+
+  std::unique_ptr<FIBITMAP, decltype(&FreeImage_Unload)> m_bitmap;
+};
 
 bool HasGnuplot() {
   return std::system("command -v gnuplot >/dev/null") == 0;
@@ -96,7 +188,8 @@ TEST_CASE("plots: mistakes are errors that say what would be right", "[outputs][
        {"metrics fod 1.csv -o p.png", "columns: run, tick, time, robots, food"},
        {"metrics x robots.csv -o p.png", "a row for each robot"},
        {"metrics food 1.csv --from x -o p.png", "--from must be a number"},
-       {"metrics food 1.csv --frm 1 -o p.png", "unknown option --frm"}}));
+       {"metrics food 1.csv --frm 1 -o p.png", "unknown option --frm; did you mean \"--from\"?"},
+       {"metrics food 1.csv --ended x -o p.png", "none of survivors, hold and drop"}}));
   CAPTURE(arguments);
   const SProgramRun run = Plot(folder, arguments);
   CHECK(run.Status == 1);
@@ -106,12 +199,165 @@ TEST_CASE("plots: mistakes are errors that say what would be right", "[outputs][
 TEST_CASE("plots: a missing gnuplot is said", "[outputs][plots]") {
   const CTestFolder folder;
   folder.Write("robots.csv", kRobots);
-  // what the script needs before it looks for gnuplot
-  const SProgramRun run =
-      Plot(folder, "trajectories robots.csv -o p.png",
-           "mkdir -p bin && ln -sf /bin/bash bin && PATH=\"$PWD/bin\" /bin/bash");
+  const SProgramRun run = Plot(folder, "trajectories robots.csv -o p.png", "PATH=\"$PWD/nowhere\"");
   CHECK(run.Status == 1);
   CHECK_THAT(run.Err, Contains("gnuplot is not installed") && Contains("gnuplot-nox"));
+}
+
+TEST_CASE("plots: the axes fill the picture, and a course goes from its first to its last value",
+          "[outputs][plots]") {
+  if (!HasGnuplot()) {
+    return;
+  }
+  const CTestFolder folder;
+  // a value equal to the time, from 1 s to 10 s; none at 0 s
+  std::string table =
+      "# argos3 3.0.0-1 table\n# units: time [s], a_name_that_is_long_indeed [kg]\n"
+      "run,tick,time,robots,a_name_that_is_long_indeed\n0,0,0,2,\n";
+  for (int tick = 1; tick <= 10; ++tick) {
+    const std::string text = std::to_string(tick);
+    table += "0," + text + ',' + text + ",2," + text + '\n';
+  }
+  folder.Write("1.csv", table);
+  folder.Write("2.csv", table);
+  const std::string files = GENERATE("1.csv", "1.csv 2.csv");
+  REQUIRE(Plot(folder, "metrics a_name_that_is_long_indeed " + files + " -o p.png").Status == 0);
+  const CPicture picture(folder.Path("p.png"));
+  const SPixelBox axes = picture.FindAxes();
+  CHECK(axes.GetWidth() > 0.8 * picture.GetWidth());
+  CHECK(axes.GetHeight() > 0.6 * picture.GetHeight());
+  const SPixelBox line = picture.FindBox(kFirstColor, axes);
+  // the axis of time begins at the first value and ends at the last; 4 pixels for widths of lines
+  CHECK_THAT(line.Left, WithinAbs(axes.Left, 4.0));
+  CHECK_THAT(line.Right, WithinAbs(axes.Right, 4.0));
+  // the axis of values begins at 0, so that heights are in the proportion of values
+  const double first = axes.Bottom - line.Bottom;
+  const double last = axes.Bottom - line.Top;
+  CHECK_THAT(last / first, WithinAbs(10.0, 1.0));
+}
+
+TEST_CASE("plots: paths are where the robots were", "[outputs][plots]") {
+  if (!HasGnuplot()) {
+    return;
+  }
+  const CTestFolder folder;
+  folder.Write("robots.csv",
+               "# argos3 3.0.0-1 table\n# arena: -2,-1 2,1\nrun,tick,time,robot,x,y\n"
+               "0,0,0,a,-1,-0.5\n0,1,0.1,a,0,0\n0,2,0.2,a,1.5,0.75\n");
+  REQUIRE(Plot(folder, "trajectories robots.csv -o p.png").Status == 0);
+  const CPicture picture(folder.Path("p.png"));
+  // the frame is the arena and 2 % of its greater side
+  const SPixelBox frame = picture.FindAxes();
+  CHECK(frame.GetWidth() > 0.8 * picture.GetWidth());
+  CHECK_THAT(frame.GetWidth() / frame.GetHeight(), WithinAbs(4.16 / 2.16, 0.03));
+  const SPixelBox path = picture.FindBox(kFirstColor, frame);
+  const double scale = frame.GetWidth() / 4.16;  // pixels for a metre
+  // from the dot at the start to the circle at the end, whose radii are below 20 pixels
+  CHECK_THAT(path.Left, WithinAbs(frame.Left + scale * (-1.0 + 2.08), 20.0));
+  CHECK_THAT(path.Right, WithinAbs(frame.Left + scale * (1.5 + 2.08), 20.0));
+  CHECK_THAT(path.Bottom, WithinAbs(frame.Bottom - scale * (-0.5 + 1.08), 20.0));
+  CHECK_THAT(path.Top, WithinAbs(frame.Bottom - scale * (0.75 + 1.08), 20.0));
+}
+
+TEST_CASE("plots: the key says how many runs there are, and how many at the end",
+          "[outputs][plots]") {
+  if (!HasGnuplot()) {
+    return;
+  }
+  const CTestFolder folder;
+  folder.Write("1.csv", Metrics(3));
+  // one that ended a tick earlier
+  folder.Write("2.csv", Metrics(5).substr(0, Metrics(5).find("0,2,0.2")));
+  const auto [ended, key] =
+      GENERATE(table<std::string, std::string>({{"", "of 2 runs, 1 at the end"},
+                                                {"--ended hold", "of 2 runs<"},
+                                                {"--ended drop", "of 2 runs<"}}));
+  REQUIRE(Plot(folder, "metrics food 1.csv 2.csv -o p.svg " + ended).Status == 0);
+  CHECK_THAT(folder.Read("p.svg"), Contains("median and quartiles " + key));
+}
+
+TEST_CASE("plots: texts of a table are never commands", "[outputs][plots]") {
+  const CTestFolder folder;
+  const std::string command = GENERATE(
+      std::string("`touch EVIL`"), std::string("\"\";system('touch EVIL')#"),
+      std::string("';system(\"\"touch EVIL\"\");#"), std::string("$(touch EVIL)"),
+      std::string("@EVIL\nsystem('touch EVIL')"), std::string("' . system('touch EVIL') . '"),
+      std::string("|touch EVIL"), std::string("\\\ntouch EVIL"));
+  CAPTURE(command);
+  // where quotes are doubled it is a field, elsewhere it may break the line
+  const std::string field = '"' + command + '"';
+  const std::string start = "# argos3 3.0.0-1 table\n";
+  const std::string rows =
+      "run,tick,time,robot,x,y\n0,0,0," + field + ",0,0\n0,1,1," + field + ",1,1\n";
+  const std::string metrics = "0,0,0,2,1\n0,1,1,2,2\n";
+  const auto check = [&](const std::string& table, const std::string& arguments) {
+    folder.Write("t.csv", table);
+    for (const std::string picture : {"p.svg", "p.png"}) {
+      const SProgramRun run = Plot(folder, arguments + " -o " + picture);
+      CAPTURE(table, arguments, run.Err);
+      CHECK((run.Status == 0 || run.Status == 1));
+      CHECK_FALSE(std::filesystem::exists(folder.Path("EVIL")));
+    }
+  };
+  check(start + rows, "trajectories t.csv");
+  for (const char* header : {"# arena: ", "# polygon: ", "# circle: 0,0,1", "# circle: 0,0,"}) {
+    check(start + header + command + '\n' + rows, "trajectories t.csv");
+  }
+  check(start + "# units: time [s], food [" + command + "]\nrun,tick,time,robots,food\n" + metrics,
+        "metrics food t.csv");
+  check(start + "run,tick,time,robots," + field + '\n' + metrics,
+        "metrics " + Quote(command) + " t.csv");
+  check(start + "run,tick,time,robots,food\n0,0," + field + ",2," + field + '\n' + metrics,
+        "metrics food t.csv");
+}
+
+TEST_CASE("plots: a text with signs of gnuplot and a shell is drawn as it is", "[outputs][plots]") {
+  if (!HasGnuplot()) {
+    return;
+  }
+  const CTestFolder folder;
+  folder.Write("t.csv",
+               "# argos3 3.0.0-1 table\n# units: time [s], food [`id` {/=40 x}]\n"
+               "run,tick,time,robots,food\n0,0,0,2,1\n0,1,1,2,2\n");
+  REQUIRE(Plot(folder, "metrics food t.csv -o p.svg").Status == 0);
+  CHECK_THAT(folder.Read("p.svg"), Contains("food, `id` {/=40 x}"));
+  folder.Write("r.csv",
+               "# argos3 3.0.0-1 table\nrun,tick,time,robot,x,y\n"
+               "0,0,0,a_{b}^`id`'s,0,0\n0,1,1,a_{b}^`id`'s,1,1\n");
+  REQUIRE(Plot(folder, "trajectories r.csv -o p.svg").Status == 0);
+  CHECK_THAT(folder.Read("p.svg"), Contains("a_{b}^`id`'s"));
+}
+
+TEST_CASE("plots: header lines that are no numbers are errors with their line",
+          "[outputs][plots]") {
+  const auto [header, message] = GENERATE(table<std::string, std::string>(
+      {{"# arena: -1,-1 1", "t.csv:2: expected 2 numbers, found \"1\""},
+       {"# arena: 1,1 -1,-1", "an arena is two corners"},
+       {"# polygon: 0,0 1,1", "three corners or more"},
+       {"# polygon: 0,0 1,x 2,2", "\"x\" is no number"},
+       {"# circle: 0,0,0", "a radius above 0"},
+       {"# circle: 0,0,0.5;system(\"x\")#", "is no number"},
+       {"# circle: 0,0,1e999", "is no number"}}));
+  const CTestFolder folder;
+  folder.Write("t.csv",
+               "# argos3 3.0.0-1 table\n" + header + "\nrun,tick,time,robot,x,y\n0,0,0,a,0,0\n");
+  const SProgramRun run = Plot(folder, "trajectories t.csv -o p.svg");
+  CHECK(run.Status == 1);
+  CHECK_THAT(run.Err, Contains(message));
+}
+
+TEST_CASE("plots: compressed tables, and one that is being written", "[outputs][plots]") {
+  if (!HasGnuplot()) {
+    return;
+  }
+  const CTestFolder folder;
+  folder.Write("1.csv", Metrics(3));
+  REQUIRE(std::system(("gzip '" + folder.Path("1.csv") + "'").c_str()) == 0);
+  CHECK(Plot(folder, "metrics food 1.csv.gz -o p.svg").Status == 0);
+  // the last line has no end yet
+  folder.Write("2.csv", Metrics(3) + "0,3,0.3,2,9999");
+  CHECK(Plot(folder, "metrics food 2.csv -o p.svg").Status == 0);
+  CHECK_THAT(folder.Read("p.svg"), !Contains("10000"));
 }
 
 }  // namespace plot_test
