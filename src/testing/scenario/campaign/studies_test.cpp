@@ -18,6 +18,12 @@ using Catch::Contains;
 
 namespace {
 
+// experiments/ has the library of the controller
+void SetPluginPath() {
+  setenv("ARGOS_PLUGIN_PATH",
+         (InBuildTree("lib/argos3") + ":" + InBuildTree("experiments")).c_str(), 1);
+}
+
 void ReplaceOnce(std::string& text, const std::string& old, const std::string& by) {
   CAPTURE(old);
   const size_t place = text.find(old);
@@ -48,6 +54,7 @@ std::string MakeRow(const std::string& setting, const std::string& w, const std:
 
 TEST_CASE("studies: the forms of the study of efficiency have the runs that its page names",
           "[campaign][studies]") {
+  SetPluginPath();
   const CTestFolder folder;
   const auto [form, runs] = GENERATE(table<std::string, std::string>(
       {{"short", "96 runs"}, {"reduced", "500 runs"}, {"large", "4 runs"}, {"full", "8400 runs"}}));
@@ -60,9 +67,7 @@ TEST_CASE("studies: the forms of the study of efficiency have the runs that its 
 }
 
 TEST_CASE("studies: the short form of the study of efficiency runs", "[campaign][studies]") {
-  // experiments/ has the library of the controller
-  setenv("ARGOS_PLUGIN_PATH",
-         (InBuildTree("lib/argos3") + ":" + InBuildTree("experiments")).c_str(), 1);
+  SetPluginPath();
   const CTestFolder folder;
   std::string campaign = ReadSource(folder, "studies/efficiency/short.xml");
   ReplaceOnce(campaign, "experiment=\"", "experiment=\"" + InSourceTree("studies/efficiency/"));
@@ -115,6 +120,42 @@ TEST_CASE("studies: verdicts compare with the printed values", "[campaign][studi
                      folder.Path("other.csv") + " 2> " + folder.Path("error"))
                         .c_str()) != 0);
   CHECK_THAT(folder.Read("error"), Contains("these are no results of this study"));
+}
+
+TEST_CASE("studies: the processors that one robot keeps busy are compared on both sides",
+          "[campaign][studies]") {
+  const auto [threads, u, verdict] = GENERATE(table<std::string, std::string, std::string>(
+      {{"2", "1.05", "u = 1.05 | **reproduced**"},
+       {"2", "0.07", "u = 0.0700 | **differs**"},
+       {"2", "1.2", "u = 1.20 | **differs**"},
+       {"16", "1.35", "u = 1.35 | **reproduced**"},
+       {"16", "1", "u = 1.00 | **better** | threads that wait use no processor"},
+       {"16", "0.07", "u = 0.0700 | **differs**"}}));
+  const CTestFolder folder;
+  folder.Write("runs.csv",
+               "engine,engines,threads,robots,seed,status,ticks,loop_wall_time,speedup,"
+               "resident_memory,version\n" +
+                   MakeRow("dynamics2d,1," + threads + ",1", "1", u));
+  CHECK_THAT(Judge(folder, "runs.csv"), Contains("| P = " + threads + ": " + verdict));
+}
+
+TEST_CASE("studies: what is beyond a printed value is not taken for it", "[campaign][studies]") {
+  const CTestFolder folder;
+  folder.Write("runs.csv",
+               "engine,engines,threads,robots,seed,status,ticks,loop_wall_time,speedup,"
+               "resident_memory,version\n" +
+                   MakeRow("dynamics2d,1,0,100000", "100", "1") +
+                   MakeRow("dynamics2d,1,16,100000", "10", "9") +
+                   MakeRow("dynamics2d,1,16,1000", "1", "14") +
+                   MakeRow("kinematics2d,1,16,10000", "900", "1") +
+                   MakeRow("kinematics2d,16,16,10000", "300", "1"));
+  const std::string verdicts = Judge(folder, "runs.csv");
+  INFO(verdicts);
+  CHECK_THAT(verdicts, Contains("w(P = 0) / w(P = 16) = 10.0 | **better**"));
+  CHECK_THAT(verdicts, Contains("u from 9.00 to 14.0, at N = 1000 | **better** | another maximum"));
+  // the order of the thesis, five times as slow
+  CHECK_THAT(verdicts,
+             Contains("900 s (A1), 300 s (A16) | **differs; reproduced** | 5.00 times as"));
 }
 
 }  // namespace studies_test
