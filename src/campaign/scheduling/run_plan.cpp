@@ -110,12 +110,6 @@ void CSequentialRunPlan::SkipKnown(SState& state) const {
   }
 }
 
-// positions that the rule will take, as far as can be told now; at least one more than taken
-size_t CSequentialRunPlan::CountWanted(const SState& state) const {
-  return std::min<size_t>(m_stopping.MaxRuns,
-                          std::max<size_t>(m_stopping.MinRuns, state.Mean.EstimateNumPositions()));
-}
-
 std::optional<SPlannedRun> CSequentialRunPlan::Next() {
   while (!m_returned.empty()) {
     const SPlannedRun run = m_returned.back();
@@ -126,7 +120,7 @@ std::optional<SPlannedRun> CSequentialRunPlan::Next() {
   }
   SState* best = nullptr;
   for (SState& state : m_states) {
-    const bool isWanted = state.IsOpen() && state.Next < CountWanted(state);
+    const bool isWanted = state.IsOpen() && state.Next < state.Mean.EstimateNumPositions();
     if (isWanted && (best == nullptr || state.Next < best->Next)) {
       best = &state;
     }
@@ -174,7 +168,7 @@ std::vector<TFinishedRun> CSequentialRunPlan::Finish(const SPlannedRun& run, SRu
 UInt64 CSequentialRunPlan::CountOpen() const {
   UInt64 open = 0;
   for (const SState& state : m_states) {
-    open += state.IsOpen() ? CountWanted(state) - state.Mean.GetNumPositions() : 0;
+    open += state.Mean.EstimateNumPositions() - state.Mean.GetNumPositions();
   }
   return open;
 }

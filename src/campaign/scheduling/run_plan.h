@@ -103,7 +103,6 @@ class CSequentialRunPlan : public CRunPlan {
   };
 
   static SStoppingRule MakeRule(const SStopping& stopping);
-  size_t CountWanted(const SState& state) const;
   void SkipKnown(SState& state) const;
   Real FindValue(const SRunResult& result) const;
 

@@ -145,6 +145,77 @@ TEST_CASE("plan: a stopping rule goes on where it was stopped", "[campaign][plan
   }
 }
 
+TEST_CASE("plan: a stopping rule plans no more runs than it will take", "[campaign][plan]") {
+  SCampaign campaign = MakeSequential(1);
+  campaign.Stopping.MinRuns = 2;
+  campaign.Stopping.MaxRuns = GENERATE(400U, 100U);
+  const auto plan = CRunPlan::Create(campaign, {});
+  // without a deviation: the least number
+  const auto first = plan->Next();
+  const auto second = plan->Next();
+  REQUIRE(first);
+  REQUIRE(second);
+  CHECK_FALSE(plan->Next());
+  CHECK(plan->CountOpen() == 2);
+  const auto finish = [&plan](const SPlannedRun& run, Real value) {
+    SRunResult result;
+    result.Status = ERunStatus::Done;
+    result.Metrics = {{"m", "", value}};
+    return plan->Finish(run, result).size();
+  };
+  CHECK(finish(*first, 0.0) == 1);
+  CHECK(finish(*second, 2.0) == 1);
+  // half the width is 1, that of these values t(1) = 12.7: 2 12.7^2 = 322.9 runs
+  const UInt32 planned = std::min(323U, campaign.Stopping.MaxRuns);
+  CHECK(plan->CountOpen() == planned - 2);
+  for (UInt32 run = 2; run < planned; ++run) {
+    CHECK(plan->Next()->Seed == campaign.Stopping.FirstSeed + run);
+  }
+  CHECK_FALSE(plan->Next());
+}
+
+TEST_CASE("plan: values that measure nothing are missing", "[campaign][plan]") {
+  SCampaign campaign = MakeSequential(1);
+  campaign.Stopping.MinRuns = 2;
+  campaign.Stopping.MaxRuns = 3;
+  const Real huge = GENERATE(1.1e100, -1e300, std::numeric_limits<Real>::infinity());
+  // known, or executed now
+  const auto plan = CRunPlan::Create(campaign, {{0, 100, huge}, {0, 99, 1.0}, {0, 103, 1.0}});
+  // seeds outside of the rule do not count, the missing value takes a place
+  CHECK(plan->CountOpen() == 2);
+  SRunResult result;
+  result.Status = ERunStatus::Done;
+  result.Metrics = {{"m", "", huge}};
+  CHECK(plan->Finish(*plan->Next(), result).size() == 1);
+  result.Metrics[0].Value = 1e100;
+  const auto last = plan->Next();
+  REQUIRE(last);
+  CHECK(last->Seed == 102);
+  CHECK(plan->Finish(*last, result).size() == 1);
+  CHECK(plan->CountOpen() == 0);
+}
+
+TEST_CASE("plan: a run that comes back is not repeated when its combination has enough",
+          "[campaign][plan]") {
+  SCampaign campaign = MakeSequential(1);
+  campaign.Stopping.MinRuns = 2;
+  campaign.Stopping.Width = 100.0;
+  const auto plan = CRunPlan::Create(campaign, {});
+  const auto first = plan->Next();
+  const auto second = plan->Next();
+  plan->Return(*second);
+  const auto again = plan->Next();
+  REQUIRE(again);
+  CHECK(again->Seed == second->Seed);
+  SRunResult result;
+  result.Status = ERunStatus::Done;
+  result.Metrics = {{"m", "", 1.0}};
+  plan->Finish(*first, result);
+  plan->Finish(*again, result);
+  plan->Return({0, 102});
+  CHECK_FALSE(plan->Next());
+}
+
 TEST_CASE("plan: a metric that is missing ends at the cap", "[campaign][plan]") {
   SCampaign campaign = MakeSequential(1);
   campaign.Stopping.Metric = "absent";

@@ -168,6 +168,85 @@ TEST_CASE("bootstrap: intervals cover the mean of skewed values as R's boot does
   CHECK(byBca > byPercentile);
 }
 
+TEST_CASE("bootstrap: half of the replicates that equal the estimate count as below it",
+          "[campaign][statistics]") {
+  // an acceleration of 0
+  const std::vector<Real> symmetric = {-1.0, 0.0, 1.0};
+  // 40 replicates, ten of which are the estimate
+  const auto makeReplicates = [](int below) {
+    std::vector<Real> replicates;
+    for (int i = 1; i <= 31; ++i) {
+      const size_t count = i == below + 1 ? 10 : 1;
+      replicates.insert(replicates.end(), count, static_cast<Real>(i));
+    }
+    return replicates;
+  };
+  // 15 below, 15 above: no bias, so that the interval is that of the percentiles
+  const std::vector<Real> middle = makeReplicates(15);
+  const SConfidenceInterval unbiased = ComputeBcaReplicatesInterval(16.0, middle, symmetric, 0.8);
+  const SConfidenceInterval percentile = ComputeReplicatesInterval(middle, 0.8);
+  CHECK_THAT(unbiased.Lower, WithinRel(percentile.Lower, 1e-12));
+  CHECK_THAT(unbiased.Upper, WithinRel(percentile.Upper, 1e-12));
+  CHECK_THAT(percentile.Lower, WithinRel(4.107634851004542, 1e-12));
+  // 10 below, 20 above: a share of (10 + 10/2) / 40. By Python's NormalDist: the probabilities are
+  // cdf(2 inv_cdf(0.375) -+ inv_cdf(0.9)), interpolated on the normal scale
+  const SConfidenceInterval biased =
+      ComputeBcaReplicatesInterval(11.0, makeReplicates(10), symmetric, 0.8);
+  CHECK_THAT(biased.Lower, WithinRel(1.164721944416579, 1e-12));
+  CHECK_THAT(biased.Upper, WithinRel(21.346718295359324, 1e-12));
+}
+
+TEST_CASE("bootstrap: an estimate beyond all replicates has a finite bias",
+          "[campaign][statistics]") {
+  // as if half a replicate were beyond it: a share of 1 - 0.5/40. By Python's NormalDist:
+  // cdf(2 inv_cdf(0.9875) - inv_cdf(0.995)), interpolated on the normal scale
+  const std::vector<Real> symmetric = {-1.0, 0.0, 1.0};
+  const SConfidenceInterval above =
+      ComputeBcaReplicatesInterval(1e6, FortyReplicates(), symmetric, 0.99);
+  CHECK_THAT(above.Lower, WithinRel(254.17473532654307, 1e-12));
+  CHECK(above.Upper == 260.25);
+  const SConfidenceInterval below =
+      ComputeBcaReplicatesInterval(-1e6, FortyReplicates(), symmetric, 0.99);
+  CHECK(below.Lower == 30.25);
+  CHECK_THAT(below.Upper, WithinRel(31.26254411224289, 1e-12));
+}
+
+TEST_CASE("bootstrap: beyond the pole of the acceleration lies the last replicate",
+          "[campaign][statistics]") {
+  // one of m values differs: the acceleration is +-(m - 2) / (6 sqrt(m (m - 1))), 0.1664 for 1000
+  std::vector<Real> replicates;
+  for (int i = 1; i <= 1000; ++i) {
+    replicates.push_back(i);
+  }
+  std::vector<Real> jackknife(1000, 1.0);
+  jackknife.front() = 0.0;
+  // bias and quantile are inv_cdf(1 - 0.0005) each, 3.29: 1 - 0.1664 6.58 < 0
+  CHECK(ComputeBcaReplicatesInterval(2000.0, replicates, jackknife, 0.999).Upper == 1000.0);
+  std::vector<Real> mirrored(1000, 0.0);
+  mirrored.back() = 1.0;
+  CHECK(ComputeBcaReplicatesInterval(-2000.0, replicates, mirrored, 0.999).Lower == 1.0);
+}
+
+TEST_CASE("bootstrap: an influence of no value accelerates nothing", "[campaign][statistics]") {
+  const std::vector<Real> equal = {3.0, 3.0, 3.0};
+  const std::vector<Real> replicates = {1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0};
+  // the estimate is in the middle; quarters of 8 intervals
+  const SConfidenceInterval interval = ComputeBcaReplicatesInterval(4.0, replicates, equal, 0.5);
+  CHECK_THAT(interval.Lower, WithinRel(2.0, 1e-12));
+  CHECK_THAT(interval.Upper, WithinRel(6.0, 1e-12));
+}
+
+TEST_CASE("bootstrap: probabilities beyond the replicates give the extremes",
+          "[campaign][statistics]") {
+  const std::vector<Real> replicates = {1.0, 2.0, 3.0};
+  // positions 4 p: exactly those of the extremes, a little beyond them, and far
+  for (const Real level : {0.5, 0.525, 0.9}) {
+    const SConfidenceInterval interval = ComputeReplicatesInterval(replicates, level);
+    CHECK(interval.Lower == 1.0);
+    CHECK(interval.Upper == 3.0);
+  }
+}
+
 TEST_CASE("bootstrap: hostile input", "[campaign][statistics]") {
   const auto statistic = GENERATE(EBootstrapStatistic::Mean, EBootstrapStatistic::Median);
   const SBootstrapOptions options = With(statistic, 99);

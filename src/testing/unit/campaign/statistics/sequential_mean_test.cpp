@@ -215,6 +215,34 @@ TEST_CASE("sequential mean: the planned number approaches the final one",
   CHECK_THAT(static_cast<Real>(planned), WithinRel(static_cast<Real>(mean.GetCount()), 0.3));
 }
 
+TEST_CASE("sequential mean: the planned number is that of the present deviation",
+          "[campaign][statistics]") {
+  // 0 and 2: the half width is t(1) sqrt(2) / sqrt(2) = tan(0.95 pi / 2) = 12.7062, and halves with
+  // four times the values
+  const Real halfWidth = std::tan(0.95 * std::acos(-1.0) / 2.0);
+  const auto plan = [](const SStoppingRule& rule, const std::vector<Real>& values) {
+    CSequentialMean mean(rule);
+    for (size_t i = 0; i < values.size(); ++i) {
+      mean.Insert(i, values[i]);
+    }
+    REQUIRE(mean.GetDecision() == EStopDecision::Continue);
+    return mean.EstimateNumPositions();
+  };
+  const SStoppingRule rule = MakeRule(EMeanPrecision::Absolute, 1.0, 2, 1000);
+  CHECK(plan(rule, {0.0, 2.0}) ==
+        static_cast<size_t>(std::ceil(2.0 * halfWidth * halfWidth)));  // 323
+  // runs go on failing at the same rate
+  CHECK(plan(rule, {0.0, kNaN, 2.0}) ==
+        static_cast<size_t>(std::ceil(3.0 * halfWidth * halfWidth)));  // 485
+  // never beyond the cap; without a deviation, the least number, and as many as are missing
+  CHECK(plan(MakeRule(EMeanPrecision::Absolute, 1.0, 2, 100), {0.0, 2.0}) == 100);
+  CHECK(plan(MakeRule(EMeanPrecision::Absolute, 1.0, 5, 100), {0.0, 2.0}) == 5);
+  CHECK(plan(MakeRule(EMeanPrecision::Absolute, 1.0, 5, 100), {0.0, kNaN, kNaN, 2.0}) == 7);
+  CHECK(plan(MakeRule(EMeanPrecision::Absolute, 1.0, 5, 6), {0.0, kNaN, kNaN, 2.0}) == 6);
+  // a mean of 0 never reaches a relative precision
+  CHECK(plan(MakeRule(EMeanPrecision::Relative, 0.1, 2, 100), {-1.0, 1.0}) == 100);
+}
+
 TEST_CASE("sequential mean: wrong rules", "[campaign][statistics]") {
   const Real wrong = GENERATE(0.0, -1.0, kNaN, kInfinity);
   CHECK_THROWS_WITH(CSequentialMean(MakeRule(EMeanPrecision::Absolute, wrong)),
