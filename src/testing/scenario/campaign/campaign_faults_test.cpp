@@ -72,21 +72,6 @@ TEST_CASE("campaign: crashes in 3 % of runs, a hang and a lack of memory leave a
   }
 }
 
-TEST_CASE("campaign: a run whose code calls fork() has one result, and the others go on",
-          "[campaign][program]") {
-  const std::string isolation = GENERATE("process", "thread");
-  CAPTURE(isolation);
-  const CTestFolder folder;
-  folder.Write("experiment.argos", MakeCampaignExperiment("fork", 2));
-  folder.Write("c.xml",
-               "<argos-campaign experiment='experiment.argos' results='results.sqlite'>\n"
-               "  <runs seeds='6' />\n<execution isolation='" +
-                   isolation + "' />\n</argos-campaign>\n");
-  const SProgramRun run = folder.RunProgram("argos3-campaign", {"run", "c.xml", "-j", "1"});
-  INFO(run.Out << run.Err);
-  CHECK(run.Status == 0);
-  CHECK(ReadTable(folder.Path("results.sqlite")).size() == 6);
-}
 
 TEST_CASE("campaign: two managers at once, and no run twice", "[campaign][program]") {
   const CTestFolder folder;
