@@ -97,8 +97,9 @@ void CBatteryEquippedEntity::Update() {
 
 void CBatteryEquippedEntity::SetFullCharge(Real charge) {
   CRobotsCode::CheckOwn(*this, "SetFullCharge()");
-  m_fullCharge =
-      RequirePositive(charge, "battery \"" + GetContext() + GetId() + "\"", "full charge");
+  RequirePositive(charge, "battery \"" + GetContext() + GetId() + "\"", "full charge");
+  KeepForReset(m_fullCharge);
+  m_fullCharge = charge;
 }
 
 void CBatteryEquippedEntity::SetAvailableCharge(Real charge) {
@@ -116,16 +117,27 @@ void CBatteryEquippedEntity::Discharge(Real amount) {
 
 void CBatteryEquippedEntity::SetDischargeModel(CBatteryDischargeModel* model) {
   CRobotsCode::CheckOwn(*this, "SetDischargeModel()");
-  m_model.reset(model);
+  ReplaceModel(std::unique_ptr<CBatteryDischargeModel>(model));
   if (m_model != nullptr) {
     m_model->SetBattery(this);
   }
 }
 
+// the model of the start is kept for a reset
+void CBatteryEquippedEntity::ReplaceModel(std::unique_ptr<CBatteryDischargeModel> model) {
+  if (MustKeep(&m_model)) {
+    // shared, because a std::function can be copied
+    const auto start = std::make_shared<std::unique_ptr<CBatteryDischargeModel>>();
+    KeepForReset(&m_model, [this, start] { m_model = std::move(*start); });
+    *start = std::move(m_model);
+  }
+  m_model = std::move(model);
+}
+
 void CBatteryEquippedEntity::SetDischargeModel(const std::string& label) {
   CRobotsCode::CheckOwn(*this, "SetDischargeModel()");
   if (label.empty()) {
-    m_model.reset();
+    ReplaceModel(nullptr);
     return;
   }
   if (!CFactory<CBatteryDischargeModel>::Exists(label)) {

@@ -103,6 +103,7 @@ class CBatteryEquippedEntity : public CEntity {
   void UpdateDigest(CDigest& digest) const override;
 
  private:
+  void ReplaceModel(std::unique_ptr<CBatteryDischargeModel> model);
   void RequireBody() const;
 
   std::unique_ptr<CBatteryDischargeModel> m_model;

@@ -31,6 +31,10 @@ void CBoxEntity::Init(TConfigurationNode& tree) {
 void CBoxEntity::Resize(const CVector3& size) {
   CRobotsCode::CheckShared(*this, "Resize()");
   RequireEachIn(kSolidLength, size, "box \"" + GetId() + "\"", "size");
+  KeepForReset(&m_size, [this, start = m_size] {
+    ReturnBodyToStart();
+    Resize(start);
+  });
   m_size = size;
   Describe();
 }

@@ -34,6 +34,10 @@ void CCylinderEntity::Resize(Real radius, Real height) {
   const std::string owner = "cylinder \"" + GetId() + "\"";
   RequireIn(kSolidLength, radius, owner, "radius");
   RequireIn(kSolidLength, height, owner, "height");
+  KeepForReset(&m_radius, [this, startRadius = m_radius, startHeight = m_height] {
+    ReturnBodyToStart();
+    Resize(startRadius, startHeight);
+  });
   m_radius = radius;
   m_height = height;
   Describe();

@@ -35,8 +35,9 @@ void CDirectionalLEDEntity::Reset() {
 
 void CDirectionalLEDEntity::SetObservableAngle(const CRadians& angle) {
   CRobotsCode::CheckShared(*this, "SetObservableAngle()");
-  m_observableAngle =
-      RequireObservableAngle(angle, "directional LED \"" + GetContext() + GetId() + "\"");
+  RequireObservableAngle(angle, "directional LED \"" + GetContext() + GetId() + "\"");
+  KeepForReset(m_observableAngle);
+  m_observableAngle = angle;
 }
 
 bool CDirectionalLEDEntity::ShinesOn(const CVector3& point) const {

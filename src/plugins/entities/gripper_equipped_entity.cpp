@@ -47,7 +47,9 @@ void CGripperEquippedEntity::SetLockState(Real state) {
 
 void CGripperEquippedEntity::SetLockThreshold(Real threshold) {
   CRobotsCode::CheckOwn(*this, "SetLockThreshold()");
-  m_lockThreshold = RequireFinite("lock threshold", threshold);
+  RequireFinite("lock threshold", threshold);
+  KeepForReset(m_lockThreshold);
+  m_lockThreshold = threshold;
 }
 
 CEmbodiedEntity& CGripperEquippedEntity::GetGrippedEntity() {

@@ -58,7 +58,10 @@ class CLEDEntity : public CMediumMember<CLEDEntity, CLEDMedium> {
    * such as the arms of a flying robot; null if there is none.
    */
   const CEmbodiedEntity* GetBodyOpenBeneath() const { return m_bodyOpenBeneath; }
-  void SetBodyOpenBeneath(const CEmbodiedEntity* body) { m_bodyOpenBeneath = body; }
+  void SetBodyOpenBeneath(const CEmbodiedEntity* body) {
+    KeepForReset(m_bodyOpenBeneath);
+    m_bodyOpenBeneath = body;
+  }
 
   void UpdateDigest(CDigest& digest) const override;
 

@@ -209,6 +209,11 @@ const SAnchor& CLEDEquippedEntity::GetLEDAnchor(size_t index) const {
 void CLEDEquippedEntity::SetLEDOffset(UInt32 index, const CVector3& offset) {
   CRobotsCode::CheckShared(*this, "SetLEDOffset()");
   CheckIndex(index);
+  KeepForReset(&m_layout, [this, start = m_layout] {
+    for (size_t i = 0; i < start->Places.size(); ++i) {
+      SetLEDOffset(static_cast<UInt32>(i), start->Places[i].Offset);
+    }
+  });
   auto layout = std::make_shared<SLayout>(*m_layout);
   layout->Places[index].Offset = offset;
   m_layout = std::move(layout);
@@ -249,6 +254,7 @@ void CLEDEquippedEntity::SetAllLEDsColors(const std::vector<CColor>& colors) {
 
 void CLEDEquippedEntity::SetMedium(CLEDEntity::CRegistry& medium) {
   CRobotsCode::CheckShared(*this, "SetMedium()");
+  KeepForReset(m_medium);
   m_medium = &medium;
   Materialize();
   for (SActuator* actuator : m_entities->List) {

@@ -42,6 +42,7 @@ void CLightEntity::SetIntensity(Real intensity) {
     THROW_ARGOSEXCEPTION("light \"" << GetId() << "\": the intensity must be finite, got "
                                     << intensity);
   }
+  KeepForReset(m_intensity);
   m_intensity = intensity;
 }
 

@@ -33,11 +33,13 @@ class CMagnetEntity : public CEntity {
   const CVector3& GetPassiveField() const { return m_passiveField; }
   void SetPassiveField(const CVector3& field) {
     CRobotsCode::CheckOwn(*this, "SetPassiveField()");
+    KeepForReset(m_passiveField);
     m_passiveField = field;
   }
   const CVector3& GetActiveField() const { return m_activeField; }
   void SetActiveField(const CVector3& field) {
     CRobotsCode::CheckOwn(*this, "SetActiveField()");
+    KeepForReset(m_activeField);
     m_activeField = field;
   }
   Real GetCurrent() const { return m_current; }

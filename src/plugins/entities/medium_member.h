@@ -92,6 +92,9 @@ class CMediumMember : public CPositionalEntity {
     if (m_medium == &medium) {
       return;
     }
+    KeepForReset(&m_medium, [this, start = m_medium] {
+      start != nullptr ? SetMedium(*start) : ClearMedium();
+    });
     ClearMedium();
     m_medium = &medium;
     if (IsEnabled()) {

@@ -78,6 +78,7 @@ class CMountedEntities : public CComposableEntity {
 
   /** Adds all entities, including later ones, to a medium. */
   void SetMedium(typename ENTITY::CRegistry& medium) {
+    KeepForReset(m_medium);
     m_medium = &medium;
     for (const SInstance& instance : m_instances) {
       instance.Entity.SetMedium(medium);

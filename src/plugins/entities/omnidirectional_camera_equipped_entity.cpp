@@ -28,7 +28,9 @@ COmnidirectionalCameraEquippedEntity::COmnidirectionalCameraEquippedEntity(
 
 void COmnidirectionalCameraEquippedEntity::SetAperture(const CRadians& aperture) {
   CRobotsCode::CheckOwn(*this, "SetAperture()");
-  m_aperture = RequireAperture(aperture, "camera \"" + GetContext() + GetId() + "\"", "aperture");
+  RequireAperture(aperture, "camera \"" + GetContext() + GetId() + "\"", "aperture");
+  KeepForReset(m_aperture);
+  m_aperture = aperture;
 }
 
 REGISTER_STANDARD_SPACE_OPERATIONS_ON_ENTITY(COmnidirectionalCameraEquippedEntity)

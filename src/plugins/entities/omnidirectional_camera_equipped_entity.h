@@ -29,7 +29,10 @@ class COmnidirectionalCameraEquippedEntity : public CEntity {
 
   const CVector3& GetOffset() const { return m_offset; }
   /** @param offset  of the camera from the origin of the body, m; turns with the body's yaw. */
-  void SetOffset(const CVector3& offset) { m_offset = offset; }
+  void SetOffset(const CVector3& offset) {
+    KeepForReset(m_offset);
+    m_offset = offset;
+  }
   const CRadians& GetAperture() const { return m_aperture; }
   /**
    * @param aperture  half angle of the view from the downward vertical, in (0, PI/2).

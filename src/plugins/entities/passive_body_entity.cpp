@@ -90,8 +90,18 @@ void CPassiveBodyEntity::AddLED(const CVector3& offset, const CColor& color) {
 
 void CPassiveBodyEntity::SetMass(Real mass) {
   CRobotsCode::CheckShared(*this, "SetMass()");
-  m_mass = RequireIn(kMass, mass, GetTypeDescription() + " \"" + GetId() + "\"", "mass");
+  RequireIn(kMass, mass, GetTypeDescription() + " \"" + GetId() + "\"", "mass");
+  KeepForReset(&m_mass, [this, start = m_mass] {
+    ReturnBodyToStart();
+    SetMass(start);
+  });
+  m_mass = mass;
   Describe();
+}
+
+void CPassiveBodyEntity::ReturnBodyToStart() {
+  m_body->ReturnToStart();
+  m_body->Reset();
 }
 
 void CPassiveBodyEntity::Describe() {

@@ -55,6 +55,8 @@ class CPassiveBodyEntity : public CComposableEntity {
    * removed and added again.
    */
   void Describe();
+  /** For a reset, before the description of the start is made: the pose and whether it moves. */
+  void ReturnBodyToStart();
   virtual SShapeDescription MakeShape() const = 0;
   virtual SVisualPart MakeSolidPart() const = 0;
   virtual SGroundFrictionDescription::EClass GetFrictionClass() const = 0;

@@ -64,17 +64,21 @@ void CPerspectiveCameraEquippedEntity::SetEnabled(bool enabled) {
 
 void CPerspectiveCameraEquippedEntity::SetAperture(const CRadians& aperture) {
   CRobotsCode::CheckOwn(*this, "SetAperture()");
-  m_aperture = RequireAperture(aperture, Describe(), "aperture");
+  RequireAperture(aperture, Describe(), "aperture");
+  KeepForReset(m_aperture);
+  m_aperture = aperture;
 }
 
 void CPerspectiveCameraEquippedEntity::SetFocalLength(Real focalLength) {
-  CRobotsCode::CheckOwn(*this, "SetFocalLength()");
-  m_focalLength = RequirePositive(focalLength, Describe(), "focal length (m)");
+  RequirePositive(focalLength, Describe(), "focal length (m)");
+  KeepForReset(m_focalLength);
+  m_focalLength = focalLength;
 }
 
 void CPerspectiveCameraEquippedEntity::SetRange(Real range) {
-  CRobotsCode::CheckOwn(*this, "SetRange()");
-  m_range = RequirePositive(range, Describe(), "range (m)");
+  RequirePositive(range, Describe(), "range (m)");
+  KeepForReset(m_range);
+  m_range = range;
 }
 
 void CPerspectiveCameraEquippedEntity::SetImagePxSize(SInt32 width, SInt32 height) {
@@ -83,6 +87,8 @@ void CPerspectiveCameraEquippedEntity::SetImagePxSize(SInt32 width, SInt32 heigh
     THROW_ARGOSEXCEPTION(Describe() << ": width and height of the image must be at least 1 pixel, "
                                     << "got " << width << " and " << height);
   }
+  KeepForReset(m_width);
+  KeepForReset(m_height);
   m_width = width;
   m_height = height;
 }
@@ -106,15 +112,23 @@ const SAnchor& CPerspectiveCameraEquippedEntity::GetAnchor() const {
 
 void CPerspectiveCameraEquippedEntity::SetAnchor(SAnchor& anchor) {
   CRobotsCode::CheckOwn(*this, "SetAnchor()");
+  KeepForReset(&m_anchor, [this, start = m_anchor] { FixTo(start); });
+  FixTo(&anchor);
+}
+
+// the anchor is in use while the camera is enabled
+void CPerspectiveCameraEquippedEntity::FixTo(SAnchor* anchor) {
   const bool enabled = IsEnabled();
   SetEnabled(false);
-  m_anchor = &anchor;
+  m_anchor = anchor;
   SetEnabled(enabled);
 }
 
 void CPerspectiveCameraEquippedEntity::SetMount(const CVector3& offset,
                                                 const CQuaternion& orientation) {
   CRobotsCode::CheckOwn(*this, "SetMount()");
+  KeepForReset(m_offset);
+  KeepForReset(m_orientation);
   m_offset = offset;
   m_orientation = orientation;
   SetPanTilt(m_pan, m_tilt);

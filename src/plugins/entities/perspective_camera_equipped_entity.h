@@ -86,6 +86,7 @@ class CPerspectiveCameraEquippedEntity : public CEntity {
 
  private:
   std::string Describe() const;
+  void FixTo(SAnchor* anchor);
 
   CRadians m_aperture;
   Real m_focalLength = 0.0;  // m

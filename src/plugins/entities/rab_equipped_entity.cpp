@@ -110,6 +110,7 @@ void CRABEquippedEntity::SetRange(Real range) {
   if (!(range >= 0.0 && range < HUGE_VAL)) {
     RequireNotNegative(range, Describe(), "range (m)");
   }
+  KeepForReset(m_fRange);
   m_fRange = range;
 }
 

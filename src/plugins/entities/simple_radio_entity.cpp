@@ -50,7 +50,9 @@ void CSimpleRadioEntity::Reset() {
 
 void CSimpleRadioEntity::SetRange(Real range) {
   CRobotsCode::CheckOwn(*this, "SetRange()");
-  m_range = RequireNotNegative(range, "radio \"" + GetContext() + GetId() + "\"", "range (m)");
+  RequireNotNegative(range, "radio \"" + GetContext() + GetId() + "\"", "range (m)");
+  KeepForReset(m_range);
+  m_range = range;
 }
 
 void CSimpleRadioEntity::ReceiveMessage(const CByteArray& message) {

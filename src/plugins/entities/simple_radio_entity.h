@@ -64,7 +64,10 @@ class CSimpleRadioEntity : public CMediumMember<CSimpleRadioEntity, CSimpleRadio
   void Deliver(const std::vector<CByteArray>& messages);
 
   /** Enables recording of the senders' positions; for sensors that display them. */
-  void SetRememberingOrigins(bool remember) { m_remembersOrigins = remember; }
+  void SetRememberingOrigins(bool remember) {
+    KeepForReset(m_remembersOrigins);
+    m_remembersOrigins = remember;
+  }
   /** For the medium: records the position of a sender, m, world frame. */
   void NoteOrigin(const CVector3& position);
   /** Positions of the senders of unread messages, m, world frame; cleared by Read(). */

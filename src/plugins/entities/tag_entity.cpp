@@ -37,8 +37,9 @@ void CTagEntity::Reset() {
 
 void CTagEntity::SetSideLength(Real sideLength) {
   CRobotsCode::CheckShared(*this, "SetSideLength()");
-  m_sideLength =
-      RequirePositive(sideLength, "tag \"" + GetContext() + GetId() + "\"", "side length (m)");
+  RequirePositive(sideLength, "tag \"" + GetContext() + GetId() + "\"", "side length (m)");
+  KeepForReset(m_sideLength);
+  m_sideLength = sideLength;
 }
 
 std::array<CVector3, 4> CTagEntity::ComputeCorners() const {
@@ -54,7 +55,9 @@ std::array<CVector3, 4> CTagEntity::ComputeCorners() const {
 
 void CTagEntity::SetObservableAngle(const CRadians& angle) {
   CRobotsCode::CheckShared(*this, "SetObservableAngle()");
-  m_observableAngle = RequireObservableAngle(angle, "tag \"" + GetContext() + GetId() + "\"");
+  RequireObservableAngle(angle, "tag \"" + GetContext() + GetId() + "\"");
+  KeepForReset(m_observableAngle);
+  m_observableAngle = angle;
 }
 
 bool CTagEntity::Faces(const CVector3& point) const {

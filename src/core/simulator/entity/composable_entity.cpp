@@ -99,6 +99,13 @@ void CComposableEntity::MarkStart() {
   }
 }
 
+void CComposableEntity::MarkStartValues() {
+  CEntity::MarkStartValues();
+  for (CEntity* component : m_components) {
+    component->MarkStartValues();
+  }
+}
+
 void CComposableEntity::ReturnToStart() {
   CEntity::ReturnToStart();
   // bodies last: a component that is enabled or disabled changes how often their anchors are in use

@@ -34,6 +34,7 @@ class CComposableEntity : public CEntity {
   virtual void UpdateComponents();
   void SetEnabled(bool enabled) override;
   void MarkStart() override;
+  void MarkStartValues() override;
   void ReturnToStart() override;
 
   /** Adds @p component, which this entity then owns. Its type must not change later. */

@@ -359,6 +359,7 @@ void CControllableEntity::CreateController(const SControllerSetup& setup,
   const CRandom::COwner::CScope scope(&m_randomOwner, GetBirth());
   m_setup = &setup;
   const CRunningCodeScope running({"Init()", &CControllableEntity::Describe, this, nullptr});
+  const CSetup setUp;
   try {
     m_controller.reset(CFactory<CCI_Controller>::New(node.Value()));
     m_pcController = m_controller.get();

@@ -288,6 +288,7 @@ void CEmbodiedEntity::SetBodyDescription(std::shared_ptr<const SBodyDescription>
 
 void CEmbodiedEntity::SetMovable(bool movable) {
   CRobotsCode::CheckShared(*this, "SetMovable()");
+  KeepForReset(&m_bMovable, [this, start = m_bMovable] { SetMovable(start); });
   m_bMovable = movable;
   NotifyIndex();
 }

@@ -10,6 +10,12 @@ namespace argos {
 
 INIT_VTABLE_FOR(CEntity)
 
+namespace {
+
+thread_local UInt32 numSetups = 0;  // that exist in this thread
+
+}  // namespace
+
 CEntity::CEntity(CComposableEntity* parent) : CEntity(parent, std::string()) {}
 
 CEntity::CEntity(CComposableEntity* parent, const std::string& id)
@@ -50,6 +56,8 @@ void CEntity::SetNode(TConfigurationNode& node) {
   m_configurationNode = kept;
   m_ownsNode = !isLasting;
 }
+
+CEntity::~CEntity() = default;
 
 void CEntity::Init(TConfigurationNode& tree) {
   SetNode(tree);
@@ -115,6 +123,32 @@ void CEntity::ReturnToStart() {
   if (m_enabled != m_enabledAtStart) {
     SetEnabled(m_enabledAtStart);
   }
+  if (m_startValues != nullptr) {
+    m_startValues->Restore();
+    m_startValues.reset();
+  }
+}
+
+bool CEntity::MustKeep(const void* key) {
+  if (numSetups > 0 && m_startValues != nullptr) {
+    m_startValues->Remove(key);
+  }
+  return m_index >= 0 && numSetups == 0 && (m_startValues == nullptr || !m_startValues->Has(key));
+}
+
+CEntity::CSetup::CSetup() {
+  ++numSetups;
+}
+
+CEntity::CSetup::~CSetup() {
+  --numSetups;
+}
+
+void CEntity::Keep(const void* key, std::function<void()> restore) {
+  if (m_startValues == nullptr) {
+    m_startValues = std::make_unique<CStartValues>();
+  }
+  m_startValues->Add(key, std::move(restore));
 }
 
 void CEntity::UpdateDigest(CDigest& digest) const {

@@ -2,6 +2,7 @@
 #define ARGOS3_CORE_SIMULATOR_ENTITY_ENTITY_H
 
 #include <argos3/core/simulator/entity/entity_operation.h>
+#include <argos3/core/simulator/entity/start_values.h>
 #include <argos3/core/utility/configuration/argos_configuration.h>
 #include <argos3/core/utility/configuration/base_configurable_resource.h>
 #include <argos3/core/utility/errors/argos_exception.h>
@@ -11,9 +12,12 @@
 
 #include <sys/types.h>
 
+#include <functional>
 #include <map>
+#include <memory>
 #include <string>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 // user code written for ARGoS 3 uses the unqualified name after including any entity
@@ -91,8 +95,24 @@ class CEntity : public CBaseConfigurableResource,
    */
   virtual void MarkStart() { m_enabledAtStart = m_enabled; }
   /**
-   * Enables and disables this entity and its parts as they were at the start. Called before
-   * Reset().
+   * Called when everything is loaded: the present values of this entity and its parts are those
+   * that Reset() restores; see KeepForReset().
+   */
+  virtual void MarkStartValues() { m_startValues.reset(); }
+  /**
+   * While it exists, what setters change in this thread is the start, also in a run: for the set-up
+   * of devices of a new controller.
+   */
+  class CSetup {
+   public:
+    CSetup();
+    ~CSetup();
+    CSetup(const CSetup&) = delete;
+    CSetup& operator=(const CSetup&) = delete;
+  };
+  /**
+   * Enables and disables this entity and its parts as they were at the start, and restores the
+   * values that setters have changed since. Called before Reset().
    */
   virtual void ReturnToStart();
   bool IsEnabledAtStart() const { return m_enabledAtStart; }
@@ -109,9 +129,38 @@ class CEntity : public CBaseConfigurableResource,
   /** Adds the entity's state to a digest of the world; components are visited by their parent. */
   virtual void UpdateDigest(CDigest& digest) const;
 
+ protected:
+  /**
+   * Notes the present value of a member as the one that a reset restores. For setters, before they
+   * change it; not for members that Reset() sets to their initial values anyway.
+   *
+   * Has an effect in the first call for a member after the start of the run only, and none while
+   * the entity is not in a space: what is set then, or while the experiment is loaded, is the
+   * initial value. Allocates when it has an effect.
+   */
+  template <typename VALUE>
+  void KeepForReset(VALUE& member) {
+    if (MustKeep(&member)) {
+      Keep(&member, [&member, value = member] { member = value; });
+    }
+  }
+  /**
+   * The same for a value that @p restore sets, which may call the setter.
+   * @param key  the address of the member that holds the value.
+   */
+  template <typename RESTORE>
+  void KeepForReset(const void* key, RESTORE&& restore) {
+    if (MustKeep(key)) {
+      Keep(key, std::forward<RESTORE>(restore));
+    }
+  }
+  /** True if KeepForReset() would have an effect; in a CSetup it forgets the value. */
+  bool MustKeep(const void* key);
+
  private:
   void SetNode(TConfigurationNode& node);
   void ReleaseNode();
+  void Keep(const void* key, std::function<void()> restore);
 
   CComposableEntity* m_parent;
   TConfigurationNode* m_configurationNode = nullptr;
@@ -120,6 +169,7 @@ class CEntity : public CBaseConfigurableResource,
   bool m_ownsNode = false;  // a copy; elements of the experiment need none
   bool m_enabled = true;
   bool m_enabledAtStart = true;
+  std::unique_ptr<CStartValues> m_startValues;  // null until a setter has changed something
 };
 
 /** Orders entities by index, the order of their insertion into the space. */

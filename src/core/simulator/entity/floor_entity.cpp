@@ -154,6 +154,8 @@ void CFloorEntity::LoadImage(const std::string& fileName) {
 
 void CFloorEntity::SetImageSize(UInt32 width, UInt32 height) {
   CRobotsCode::CheckShared(*this, "SetImageSize()");
+  KeepForReset(m_imageWidth);
+  KeepForReset(m_imageHeight);
   m_imageWidth = width;
   m_imageHeight = height;
 }

@@ -297,7 +297,10 @@ void CSpace::EraseEntity(CEntity& entity) {
 }
 
 void CSpace::MarkStart() {
-  ForRootsAsCreated([](CEntity& root, size_t) { root.MarkStart(); });
+  ForRootsAsCreated([](CEntity& root, size_t) {
+    root.MarkStart();
+    root.MarkStartValues();
+  });
 }
 
 void CSpace::Reset() {
