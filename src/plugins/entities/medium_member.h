@@ -26,10 +26,26 @@ class CMediumMember : public CPositionalEntity {
    */
   class CRegistry {
    public:
-    virtual void AddEntity(ENTITY& entity) = 0;
-    virtual void RemoveEntity(ENTITY& entity) = 0;
+    /** For users: the entity gets this medium, leaves its former one if any, and is enabled. */
+    void AddEntity(ENTITY& entity) {
+      CRobotsCode::CheckShared("AddEntity() of a medium");
+      entity.SetMedium(*this);
+      entity.SetEnabled(true);
+    }
+    /** For users: the entity leaves this medium; does nothing if it has another one or none. */
+    void RemoveEntity(ENTITY& entity) {
+      CRobotsCode::CheckShared("RemoveEntity() of a medium");
+      if (static_cast<CMediumMember&>(entity).m_medium == this) {
+        entity.ClearMedium();
+      }
+    }
     /** The medium itself. */
     virtual MEDIUM& AsMedium() = 0;
+
+    /** For entities: one that is not contained is contained from now on. */
+    virtual void Insert(ENTITY& entity) = 0;
+    /** For entities: one that is contained is not contained any more. */
+    virtual void Erase(ENTITY& entity) = 0;
 
    protected:
     ~CRegistry() = default;
@@ -113,13 +129,13 @@ class CMediumMember : public CPositionalEntity {
       // media must not change now: MarkStart() does this
       return;
     }
-    m_medium->AddEntity(AsEntity());
+    m_medium->Insert(AsEntity());
     m_isMember = true;
   }
   void Leave() {
     if (m_isMember) {
+      m_medium->Erase(AsEntity());
       m_isMember = false;
-      m_medium->RemoveEntity(AsEntity());
     }
   }
   ENTITY& AsEntity() { return static_cast<ENTITY&>(*this); }

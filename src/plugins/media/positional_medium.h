@@ -1,7 +1,6 @@
 #ifndef ARGOS3_PLUGINS_MEDIA_POSITIONAL_MEDIUM_H
 #define ARGOS3_PLUGINS_MEDIA_POSITIONAL_MEDIUM_H
 
-#include <argos3/core/simulator/entity/robots_code.h>
 #include <argos3/core/simulator/medium/medium.h>
 #include <argos3/core/simulator/space/positional_indices/grid.h>
 #include <argos3/core/simulator/space/positional_indices/hash_index.h>
@@ -61,27 +60,6 @@ class CPositionalMedium : public CMedium, public ENTITY::CRegistry {
     m_points.Finish();
   }
 
-  /** Called by entities when they are enabled and disabled. */
-  void AddEntity(ENTITY& entity) override {
-    CRobotsCode::CheckShared("AddEntity() of a medium");
-    ++m_numEntities;
-    if (m_index != nullptr) {
-      m_index->AddEntity(entity);
-    } else {
-      m_waiting.push_back(&entity);
-    }
-  }
-  void RemoveEntity(ENTITY& entity) override {
-    CRobotsCode::CheckShared("RemoveEntity() of a medium");
-    m_numEntities -= m_numEntities > 0 ? 1 : 0;
-    m_points.Invalidate();
-    if (m_index != nullptr) {
-      m_index->RemoveEntity(entity);
-    } else {
-      m_waiting.erase(std::remove(m_waiting.begin(), m_waiting.end(), &entity), m_waiting.end());
-    }
-  }
-
   /** The index as of the last Update(). Queries are safe on several threads at once. */
   CPositionalIndex<ENTITY>& GetIndex() {
     if (m_index == nullptr) {
@@ -102,6 +80,25 @@ class CPositionalMedium : public CMedium, public ENTITY::CRegistry {
 
  protected:
   const SIndexChoice& GetIndexChoice() const { return m_choice; }
+
+  // called by entities when they are enabled and disabled
+  void Insert(ENTITY& entity) override {
+    ++m_numEntities;
+    if (m_index != nullptr) {
+      m_index->AddEntity(entity);
+    } else {
+      m_waiting.push_back(&entity);
+    }
+  }
+  void Erase(ENTITY& entity) override {
+    m_numEntities -= m_numEntities > 0 ? 1 : 0;
+    m_points.Invalidate();
+    if (m_index != nullptr) {
+      m_index->RemoveEntity(entity);
+    } else {
+      m_waiting.erase(std::remove(m_waiting.begin(), m_waiting.end(), &entity), m_waiting.end());
+    }
+  }
 
  private:
   // puts an entity into its cell, and into the points while these are filled

@@ -1,6 +1,5 @@
 #include <argos3/plugins/simulator/media/rab_medium.h>
 
-#include <argos3/core/simulator/entity/robots_code.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/utility/logging/argos_log.h>
@@ -80,13 +79,11 @@ void CRABMedium::Destroy() {
   m_state->Members.Clear();
 }
 
-void CRABMedium::AddEntity(CRABEquippedEntity& entity) {
-  CRobotsCode::CheckShared("CRABMedium::AddEntity()");
+void CRABMedium::Insert(CRABEquippedEntity& entity) {
   m_state->Members.Add(entity);
 }
 
-void CRABMedium::RemoveEntity(CRABEquippedEntity& entity) {
-  CRobotsCode::CheckShared("CRABMedium::RemoveEntity()");
+void CRABMedium::Erase(CRABEquippedEntity& entity) {
   m_state->Members.Remove(entity);
   // a device that was switched off receives nothing: another one may get its number
   entity.SetNumberInMedium(CMediumMembers<CRABEquippedEntity>::kWaiting);

@@ -41,9 +41,6 @@ class CRABMedium : public CMedium, public CRABEquippedEntity::CRegistry {
   void Update() override;
   bool UsesThreadPool() const override { return true; }
 
-  /** Called by devices when they are enabled and disabled. */
-  void AddEntity(CRABEquippedEntity& entity) override;
-  void RemoveEntity(CRABEquippedEntity& entity) override;
   CRABMedium& AsMedium() override { return *this; }
 
   /**
@@ -75,6 +72,9 @@ class CRABMedium : public CMedium, public CRABEquippedEntity::CRegistry {
  private:
   struct SState;  // devices and routes
 
+  // called by devices when they are enabled and disabled
+  void Insert(CRABEquippedEntity& entity) override;
+  void Erase(CRABEquippedEntity& entity) override;
   void TakePositions(const CLineOfSight& sight);
 
   bool m_checkOcclusions = true;

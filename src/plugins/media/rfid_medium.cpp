@@ -2,7 +2,6 @@
 
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
-#include <argos3/core/simulator/entity/robots_code.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/plugins/simulator/media/medium_manual.h>
 #include <argos3/plugins/simulator/media/medium_members.h>
@@ -53,13 +52,11 @@ void CRFIDMedium::Destroy() {
   m_state->Users.RemoveAll();
 }
 
-void CRFIDMedium::AddEntity(CRFIDTagEntity& tag) {
-  CRobotsCode::CheckShared("CRFIDMedium::AddEntity()");
+void CRFIDMedium::Insert(CRFIDTagEntity& tag) {
   m_state->Tags.Add(tag);
 }
 
-void CRFIDMedium::RemoveEntity(CRFIDTagEntity& tag) {
-  CRobotsCode::CheckShared("CRFIDMedium::RemoveEntity()");
+void CRFIDMedium::Erase(CRFIDTagEntity& tag) {
   m_state->Tags.Remove(tag);
 }
 

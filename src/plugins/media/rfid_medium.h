@@ -53,9 +53,6 @@ class CRFIDMedium : public CMedium, public CRFIDTagEntity::CRegistry {
   void TakeActs() override;
   void Update() override;
 
-  /** Called by tags when they are enabled and disabled. */
-  void AddEntity(CRFIDTagEntity& tag) override;
-  void RemoveEntity(CRFIDTagEntity& tag) override;
   CRFIDMedium& AsMedium() override { return *this; }
 
   /** A tag found. */
@@ -74,6 +71,9 @@ class CRFIDMedium : public CMedium, public CRFIDTagEntity::CRegistry {
  private:
   struct SState;  // tags, their cells, devices
 
+  // called by tags when they are enabled and disabled
+  void Insert(CRFIDTagEntity& tag) override;
+  void Erase(CRFIDTagEntity& tag) override;
   void Refresh();
   void Write(CUser& user);
 

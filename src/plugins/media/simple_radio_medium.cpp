@@ -25,18 +25,18 @@ CSimpleRadioMedium::~CSimpleRadioMedium() {
   CSimpleRadioMedium::Destroy();
 }
 
-void CSimpleRadioMedium::AddEntity(CSimpleRadioEntity& radio) {
-  CPositionalMedium::AddEntity(radio);
+void CSimpleRadioMedium::Insert(CSimpleRadioEntity& radio) {
+  CPositionalMedium::Insert(radio);
   try {
     m_state->Members.Add(radio);
   } catch (...) {
-    CPositionalMedium::RemoveEntity(radio);
+    CPositionalMedium::Erase(radio);
     throw;
   }
 }
 
-void CSimpleRadioMedium::RemoveEntity(CSimpleRadioEntity& radio) {
-  CPositionalMedium::RemoveEntity(radio);
+void CSimpleRadioMedium::Erase(CSimpleRadioEntity& radio) {
+  CPositionalMedium::Erase(radio);
   m_state->Members.Remove(radio);
 }
 

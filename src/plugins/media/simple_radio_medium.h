@@ -23,8 +23,6 @@ class CSimpleRadioMedium
   ~CSimpleRadioMedium() override;
 
   void TakeActs() override;
-  void AddEntity(CSimpleRadioEntity& radio) override;
-  void RemoveEntity(CSimpleRadioEntity& radio) override;
   CSimpleRadioMedium& AsMedium() override { return *this; }
   void Reset() override;
 
@@ -34,6 +32,8 @@ class CSimpleRadioMedium
  private:
   struct SState;  // radios and their cells
 
+  void Insert(CSimpleRadioEntity& radio) override;
+  void Erase(CSimpleRadioEntity& radio) override;
   void SortByCell();
   void Deliver(CSimpleRadioEntity& sender);
 

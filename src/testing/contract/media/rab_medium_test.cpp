@@ -352,4 +352,23 @@ TEST_CASE("rab medium: messages of different sizes are reported once, with the r
   CHECK(TakeLogErr() == "");
 }
 
+TEST_CASE("rab medium: messages of a device that users have added come once", "[contract][media]") {
+  CRobotWorld world(WithRAB(EPuck("a", 0.0, 0.0, 2.0) + EPuck("b", 0.3, 0.0, 2.0)));
+  CRABMedium& medium = Medium(world);
+  auto& device = world.Get<CEPuckEntity>("a").GetRABEquippedEntity();
+  medium.AddEntity(device);
+  medium.AddEntity(device);
+  world.Step();
+  CHECK(NumPackets(world, "b") == 1);
+  medium.RemoveEntity(device);
+  medium.RemoveEntity(device);
+  world.Step();
+  CHECK(NumPackets(world, "b") == 0);
+  CHECK_FALSE(device.HasMedium());
+  medium.AddEntity(device);
+  world.Step();
+  CHECK(NumPackets(world, "b") == 1);
+  CHECK(HeardBy(world, "b") == TIds{"a"});
+}
+
 }  // namespace rab_medium_test

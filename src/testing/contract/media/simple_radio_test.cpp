@@ -309,4 +309,23 @@ TEST_CASE("simple radio: a robot without radios is refused", "[contract][media][
   CHECK_THAT(LoadError(experiment), Contains("no component \"simple_radios\""));
 }
 
+TEST_CASE("simple radio: messages to a radio that users have added come once",
+          "[contract][media]") {
+  CRobotWorld world(WithRadios(RobotAt("e-puck", "a", CVector3(), Radio("r", 5.0)) +
+                               RobotAt("e-puck", "b", CVector3(1, 0, 0), Radio("r", 5.0))));
+  auto& medium = world.GetSimulator().GetMedium<CSimpleRadioMedium>("radios");
+  for (const int times : {1, 2}) {
+    for (int time = 0; time < times; ++time) {
+      medium.AddEntity(RadioOf(world, "b"));
+    }
+    Send(world, "a", "hello");
+    world.Step();
+    CHECK(Received(world, "b") == TTexts{"hello"});
+    medium.RemoveEntity(RadioOf(world, "b"));
+    Send(world, "a", "hello");
+    world.Step();
+    CHECK(Received(world, "b") == TTexts{});
+  }
+}
+
 }  // namespace simple_radio_test

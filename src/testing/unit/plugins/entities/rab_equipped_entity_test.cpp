@@ -42,10 +42,12 @@ struct SEquippedBody {
 // counts devices that are added and removed
 class CToyRegistry final : public CRABEquippedEntity::CRegistry {
  public:
-  void AddEntity(CRABEquippedEntity&) override { ++NumDevices; }
-  void RemoveEntity(CRABEquippedEntity&) override { --NumDevices; }
   CRABMedium& AsMedium() override { throw CARGoSException("a registry for tests"); }
   int NumDevices = 0;
+
+ private:
+  void Insert(CRABEquippedEntity&) override { ++NumDevices; }
+  void Erase(CRABEquippedEntity&) override { --NumDevices; }
 };
 
 UInt64 DigestOf(const CEntity& entity) {

@@ -169,4 +169,45 @@ TEST_CASE("led medium: invalid attributes are refused with place and reason", "[
   CHECK_THAT(LoadError(twice), Contains("leds"));
 }
 
+TEST_CASE("led medium: AddEntity() of users enables an LED in it, once", "[media]") {
+  SRobotExperiment experiment;
+  experiment.Media = "<led id='leds'/><led id='others'/>";
+  CRobotWorld world(experiment);
+  auto& medium = world.GetSimulator().GetMedium<CLEDMedium>("leds");
+  auto& others = world.GetSimulator().GetMedium<CLEDMedium>("others");
+  const auto count = [](CLEDMedium& counted) {
+    CCollect collect;
+    counted.Update();
+    counted.GetIndex().ForAllEntities(collect);
+    return collect.Found.size();
+  };
+  // before and after it is added to the space, as loop functions do
+  auto owned = std::make_unique<CLightEntity>("l", CVector3(1, 0, 0), CColor::RED, 1.0);
+  medium.AddEntity(*owned);
+  CLightEntity& light = world.Add(std::move(owned));
+  medium.AddEntity(light);
+  CHECK(light.IsEnabled());
+  CHECK(count(medium) == 1);
+  others.AddEntity(light);
+  CHECK(&light.GetMedium() == &others);
+  CHECK(count(medium) == 0);
+  CHECK(count(others) == 1);
+  // it is not in this one
+  medium.RemoveEntity(light);
+  CHECK(count(others) == 1);
+  others.RemoveEntity(light);
+  others.RemoveEntity(light);
+  CHECK_FALSE(light.HasMedium());
+  CHECK(count(others) == 0);
+  others.AddEntity(light);
+  CHECK(count(others) == 1);
+  world.GetSimulator().GetLoopFunctions().RemoveEntity("l");
+  CHECK(count(others) == 0);
+  // the medium is destroyed before an entity that is in no space
+  CLEDEntity loose(nullptr, "loose", CVector3(), CColor::RED);
+  medium.AddEntity(loose);
+  world.GetSimulator().Destroy();
+  CHECK_FALSE(loose.HasMedium());
+}
+
 }  // namespace led_medium_test
