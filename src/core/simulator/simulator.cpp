@@ -66,6 +66,7 @@ CSimulator::CSimulator(std::unique_ptr<CRandom::CRegistry> registry)
       m_tick(std::make_unique<CTick>(m_context)),
       m_experiment(std::make_unique<SExperimentParts>(m_context)) {
   m_context.Space = m_space.get();
+  m_context.EndRun = [this] { m_experiment->Outputs.EndRun(*this); };
   m_context.RunTick = [this] {
     if (m_experiment->Replay != nullptr) {
       m_experiment->Replay->Advance(*m_space);
@@ -397,10 +398,7 @@ void CSimulator::Reset() {
     m_context.Metrics->ForgetValues();
   }
   m_space->Reset();
-  for (CPhysicsEngine* engine : m_context.Engines) {
-    engine->Reset();
-  }
-  // after the engines: media use the positions of bodies
+  // after the engines, which the space resets: media use the positions of bodies
   for (CMedium* medium : m_context.Media) {
     medium->Reset();
   }

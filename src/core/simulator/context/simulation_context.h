@@ -41,10 +41,12 @@ struct SSimulationContext {
   CBodyIndex* Index = nullptr; /**< of all bodies in the space */
   CMetrics* Metrics = nullptr; /**< of the run; null unless an experiment is loaded */
   std::function<void()> RunTick; /**< one tick; for CSpace::Update() */
+  std::function<void()> EndRun; /**< ends the run of the outputs; before CSpace::Reset() */
   CThreadPool* Pool = nullptr; /**< on which phases run; without workers before loading */
 
   const UInt32* Clock = nullptr; /**< of the space, ticks */
   CRunState Run; /**< what the simulation is doing */
+  bool IsSpaceResetting = false; /**< all entities are reset, and afterwards the engines */
 
   // of the experiment that is loaded
   bool IsReplay = false; /**< there are no controllers, engines, media and loop functions */

@@ -1,5 +1,7 @@
 #include <argos3/core/simulator/entity/embodied_entity.h>
 
+#include <argos3/core/simulator/context/current.h>
+#include <argos3/core/simulator/context/simulation_context.h>
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/pose_digest.h>
 #include <argos3/core/simulator/entity/robots_code.h>
@@ -56,7 +58,17 @@ void CEmbodiedEntity::Init(TConfigurationNode& tree) {
 
 void CEmbodiedEntity::Reset() {
   CEntity::Reset();
-  // engines restore their own state in their Reset(); this restores the state of the entity
+  if (m_tPhysicsModelVector.empty() || CurrentContext().IsSpaceResetting) {
+    ResetWithoutEngines();
+    return;
+  }
+  ResetLinks();
+  MoveModelsTo(m_cInitOriginPosition, m_cInitOriginOrientation);
+  ConfirmMove();
+}
+
+// engines restore their state of motion in their own Reset()
+void CEmbodiedEntity::ResetWithoutEngines() {
   SetOriginPose(m_cInitOriginPosition, m_cInitOriginOrientation);
   ResetLinks();
   // not by CalculateAnchors(): models still have the pose before the reset
@@ -241,19 +253,37 @@ void CEmbodiedEntity::MoveModelsTo(const CVector3& position, const CQuaternion& 
   }
 }
 
-bool CEmbodiedEntity::MoveTo(const CVector3& position, const CQuaternion& newOrientation,
+// of a body in several engines, such as an immovable one, one engine without limits is enough
+SBodyPose CEmbodiedEntity::FindPossiblePose(const SBodyPose& pose) const {
+  SBodyPose possible = pose;
+  for (const CPhysicsModel* model : m_tPhysicsModelVector) {
+    possible = model->FindPossiblePose(pose);
+    if (possible.Position == pose.Position && possible.Orientation == pose.Orientation) {
+      break;
+    }
+  }
+  return possible;
+}
+
+bool CEmbodiedEntity::MoveTo(const CVector3& position, const CQuaternion& orientation,
                              bool checkOnly, bool ignoreCollisions) {
   CRobotsCode::CheckShared(*this, "MoveTo()");
-  const CQuaternion orientation =
-      CheckPose([this] { return "MoveTo() of " + NameOfBody(*this); }, position, newOrientation);
+  const SBodyPose pose =
+      FindPossiblePose({position, CheckPose([this] { return "MoveTo() of " + NameOfBody(*this); },
+                                            position, orientation)});
   const CVector3 oldPosition = m_psOriginAnchor->Position;
   const CQuaternion oldOrientation = m_psOriginAnchor->Orientation;
-  MoveModelsTo(position, orientation);
-  const bool free = !IsCollidingWithSomething();
-  if (checkOnly || (!free && !ignoreCollisions)) {
+  MoveModelsTo(pose.Position, pose.Orientation);
+  const bool fits = ignoreCollisions || !IsCollidingWithSomething();
+  if (checkOnly || !fits) {
     MoveModelsTo(oldPosition, oldOrientation);
-    return free;
+  } else {
+    ConfirmMove();
   }
+  return fits;
+}
+
+void CEmbodiedEntity::ConfirmMove() {
   for (CPhysicsModel* model : m_tPhysicsModelVector) {
     model->ConfirmMove();
   }
@@ -262,7 +292,6 @@ bool CEmbodiedEntity::MoveTo(const CVector3& position, const CQuaternion& newOri
   }
   // mounted components (LEDs, ...) follow at once
   GetRootEntity().Update();
-  return free;
 }
 
 bool CEmbodiedEntity::IsCollidingWithSomething() const {

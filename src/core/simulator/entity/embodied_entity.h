@@ -35,7 +35,7 @@ class CEmbodiedEntity : public CEntity {
 
   /** Reads `position` (m) and `orientation` (z,y,x in degrees), both optional. */
   void Init(TConfigurationNode& tree) override;
-  /** Back to the initial pose; anchors are recomputed. */
+  /** Moves the body to its initial pose, at rest, whatever is there; anchors are recomputed. */
   void Reset() override;
   std::string GetTypeDescription() const override { return "body"; }
   /** Also notes how often each anchor is in use. */
@@ -88,8 +88,11 @@ class CEmbodiedEntity : public CEntity {
    * @param position, orientation  new pose of the origin anchor, m, world frame.
    * @param checkOnly  only test whether the body fits there; the pose is always restored.
    * @param ignoreCollisions  move even if the body overlaps another one there.
-   * @return true if the body overlaps no other one there. If it does, the old pose is restored,
-   *         unless @p ignoreCollisions is set.
+   * @return true if the body overlaps no other one there, or @p ignoreCollisions is set; otherwise
+   *         the old pose is restored.
+   *
+   * An engine that moves bodies in a plane only puts them there, upright: the height of @p position
+   * and the tilt of @p orientation have no effect.
    */
   virtual bool MoveTo(const CVector3& position, const CQuaternion& orientation,
                       bool checkOnly = false, bool ignoreCollisions = false);
@@ -157,8 +160,11 @@ class CEmbodiedEntity : public CEntity {
   [[noreturn]] void ThrowNotFinite(const CVector3& position, const CQuaternion& orientation) const;
   friend struct SAnchor;
   friend class CLookAhead;
+  SBodyPose FindPossiblePose(const SBodyPose& pose) const;
   void MoveModelsTo(const CVector3& position, const CQuaternion& orientation);
+  void ConfirmMove();
   void NotifyIndex();
+  void ResetWithoutEngines();
   void ResetLinks();
 
   struct SLinks {

@@ -50,6 +50,12 @@ class CPhysicsModel {
   /** Puts the body at the pose of the origin anchor: @p position in m, world frame. */
   virtual void MoveTo(const CVector3& position, const CQuaternion& orientation) = 0;
 
+  /**
+   * @return the pose in which MoveTo() of the entity puts the body instead of @p pose, because the
+   * engine cannot have it there; by default @p pose itself.
+   */
+  virtual SBodyPose FindPossiblePose(const SBodyPose& pose) const { return pose; }
+
   const SBoundingBox& GetBoundingBox() const { return m_sBoundingBox; }
   SBoundingBox& GetBoundingBox() { return m_sBoundingBox; }
   virtual void CalculateBoundingBox() = 0;

@@ -1,9 +1,9 @@
 #include <argos3/core/simulator/outputs/run_outputs.h>
 
-#include <argos3/core/utility/logging/argos_log.h>
-#include <argos3/core/utility/processes/fork_count.h>
 #include <argos3/core/simulator/context/current.h>
 #include <argos3/core/simulator/context/simulation_context.h>
+#include <argos3/core/utility/logging/argos_log.h>
+#include <argos3/core/utility/processes/fork_count.h>
 
 #include <chrono>
 #include <utility>
@@ -58,7 +58,15 @@ void CRunOutputs::Show(CSimulator& simulator) {
   }
 }
 
+// users' code may set the clock
+void CRunOutputs::CompareClock(CSimulator& simulator) {
+  if (m_lastTick.has_value() && *CurrentContext().Clock < *m_lastTick) {
+    EndRun(simulator);
+  }
+}
+
 void CRunOutputs::Begin(CSimulator& simulator) {
+  CompareClock(simulator);
   if (m_stage == EStage::NotBegun && !IsEmpty()) {
     m_stage = EStage::Running;
     m_numForks = CountForks();
@@ -68,6 +76,7 @@ void CRunOutputs::Begin(CSimulator& simulator) {
 
 void CRunOutputs::Observe(CSimulator& simulator) {
   LeaveToParent();
+  CompareClock(simulator);
   if (m_stage == EStage::Running) {
     Show(simulator);
   } else {
@@ -96,6 +105,12 @@ void CRunOutputs::Reset(CSimulator& simulator) {
   m_stage = EStage::NotBegun;
   for (const std::unique_ptr<CRunOutput>& output : m_outputs) {
     output->Reset();
+  }
+}
+
+void CRunOutputs::EndRun(CSimulator& simulator) {
+  if (m_stage == EStage::Running) {
+    Reset(simulator);
   }
 }
 

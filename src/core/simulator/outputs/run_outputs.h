@@ -23,7 +23,10 @@ class CRunOutputs {
   bool IsEmpty() const { return m_outputs.empty(); }
   void Add(std::unique_ptr<CRunOutput> output) { m_outputs.push_back(std::move(output)); }
 
-  /** Shows the first state, if that has not been done since the start or the last Reset(). */
+  /**
+   * Shows the first state, if that has not been done since the start or the last Reset(). If the
+   * clock has gone back, another run begins.
+   */
   void Begin(CSimulator& simulator);
   /** Shows the state after a tick; if the experiment was reset in it, this is the first state. */
   void Observe(CSimulator& simulator);
@@ -37,6 +40,8 @@ class CRunOutputs {
   bool IsBusy() const { return m_isBusy; }
   /** Ends the run as Finish(), and prepares for another one. */
   void Reset(CSimulator& simulator);
+  /** The same if the run has begun and not ended: for a reset of the space alone. */
+  void EndRun(CSimulator& simulator);
   /**
    * Destroys all outputs, the last one first.
    * @param guard  calls the function that it gets, and keeps its exception.
@@ -51,6 +56,7 @@ class CRunOutputs {
 
   void LeaveToParent();
   void Show(CSimulator& simulator);
+  void CompareClock(CSimulator& simulator);
 
   std::vector<std::unique_ptr<CRunOutput>> m_outputs;
   EStage m_stage = EStage::NotBegun;

@@ -12,6 +12,7 @@
 #include <argos3/core/simulator/geometry/pose_check.h>
 #include <argos3/core/simulator/medium/medium.h>
 #include <argos3/core/simulator/physics_engine/engine_assignment.h>
+#include <argos3/core/simulator/physics_engine/physics_engine.h>
 #include <argos3/core/simulator/space/entity_views.h>
 #include <argos3/core/simulator/space/metrics.h>
 #include <argos3/core/simulator/space/robot_records.h>
@@ -34,6 +35,18 @@
 namespace argos {
 
 namespace {
+
+// sets a flag during its lifetime
+class CWhileTrue {
+ public:
+  explicit CWhileTrue(bool& flag) : m_flag(flag) { m_flag = true; }
+  ~CWhileTrue() { m_flag = false; }
+  CWhileTrue(const CWhileTrue&) = delete;
+  CWhileTrue& operator=(const CWhileTrue&) = delete;
+
+ private:
+  bool& m_flag;
+};
 
 // outside of ticks a record that cannot be used is an error of the caller
 void TakeRecords(CMetrics& metrics, const std::function<const CEntity&(size_t)>& getRobot) {
@@ -306,7 +319,25 @@ void CSpace::MarkStart() {
 void CSpace::Reset() {
   m_context.Run.CheckIsNotInPhase("CSpace::Reset()",
                                   "CSimulator::Reset() is possible between ticks");
+  if (m_context.EndRun) {
+    m_context.EndRun();
+  }
   m_simulationClock = 0;
+  {
+    const CWhileTrue resetting(m_context.IsSpaceResetting);
+    ResetEntities();
+  }
+  m_context.Run.ApplyChanges();
+  m_context.RobotFailures.Report();
+  TakeBackQuarantined();
+  CEngineAssignment(m_context).ReturnAll();
+  for (CPhysicsEngine* engine : m_context.Engines) {
+    engine->Reset();
+  }
+  m_bodyIndex->Rebuild(*m_context.Pool);
+}
+
+void CSpace::ResetEntities() {
   for (CEntity* root : m_roots) {
     root->ReturnToStart();
   }
@@ -325,11 +356,6 @@ void CSpace::Reset() {
     }
     TakeRecords(metrics, [this](size_t root) -> const CEntity& { return *m_roots[root]; });
   }
-  m_context.Run.ApplyChanges();
-  m_context.RobotFailures.Report();
-  TakeBackQuarantined();
-  CEngineAssignment(m_context).ReturnAll();
-  m_bodyIndex->Rebuild(*m_context.Pool);
 }
 
 void CSpace::Destroy() {

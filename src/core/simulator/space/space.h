@@ -94,8 +94,14 @@ class CSpace : public CBaseConfigurableResource {
    * @throws CARGoSException if they are missing or not positive.
    */
   void Init(TConfigurationNode& tree) override;
-  /** Called when everything is loaded: Reset() restores what is enabled now. */
+  /** Called when everything is loaded: Reset() restores what is enabled and set now. */
   void MarkStart();
+  /**
+   * Sets the clock to 0, and moves all entities and what engines know of them back to the start.
+   *
+   * Loop functions may call it in a run; outputs then begin another one, as after a reset of the
+   * simulator, which also resets random numbers and media, and is exactly repeatable.
+   */
   void Reset() override;
   void Destroy() override;
   /** One tick of the simulation (tick/tick.h). */
@@ -251,6 +257,7 @@ class CSpace : public CBaseConfigurableResource {
   void QuarantineNow(CEntity& root);
   void TakeBackQuarantined();
   void RemoveLastRoot();
+  void ResetEntities();
   CEntity* TryGetEntity(const std::string& id);
   CEntity* TryGetRoot(const std::string& id, ssize_t index) const;
 

@@ -16,6 +16,10 @@ void CPlanarEngine::Init(TConfigurationNode& tree) {
   }
 }
 
+bool CPlanarEngine::IsTouchedBy(const CEmbodiedEntity& body) {
+  return IsOnPlane(body, m_elevation) && CDescribedBodyEngine::IsTouchedBy(body);
+}
+
 std::string CPlanarEngine::ExplainRefusal(CEntity& entity) const {
   return ExplainPlanarRefusal(entity, m_elevation);
 }

@@ -25,6 +25,8 @@ class CPlanarEngine : public CDescribedBodyEngine {
    */
   void Init(TConfigurationNode& tree) override;
 
+  /** Also requires that the body is on the plane: an immovable body may be lifted off it. */
+  bool IsTouchedBy(const CEmbodiedEntity& body) override;
   std::string ExplainRefusal(CEntity& entity) const override;
   bool StopsAtWalls() const override { return true; }
   /** Robots that drive on this plane are obstacles for the bodies of this engine. */

@@ -18,6 +18,8 @@ class CPlanarModel : public CRobotBodyModel {
 
   /** For bodies that only turn about the vertical: faster than for any orientation. */
   void CalculateBoundingBox() override;
+  /** On the plane of the engine, upright. */
+  SBodyPose FindPossiblePose(const SBodyPose& pose) const override;
 
  protected:
   void ManipulatorChanged() override;

@@ -4,12 +4,14 @@
 #include <argos3/testing/contract/physics_engines/engines.h>
 #include <argos3/testing/support/robot_sizes.h>
 
+#include <argos3/core/simulator/geometry/body_index.h>
 #include <argos3/core/simulator/loop_functions.h>
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
 #include <argos3/plugins/robots/e-puck/simulator/epuck_entity.h>
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace argos::lifecycle_test {
@@ -59,6 +61,13 @@ TEST_CASE("lifecycle: a robot can be moved to free places only", "[contract][eng
   CHECK_FALSE(world.Body("b").MoveTo(world.Position("a"), CQuaternion()));
   CHECK(world.Position("b") == CVector3(0.3, 0, 0));
   CHECK_FALSE(world.Body("b").IsCollidingWithSomething());
+  // where collisions are ignored, every place is accepted, as in ARGoS 3
+  const CVector3 taken = world.Position("a");
+  CHECK(world.Body("b").MoveTo(taken, CQuaternion(), true, true));
+  CHECK(world.Position("b") == CVector3(0.3, 0, 0));
+  CHECK(world.Body("b").MoveTo(taken, CQuaternion(), false, true));
+  CHECK(world.Position("b") == taken);
+  CHECK(world.Body("b").MoveTo(CVector3(0.3, 0, 0), CQuaternion()));
   if (IsSkipped(engine, engine.HasContacts, "contacts")) {
     return;
   }
@@ -85,6 +94,119 @@ TEST_CASE("lifecycle: a moved robot drives on from its new pose", "[contract][en
   // in dynamics2d it accelerates from rest, with 15 N on 1.6 kg: within the first tick
   CHECK_THAT(world.Position("r").GetY(), WithinAbs(3.1, engine.HasMomentum ? 0.01 : 1e-9));
   CHECK_THAT(world.Yaw("r"), WithinAbs(0.5 * ARGOS_PI, 1e-12 + engine.Slack));
+}
+
+TEST_CASE("lifecycle: what is moved off the plane of an engine is put on it, upright",
+          "[contract][engine]") {
+  const SEngineType engine = GENERATE(from_range(kEnginesWithWheels));
+  CAPTURE(engine);
+  CDriveWorld world(engine.ToXml(), DriverXml("e-puck", "a", 0, 0, 0, 10, 10) +
+                                        "<box id='wall' size='0.2,1,0.5' movable='false'><body "
+                                        "position='5,5,0'/></box>");
+  world.Step(2);
+  CLoopFunctions& functions = world.GetSimulator().GetLoopFunctions();
+  const CQuaternion yaw(CRadians(0.1), CVector3::Z);
+  const CQuaternion tilted = yaw * CQuaternion(CRadians(0.3), CVector3::X);
+  CHECK(functions.MoveEntity(world.Body("wall"), CVector3(0.4, 0, 0.25), tilted));
+  CHECK(world.Position("wall") == CVector3(0.4, 0, engine.IsPlane ? 0.0 : 0.25));
+  // half of 0.3 rad, about x
+  CHECK_THAT(world.Body("wall").GetOriginAnchor().Orientation.GetX(),
+             WithinAbs(engine.IsPlane ? 0.0 : std::sin(0.15) * std::cos(0.05), 1e-12));
+  if (!engine.IsPlane) {
+    return;
+  }
+  CHECK_THAT(world.Yaw("wall"), WithinAbs(0.1, 1e-12));
+  // what stops the robot is what its sensors measure
+  const CBodyIndex& index = world.GetSpace().GetBodyIndex();
+  world.Step(60);
+  CHECK(world.Position("a").GetX() < 0.4 - 0.1 - 0.9 * kEPuckRadius);
+  const CRay3 ahead(CVector3(0, 0, 0.05), CVector3(1, 0, 0.05));
+  TEmbodiedEntityIntersectionData hits;
+  index.FindAllHits(hits, ahead);
+  CHECK(std::any_of(hits.begin(), hits.end(),
+                    [&](const auto& hit) { return hit.IntersectedEntity == &world.Body("wall"); }));
+}
+
+TEST_CASE("lifecycle: a wall is lifted off the plane of one engine if another one has it, too",
+          "[contract][engine]") {
+  const SEngineType engine = GENERATE(kDynamics2D, kKinematics2D);
+  CAPTURE(engine);
+  CDriveWorld world(engine.ToXml("plane") + "<pointmass3d id='space'/>",
+                    DriverXml("e-puck", "a", 0, 0, 0, 10, 10) +
+                        "<box id='wall' size='0.2,1,0.5' movable='false'><body "
+                        "position='0.4,0,0'/></box>");
+  CHECK(world.Body("wall").GetPhysicsModelsNum() == 2);
+  CHECK(world.Body("wall").MoveTo(CVector3(0.4, 0, 0.5), CQuaternion()));
+  CHECK(world.Position("wall").GetZ() == 0.5);
+  CHECK(world.EngineOf("wall") == "space");
+  world.Step(60);
+  // it drives under the wall
+  CHECK(world.Position("a").GetX() > 0.5);
+  CHECK(world.Body("wall").MoveTo(CVector3(2, 0, 0), CQuaternion()));
+  CHECK(world.Body("wall").GetPhysicsModelsNum() == 2);
+}
+
+TEST_CASE("lifecycle: a reset of the space alone puts bodies at rest where they started",
+          "[contract][engine]") {
+  const SEngineType engine = GENERATE(from_range(kEnginesWithWheels));
+  const bool whole = GENERATE(true, false);
+  CAPTURE(engine, whole);
+  CDriveWorld world(
+      engine.ToXml(),
+      DriverXml("foot-bot", "a", 0, 0, 0, 10, 10) + DriverXml("foot-bot", "b", 0, 1, 0, 10, 10) +
+          "<box id='box' size='0.2,0.2,0.2' movable='true' mass='0.5'><body "
+          "position='0.25,0,0'/></box>"
+          "<box id='wall' size='0.1,0.5,0.2' movable='false'><body position='0,3,0'/></box>");
+  const std::vector<std::string> ids = {"a", "b", "box", "wall"};
+  std::vector<CVector3> start;
+  std::vector<CVector3> end;
+  const auto run = [&] {
+    world.Driver("a").Left = world.Driver("a").Right = 10.0;
+    world.Driver("b").Left = world.Driver("b").Right = 10.0;
+    std::vector<CVector3> positions;
+    world.Step(20);
+    for (const std::string& id : ids) {
+      positions.push_back(world.Position(id));
+    }
+    return positions;
+  };
+  for (const std::string& id : ids) {
+    start.push_back(world.Position(id));
+  }
+  end = run();
+  CHECK(end[1].GetX() > 0.15);
+  // they come to rest
+  world.Driver("a").Left = world.Driver("a").Right = 0.0;
+  world.Driver("b").Left = world.Driver("b").Right = 0.0;
+  CHECK(world.Body("wall").MoveTo(CVector3(0.5, 1, 0), CQuaternion()));
+  world.Step(10);
+  if (whole) {
+    world.GetSpace().Reset();
+  } else {
+    for (const std::string& id : ids) {
+      world.GetSpace().GetEntity(id).Reset();
+    }
+  }
+  world.Step(20);
+  for (size_t i = 0; i < ids.size(); ++i) {
+    CAPTURE(ids[i]);
+    CHECK(Distance(world.Position(ids[i]), start[i]) <= 1e-9 + engine.Slack);
+  }
+  // the place where "b" was is free, and the place where it is now is not
+  const CEmbodiedEntity& body = world.Body("b");
+  const CBodyIndex& index = world.GetSpace().GetBodyIndex();
+  const auto find = [&](const CVector3& place) {
+    return index.FindOverlap(*body.GetBodyDescription(), place, CQuaternion(), CBodyIndex::kNoBody);
+  };
+  CHECK(find(CVector3(end[1].GetX(), 1, 0)) == CBodyIndex::kNoBody);
+  CHECK(find(CVector3(0.0, 1, 0)) == body.GetBodyNumber());
+  // engines move them from there: as in the first run
+  const std::vector<CVector3> again = run();
+  for (size_t i = 0; i < ids.size(); ++i) {
+    CAPTURE(ids[i]);
+    // bodies that have settled start lower
+    CHECK(Distance(again[i], end[i]) <= 1e-6 + engine.Slack + 0.3 * engine.Slip);
+  }
 }
 
 TEST_CASE("lifecycle: after a reset the run repeats bit by bit", "[contract][engine]") {

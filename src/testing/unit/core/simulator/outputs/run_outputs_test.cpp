@@ -155,6 +155,23 @@ TEST_CASE("outputs: a reset inside of a tick ends a run with that tick, and begi
                         "a: reset", "post step", "a: tick 0"});
 }
 
+TEST_CASE("outputs: a reset of the space alone, and a clock that goes back, begin another run",
+          "[core][outputs]") {
+  CObservedRun run(kOutput);
+  run.GetSimulator().UpdateSpace();
+  run.GetSimulator().UpdateSpace();
+  run.GetSimulator().GetSpace().Reset();
+  // of a run that has ended
+  run.GetSimulator().GetSpace().Reset();
+  run.GetSimulator().UpdateSpace();
+  CHECK(calls == TCalls{"a: tick 0", "a: tick 1", "a: tick 2", "a: finish at 2", "a: reset",
+                        "a: tick 0", "a: tick 1"});
+  calls.clear();
+  run.GetSimulator().GetSpace().SetSimulationClock(0);
+  run.GetSimulator().UpdateSpace();
+  CHECK(calls == TCalls{"a: finish at 0", "a: reset", "a: tick 0", "a: tick 1"});
+}
+
 TEST_CASE("outputs: the run is finished after PostExperiment()", "[core][outputs]") {
   CObservedRun run(kOutput, "<loop_functions label='resetting_functions'/>");
   run.GetSimulator().Execute();
