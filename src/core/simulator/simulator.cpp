@@ -8,6 +8,7 @@
 #include <argos3/core/simulator/loaded_simulators.h>
 #include <argos3/core/simulator/loading/experiment_loader.h>
 #include <argos3/core/simulator/loading/experiment_parts.h>
+#include <argos3/core/simulator/placement/arena_filling.h>
 #include <argos3/core/simulator/replay/replay.h>
 #include <argos3/core/simulator/space/metrics.h>
 #include <argos3/core/simulator/space/space.h>
@@ -381,6 +382,10 @@ void CSimulator::Init() {
 }
 
 void CSimulator::Reset() {
+  ResetRun(m_experiment->Filling != nullptr && m_experiment->Filling->IsRedistributedByReset());
+}
+
+void CSimulator::ResetRun(bool redistributes) {
   m_context.Run.CheckAllowsReset();
   const CScope scope(*this);
   ShowUnseenTick();
@@ -397,7 +402,11 @@ void CSimulator::Reset() {
   if (m_context.Metrics != nullptr) {
     m_context.Metrics->ForgetValues();
   }
-  m_space->Reset();
+  if (redistributes && m_experiment->Filling != nullptr) {
+    m_space->Reset([this] { m_experiment->Filling->Redistribute(); });
+  } else {
+    m_space->Reset();
+  }
   // after the engines, which the space resets: media use the positions of bodies
   for (CMedium* medium : m_context.Media) {
     medium->Reset();
@@ -451,6 +460,15 @@ void CSimulator::CompleteOutputs() {
 void CSimulator::Reset(UInt32 newRandomSeed) {
   SetRandomSeed(newRandomSeed);
   Reset();
+}
+
+void CSimulator::Redistribute() {
+  ResetRun(true);
+}
+
+void CSimulator::Redistribute(UInt32 newRandomSeed) {
+  SetRandomSeed(newRandomSeed);
+  Redistribute();
 }
 
 void CSimulator::Destroy() {

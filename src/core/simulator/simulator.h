@@ -218,6 +218,16 @@ class CSimulator {
   /** The same with another seed. */
   void Reset(UInt32 newRandomSeed);
   /**
+   * Resets, and draws the places of `<distribute>` again from the seed: those that loading the
+   * experiment with this seed would draw. Later resets keep them. `<arena redistribute="true">`
+   * makes each Reset() do it.
+   * @throws CARGoSException as Reset(), or if a body has no free place (call it again with another
+   *   seed, or Reset()).
+   */
+  void Redistribute();
+  /** The same with another seed. */
+  void Redistribute(UInt32 newRandomSeed);
+  /**
    * Destroys the experiment; another one may be loaded.
    * @throws CARGoSException in a tick and during Execute(), with the calling robot or hook: nothing
    *   is destroyed then.
@@ -253,6 +263,7 @@ class CSimulator {
 
   explicit CSimulator(std::unique_ptr<CRandom::CRegistry> registry);
   CMedium& GetMediumBase(const std::string& id);
+  void ResetRun(bool redistributes);
   void ThrowIfLoaded() const;
   void ShowUnseenTick();
   CRandom::CRegistry& GetRegistry() const;

@@ -62,6 +62,7 @@ const std::map<std::string, std::string> kNotUndone = {
     {"CComposableEntity::SetLazyComponents", "protected: for constructors"},
     {"CPositionalEntity::SetInitPosition", "changes the start"},
     {"CPositionalEntity::SetInitOrientation", "changes the start"},
+    {"CEmbodiedEntity::SetInitPose", "changes the start"},
     {"CEmbodiedEntity::SetBodyDescription", "for the class of the entity, which describes itself"},
     {"CEmbodiedEntity::SetOriginPose", "for engines; Reset() restores the pose"},
     {"CEmbodiedEntity::SetLinkPose", "for engines; Reset() restores the poses"},

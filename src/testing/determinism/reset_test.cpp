@@ -238,4 +238,36 @@ TEST_CASE("reset: a child of fork() runs as its parent, with threads of its own"
   CHECK(goOn() == 0);
 }
 
+TEST_CASE("reset: after a redistribution the run is that of an experiment loaded with the seed",
+          "[determinism][reset]") {
+  const auto scattered = [](UInt32 seed) {
+    SExperiment experiment = Swarm(2);
+    experiment.Seed = seed;
+    const std::string any =
+        "<distribute><position method='uniform' min='-2,-2,0' max='2,2,0'/><orientation "
+        "method='uniform' min='-180,0,0' max='180,0,0'/>";
+    experiment.Arena =
+        "<box id='wall' size='1,0.1,0.3' movable='false'><body position='0,0,0'/></box>" + any +
+        "<entity quantity='15' max_trials='1000'><foot-bot id='fb'><controller "
+        "config='foot-bot'/></foot-bot></entity></distribute>" +
+        any +
+        "<entity quantity='15' max_trials='1000'><e-puck id='ep'><controller "
+        "config='e-puck'/></e-puck></entity></distribute>" +
+        any +
+        "<entity quantity='5' max_trials='1000'><box id='box' size='0.2,0.1,0.2' movable='true' "
+        "mass='0.2'/></entity></distribute>";
+    return experiment;
+  };
+  CTestWorld world(scattered(1));
+  world.Step(30);
+  for (const UInt32 seed : {7U, 8U, 1U}) {
+    CAPTURE(seed);
+    CTestWorld fresh(scattered(seed));
+    world.GetSimulator().Redistribute(seed);
+    CHECK(Run(world, false) == Run(fresh, false));
+    world.GetSimulator().Redistribute();
+    CHECK(world.GetSpace().GetSimulationClock() == 0);
+  }
+}
+
 }  // namespace reset_test

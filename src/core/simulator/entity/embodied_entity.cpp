@@ -56,6 +56,12 @@ void CEmbodiedEntity::Init(TConfigurationNode& tree) {
   m_psOriginAnchor->Orientation = m_cInitOriginOrientation;
 }
 
+void CEmbodiedEntity::SetInitPose(const CVector3& position, const CQuaternion& orientation) {
+  m_cInitOriginOrientation =
+      CheckPose([this] { return "SetInitPose() of " + NameOfBody(*this); }, position, orientation);
+  m_cInitOriginPosition = position;
+}
+
 void CEmbodiedEntity::Reset() {
   CEntity::Reset();
   if (m_tPhysicsModelVector.empty() || CurrentContext().IsSpaceResetting) {

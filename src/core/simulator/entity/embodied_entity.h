@@ -49,6 +49,9 @@ class CEmbodiedEntity : public CEntity {
   SAnchor& GetOriginAnchor() { return *m_psOriginAnchor; }
   const CVector3& GetInitPosition() const { return m_cInitOriginPosition; }
   const CQuaternion& GetInitOrientation() const { return m_cInitOriginOrientation; }
+  /** Changes the pose that Reset() restores, m, world frame. @throws CARGoSException if not finite.
+   */
+  void SetInitPose(const CVector3& position, const CQuaternion& orientation);
 
   /**
    * Adds a frame fixed to the body.

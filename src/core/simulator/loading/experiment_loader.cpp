@@ -426,7 +426,7 @@ void CExperimentLoader::AdoptLoopFunctions(std::unique_ptr<CLoopFunctions> loopF
 void CExperimentLoader::InitArena(TConfigurationNode& node, CLoadErrors& errors) {
   CSpace& space = *m_context.Space;
   if (errors.Try("", [&] { space.Init(node); })) {
-    FillArena(space, node, errors);
+    m_experiment.Filling = std::make_unique<CArenaFilling>(space, node, errors);
   }
   space.GetBodyIndex().Rebuild(*m_context.Pool);
 }

@@ -3,6 +3,7 @@
 #include <argos3/core/simulator/loading/load_warnings.h>
 #include <argos3/core/simulator/medium/medium.h>
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
+#include <argos3/core/simulator/placement/arena_filling.h>
 #include <argos3/core/simulator/replay/replay.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/simulator/tick/loop_functions.h>
@@ -83,6 +84,7 @@ std::exception_ptr SExperimentParts::Destroy() {
     failure.Try([this] { Visualization->Destroy(); });
   }
   Visualization.reset();
+  Filling.reset();
   failure.Try([this] { m_context.Space->Destroy(); });
   if (!m_context.Space->GetRootEntityVector().empty()) {
     // there was not even the memory to remove them: they refer to engines and media, which stay

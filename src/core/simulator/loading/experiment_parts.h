@@ -12,6 +12,7 @@
 
 namespace argos {
 
+class CArenaFilling;
 class CConfigurationDocument;
 class CLoopFunctions;
 class CProfiler;
@@ -64,6 +65,7 @@ struct SExperimentParts {
   std::unique_ptr<CVisualization> Visualization;
   CRunOutputs Outputs;
   CEngineLookup EngineLookup;
+  std::unique_ptr<CArenaFilling> Filling; /**< null in a replay */
 
  private:
   void FinishProfiling();

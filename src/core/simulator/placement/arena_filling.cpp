@@ -1,11 +1,16 @@
 #include <argos3/core/simulator/placement/arena_filling.h>
 
-#include <argos3/core/simulator/placement/distribution.h>
+#include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/core/simulator/placement/planned_bodies.h>
 #include <argos3/core/simulator/space/space.h>
 
 namespace argos {
 
-void FillArena(CSpace& space, TConfigurationNode& arena, CLoadErrors& errors) {
+CArenaFilling::CArenaFilling(CSpace& space, TConfigurationNode& arena, CLoadErrors& errors)
+    : m_space(space) {
+  errors.Try("", [&] {
+    GetNodeAttributeOrDefault(arena, "redistribute", m_isRedistributedByReset, false);
+  });
   const std::string distribute = "distribute";
   TConfigurationNodeIterator it;
   for (it = it.begin(&arena); it != it.end(); ++it) {
@@ -15,13 +20,35 @@ void FillArena(CSpace& space, TConfigurationNode& arena, CLoadErrors& errors) {
       }
     }
   }
+  if (!space.GetRootEntityVector().empty()) {
+    m_endOfSingles = space.GetRootEntityVector().back()->GetIndex() + 1;
+  }
   for (it = it.begin(&arena); it != it.end(); ++it) {
     if (it->Value() == distribute) {
-      CDistribution distribution(space, *it, errors);
+      m_distributions.push_back(std::make_unique<CDistribution>(space, *it, errors));
+      CDistribution& distribution = *m_distributions.back();
       if (!errors.Try("", [&] { distribution.Place(); })) {
         errors.FindFurther([&] { distribution.TryTemplate(); });
       }
     }
+  }
+}
+
+void CArenaFilling::Redistribute() {
+  CPlannedBodies bodies(m_space.GetArenaLimits());
+  m_space.ForRootsAsCreated([&](CEntity& root, size_t) {
+    CEmbodiedEntity* const body = FindPlacedBody(root);
+    if (root.GetIndex() < m_endOfSingles && body != nullptr &&
+        body->GetBodyDescription() != nullptr) {
+      bodies.Add(body, body->GetSharedBodyDescription(),
+                 {body->GetInitPosition(), body->GetInitOrientation()});
+    }
+  });
+  for (const auto& distribution : m_distributions) {
+    distribution->ChooseAgain(bodies);
+  }
+  for (const auto& distribution : m_distributions) {
+    distribution->TakeChosen();
   }
 }
 

@@ -7,6 +7,7 @@
 #include <argos3/core/simulator/entity/positional_entity.h>
 #include <argos3/core/simulator/geometry/body_index.h>
 #include <argos3/core/simulator/placement/ground_order.h>
+#include <argos3/core/simulator/placement/planned_bodies.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/utility/configuration/attribute_text.h>
 #include <argos3/core/utility/memory/object_slabs.h>
@@ -102,7 +103,9 @@ Real ComputeBase(const SShapeDescription& solid) {
   return hasBase && !isTilted ? solid.ComputeVolume() / solid.Size.GetZ() : 0.0;
 }
 
-CEmbodiedEntity* FindBody(CEntity& entity) {
+}  // namespace
+
+CEmbodiedEntity* FindPlacedBody(CEntity& entity) {
   auto* composable = dynamic_cast<CComposableEntity*>(&entity);
   if (composable == nullptr || !composable->HasComponent("body")) {
     return nullptr;
@@ -110,10 +113,8 @@ CEmbodiedEntity* FindBody(CEntity& entity) {
   return &composable->GetComponent<CEmbodiedEntity>("body");
 }
 
-}  // namespace
-
 CDistribution::CDistribution(CSpace& space, TConfigurationNode& node, CLoadErrors& errors)
-    : m_space(space), m_node(node) {
+    : m_space(space), m_node(node), m_obstacles(&space.GetBodyIndex()) {
   const auto read = [&](auto&& step) { m_isValid = errors.Try("", step) && m_isValid; };
   read([&] { m_positions = CreateVectorGenerator(GetNode(m_node, "position"), m_space.GetRNG()); });
   read([&] {
@@ -256,7 +257,7 @@ void CDistribution::Probe() {
   }
   WriteIntoTemplate(m_baseId, CVector3(), CVector3());
   probe->Init(*m_template);
-  if (CEmbodiedEntity* body = FindBody(*probe)) {
+  if (CEmbodiedEntity* body = FindPlacedBody(*probe)) {
     m_hasBody = true;
     m_body = body->GetSharedBodyDescription();
   } else if (m_poseNode != m_template) {
@@ -340,13 +341,67 @@ CDistribution::SPlaces CDistribution::ChoosePlaces() {
   return places;
 }
 
+// that of the entities; one that a user's model has given them is not known to Probe()
+std::shared_ptr<const SBodyDescription> CDistribution::FindDescription() const {
+  if (m_body != nullptr || !m_hasBody) {
+    return m_body;
+  }
+  for (UInt64 number = 0; number < m_quantity; ++number) {
+    CEntity* const entity = m_space.TryGetEntity(MakeId(number));
+    CEmbodiedEntity* const body = entity != nullptr ? FindPlacedBody(*entity) : nullptr;
+    if (body != nullptr && body->GetBodyDescription() != nullptr) {
+      return body->GetSharedBodyDescription();
+    }
+  }
+  THROW_ARGOSEXCEPTION("only the engine knows the shape of a <"
+                       << m_template->Value()
+                       << ">: its places cannot be drawn again; load the experiment again instead");
+}
+
+void CDistribution::ChooseAgain(CPlannedBodies& bodies) {
+  CallStep([&] {
+    m_chosen.clear();
+    m_positions = CreateVectorGenerator(GetNode(m_node, "position"), m_space.GetRNG());
+    m_orientations = CreateVectorGenerator(GetNode(m_node, "orientation"), m_space.GetRNG());
+    m_body = FindDescription();
+    m_obstacles = &bodies.GetIndex();
+    for (UInt64 number = 0; number < m_quantity; ++number) {
+      CEntity* const entity = m_space.TryGetEntity(MakeId(number));
+      FindPlace(number,
+                [&](const CVector3& position, const CQuaternion& orientation, const CVector3&) {
+                  m_chosen.push_back({number, {position, orientation}});
+                  return true;
+                });
+      if (m_body != nullptr) {
+        bodies.Add(entity != nullptr ? FindPlacedBody(*entity) : nullptr, m_body,
+                   m_chosen.back().Pose);
+      }
+    }
+  });
+}
+
+void CDistribution::TakeChosen() {
+  for (const SChosen& chosen : m_chosen) {
+    CEntity* const entity = m_space.TryGetEntity(MakeId(chosen.Number));
+    if (entity == nullptr) {
+      continue;
+    }
+    if (auto* const point = dynamic_cast<CPositionalEntity*>(entity)) {
+      point->SetInitPosition(chosen.Pose.Position);
+      point->SetInitOrientation(chosen.Pose.Orientation);
+    } else if (CEmbodiedEntity* const body = FindPlacedBody(*entity)) {
+      body->SetInitPose(chosen.Pose.Position, chosen.Pose.Orientation);
+    }
+  }
+  m_chosen.clear();
+}
+
 bool CDistribution::IsFree(const CVector3& position, const CQuaternion& orientation) {
   m_lastPosition = position;
   if (m_body == nullptr) {
     return true;
   }
-  const CBodyIndex& index = m_space.GetBodyIndex();
-  m_lastObstacle = index.FindOverlap(*m_body, position, orientation, CBodyIndex::kNoBody);
+  m_lastObstacle = m_obstacles->FindOverlap(*m_body, position, orientation, CBodyIndex::kNoBody);
   m_isLastPlanned = false;
   return m_lastObstacle == CBodyIndex::kNoBody;
 }
@@ -354,7 +409,7 @@ bool CDistribution::IsFree(const CVector3& position, const CQuaternion& orientat
 bool CDistribution::TryToCreate(const std::string& id) {
   CEntity& entity = m_space.CreateEntity(*m_template);
   // a body without a description is tested by its engine after it was added
-  if (!m_hasBody || m_body != nullptr || !FindBody(entity)->IsCollidingWithSomething()) {
+  if (!m_hasBody || m_body != nullptr || !FindPlacedBody(entity)->IsCollidingWithSomething()) {
     return true;
   }
   m_lastObstacle = CBodyIndex::kNoBody;
@@ -374,7 +429,7 @@ std::string CDistribution::DescribeObstacle() const {
     return "something in its engine";
   }
   return m_isLastPlanned ? MakeId(m_lastObstacle)
-                         : m_space.GetBodyIndex().GetBody(m_lastObstacle).GetRootEntity().GetId();
+                         : m_obstacles->GetBody(m_lastObstacle).GetRootEntity().GetId();
 }
 
 void CDistribution::GiveUp(const std::string& id, UInt64 trials) const {

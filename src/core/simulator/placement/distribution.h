@@ -3,6 +3,7 @@
 
 #include <argos3/core/simulator/context/load_errors.h>
 #include <argos3/core/simulator/geometry/body_description.h>
+#include <argos3/core/simulator/geometry/body_pose.h>
 #include <argos3/core/simulator/placement/vector_generator.h>
 #include <argos3/core/utility/configuration/argos_configuration.h>
 
@@ -13,6 +14,9 @@
 
 namespace argos {
 
+class CBodyIndex;
+class CEmbodiedEntity;
+class CPlannedBodies;
 class CSpace;
 
 /**
@@ -41,6 +45,14 @@ class CDistribution {
   /** Initialises the entity without its controller. @throws CARGoSException if that fails. */
   void TryTemplate();
 
+  /**
+   * Chooses the places again, as Place() does, but among @p bodies, to which it adds its own.
+   * @throws CARGoSException as Place(), and if only an engine knows the shape of the body.
+   */
+  void ChooseAgain(CPlannedBodies& bodies);
+  /** Makes the places of ChooseAgain() the initial poses of the entities. */
+  void TakeChosen();
+
  private:
   void ReadEntity();
   void CallStep(const std::function<void()>& step);
@@ -55,6 +67,7 @@ class CDistribution {
     std::vector<CVector3> Angles;  // degrees: z, y, x
   };
   SPlaces ChoosePlaces();
+  std::shared_ptr<const SBodyDescription> FindDescription() const;
   template <typename TAKE>
   void FindPlace(UInt64 number, TAKE&& take);
   std::string MakeId(UInt64 number) const;
@@ -76,6 +89,13 @@ class CDistribution {
   UInt64 m_quantity = 0;
   UInt64 m_maxTrials = 0;
   bool m_isValid = true;  // the constructor has found no error
+
+  const CBodyIndex* m_obstacles;  // where places must be free
+  struct SChosen {
+    UInt64 Number;
+    SBodyPose Pose;
+  };
+  std::vector<SChosen> m_chosen;  // by ChooseAgain()
 
   // set by Probe()
   std::shared_ptr<const SBodyDescription> m_body;  // null: none, or one that its engine must test

@@ -317,6 +317,10 @@ void CSpace::MarkStart() {
 }
 
 void CSpace::Reset() {
+  Reset({});
+}
+
+void CSpace::Reset(const std::function<void()>& place) {
   m_context.Run.CheckIsNotInPhase("CSpace::Reset()",
                                   "CSimulator::Reset() is possible between ticks");
   if (m_context.EndRun) {
@@ -325,7 +329,7 @@ void CSpace::Reset() {
   m_simulationClock = 0;
   {
     const CWhileTrue resetting(m_context.IsSpaceResetting);
-    ResetEntities();
+    ResetEntities(place);
   }
   m_context.Run.ApplyChanges();
   m_context.RobotFailures.Report();
@@ -337,9 +341,12 @@ void CSpace::Reset() {
   m_bodyIndex->Rebuild(*m_context.Pool);
 }
 
-void CSpace::ResetEntities() {
+void CSpace::ResetEntities(const std::function<void()>& place) {
   for (CEntity* root : m_roots) {
     root->ReturnToStart();
+  }
+  if (place) {
+    place();
   }
   {
     // Reset() of users' controllers

@@ -76,6 +76,8 @@ class CSpace : public CBaseConfigurableResource {
   void ForRootsAsCreated(const std::function<void(CEntity&, size_t)>& visit) const;
   /** By qualified id ("fb0", "fb0.leds_0.led_3"). @throws with the nearest ids if unknown. */
   CEntity& GetEntity(const std::string& id);
+  /** The same, but null if the id is unknown. */
+  CEntity* TryGetEntity(const std::string& id);
   /** Appends the entities whose id matches the POSIX extended regular expression. */
   void GetEntitiesMatching(CEntity::TVector& buffer, const std::string& pattern);
   CEntity::TMap& GetEntityMapPerId();
@@ -103,6 +105,8 @@ class CSpace : public CBaseConfigurableResource {
    * simulator, which also resets random numbers and media, and is exactly repeatable.
    */
   void Reset() override;
+  /** The same. @param place  called before entities are reset; may change their initial poses. */
+  void Reset(const std::function<void()>& place);
   void Destroy() override;
   /** One tick of the simulation (tick/tick.h). */
   virtual void Update();
@@ -257,8 +261,7 @@ class CSpace : public CBaseConfigurableResource {
   void QuarantineNow(CEntity& root);
   void TakeBackQuarantined();
   void RemoveLastRoot();
-  void ResetEntities();
-  CEntity* TryGetEntity(const std::string& id);
+  void ResetEntities(const std::function<void()>& place);
   CEntity* TryGetRoot(const std::string& id, ssize_t index) const;
 
   SSimulationContext& m_context;

@@ -246,4 +246,96 @@ TEST_CASE("distribute: invalid settings are errors", "[core][space][distribute]"
              Contains("\"fb0\"") && Contains("unique"));
 }
 
+TEST_CASE("redistribution: places are those of an experiment that is loaded with the seed",
+          "[core][space][distribute]") {
+  const std::string arena =
+      "<toy-block id='b' size='1,1,1' movable='false'><body position='0,0,0'/></toy-block>" +
+      Distribute(kUniform, kAnyYaw, "quantity='40' max_trials='1000'", kRobot) +
+      Distribute("<position method='gaussian' mean='0,0,0' std_dev='1,1,0' />", kAnyYaw,
+                 "quantity='20' max_trials='1000' base_num='40'", kRobot) +
+      Distribute(kUniform, kNoYaw, "quantity='3' max_trials='0'", "<toy-lamp id='lamp'/>");
+  CTestWorld world(Experiment(arena, 1));
+  const auto lamp = [](CTestWorld& from) {
+    return from.Get<CToyLampEntity>("lamp1").GetPosition();
+  };
+  const std::vector<CVector3> first = Positions(world);
+  const UInt64 digest = world.ComputeDigest();
+  for (const UInt32 seed : {2U, 3U, 1U}) {
+    CAPTURE(seed);
+    CTestWorld fresh(Experiment(arena, seed));
+    world.Step(3);
+    world.GetSimulator().Redistribute(seed);
+    CHECK(Positions(world) == Positions(fresh));
+    CHECK(lamp(world) == lamp(fresh));
+    CHECK(world.ComputeDigest() == fresh.ComputeDigest());
+    CHECK((Positions(world) == first) == (seed == 1));
+    // later resets keep the places
+    world.GetSimulator().Reset(4);
+    CHECK(Positions(world) == Positions(fresh));
+  }
+  CHECK(world.ComputeDigest() == digest);
+}
+
+TEST_CASE("redistribution: with the attribute each reset draws the places of its seed",
+          "[core][space][distribute]") {
+  SExperiment experiment =
+      Experiment(Distribute(kUniform, kAnyYaw, "quantity='40' max_trials='1000'", kRobot));
+  const std::string kept = experiment.ToXml();
+  const size_t size = kept.find("<arena ") + 7;
+  const std::string drawn = std::string(kept).insert(size, "redistribute='true' ");
+  CTestWorld keeping(kept);
+  CTestWorld drawing(drawn);
+  const std::vector<CVector3> places = Positions(keeping);
+  CHECK(Positions(drawing) == places);
+  keeping.GetSimulator().Reset(2);
+  drawing.GetSimulator().Reset(2);
+  CHECK(Positions(keeping) == places);
+  CHECK(Positions(drawing) != places);
+  drawing.GetSimulator().Reset(1);
+  CHECK(Positions(drawing) == places);
+  drawing.GetSimulator().Reset();
+  CHECK(Positions(drawing) == places);
+  CHECK_THROWS_WITH(CTestWorld(std::string(kept).insert(size, "redistribute='often' ")),
+                    Contains("redistribute"));
+}
+
+TEST_CASE("redistribution: many bodies, and bodies that were removed, get the places of the seed",
+          "[core][space][distribute]") {
+  // from CSpace::kFewRobots on, loading creates bodies in the order of the ground
+  const std::string arena = Distribute("<position method='uniform' min='-5,-5,0' max='5,5,0' />",
+                                       kNoYaw, "quantity='600' max_trials='1000'", kRobot);
+  CTestWorld world(Experiment(arena, 1));
+  CTestWorld fresh(Experiment(arena, 2));
+  std::vector<CVector3> places = Positions(fresh);
+  world.GetSimulator().Redistribute(2);
+  CHECK(Positions(world) == places);
+  {
+    const CSimulator::CScope scope(world.GetSimulator());
+    world.GetSimulator().GetLoopFunctions().RemoveEntity("fb7");
+  }
+  world.GetSimulator().Redistribute(2);
+  places.erase(places.begin() + 7);
+  CHECK(Positions(world) == places);
+}
+
+TEST_CASE("redistribution: without a free place nothing changes", "[core][space][distribute]") {
+  // some seeds leave no place for the second one
+  const std::string arena = Distribute("<position method='uniform' min='0,0,0' max='0.2,0,0' />",
+                                       kNoYaw, "quantity='2' max_trials='1'", kRobot);
+  UInt32 good = 0;
+  UInt32 bad = 0;
+  for (UInt32 seed = 1; good == 0 || bad == 0; ++seed) {
+    REQUIRE(seed < 100);
+    (LoadError(Experiment(arena, seed)).empty() ? good : bad) = seed;
+  }
+  CTestWorld world(Experiment(arena, good));
+  const std::vector<CVector3> places = Positions(world);
+  CHECK_THROWS_WITH(world.GetSimulator().Redistribute(bad),
+                    Contains("no free place for \"fb1\"") && Contains("is taken by \"fb0\""));
+  world.GetSimulator().Reset();
+  CHECK(Positions(world) == places);
+  world.GetSimulator().Redistribute(good);
+  CHECK(Positions(world) == places);
+}
+
 }  // namespace distribution_test
