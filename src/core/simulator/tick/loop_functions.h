@@ -78,7 +78,7 @@ class CLoopFunctions : public CBaseConfigurableResource, public CFloorPainter {
 
   virtual void MoveEntity(CPositionalEntity& entity, const CVector3& position,
                           const CQuaternion& orientation);
-  /** See CEmbodiedEntity::MoveTo(). @return true if the pose is free of collisions. */
+  /** See CEmbodiedEntity::MoveTo(), also for the result. */
   virtual bool MoveEntity(CEmbodiedEntity& entity, const CVector3& position,
                           const CQuaternion& orientation, bool checkOnly = false,
                           bool ignoreCollisions = false);
