@@ -72,7 +72,6 @@ TEST_CASE("campaign: crashes in 3 % of runs, a hang and a lack of memory leave a
   }
 }
 
-
 TEST_CASE("campaign: two managers at once, and no run twice", "[campaign][program]") {
   const CTestFolder folder;
   folder.Write("experiment.argos", MakeCampaignExperiment("hang", 2));
