@@ -207,14 +207,12 @@ TEST_CASE("space: the element of an entity lives as long as the entity", "[core]
   CSpace& space = world.GetSpace();
   const std::string block =
       "\n<toy-block id='b' size='1,1,1' movable='false'><body position='3,0,0'/></toy-block>";
-  const auto add = [&space](const std::string& xml) -> CEntity& {
+  const bool isCopy = GENERATE(false, true);
+  const auto add = [&space, isCopy](const std::string& xml) -> CEntity& {
     CConfigurationDocument document;
     document.Parse(xml, "added.xml");
-    SECTION("the node of a document") {
-      return space.CreateEntity(document.GetRoot());
-    }
     TConfigurationNode node = document.GetRoot();
-    return space.CreateEntity(node);
+    return space.CreateEntity(isCopy ? node : document.GetRoot());
   };
   CEntity& added = add(block);
   REQUIRE(added.GetConfigurationNode() != nullptr);
