@@ -57,8 +57,6 @@ void CEntity::SetNode(TConfigurationNode& node) {
   m_ownsNode = !isLasting;
 }
 
-CEntity::~CEntity() = default;
-
 void CEntity::Init(TConfigurationNode& tree) {
   SetNode(tree);
   if (NodeAttributeExists(tree, "id")) {
