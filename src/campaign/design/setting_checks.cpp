@@ -139,6 +139,30 @@ std::string FindFrameworkAttribute(CConfigurationDocument& document, const char*
   return element == nullptr ? "" : element->GetAttribute(attribute);
 }
 
+size_t CountMarked(const CConfigurationNode& node, const std::string& marker) {
+  size_t count = 0;
+  for (const std::string& name : node.GetAttributeNames()) {
+    count += node.GetAttribute(name) == marker ? 1 : 0;
+  }
+  for (const CConfigurationNode* child = node.FirstChildElement(false); child != nullptr;
+       child = child->NextSiblingElement(false)) {
+    count += CountMarked(*child, marker);
+  }
+  return count;
+}
+
+// true if nothing but the visualization has the marker
+bool SetsOnlyViews(CConfigurationDocument& document, const std::string& marker) {
+  const CConfigurationNode* const views =
+      document.GetRoot().FirstChildElement("visualization", false);
+  return views != nullptr && CountMarked(*views, marker) == CountMarked(document.GetRoot(), marker);
+}
+
+void RefuseViews(CLoadErrors& errors, const std::string& path, const std::vector<SUse>& uses) {
+  errors.Add("", CARGoSException(uses.front().Location + ": \"" + path +
+                                 "\" is of the visualization, and runs of a campaign have none"));
+}
+
 void RefuseSeed(CLoadErrors& errors, const std::string& path, const std::vector<SUse>& uses) {
   for (const SUse& use : uses) {
     errors.Add("", CARGoSException(use.Location + ": \"" + path +
@@ -188,6 +212,10 @@ std::set<std::string> CheckSettings(CLoadErrors& errors, const std::string& expe
     }
     if (FindFrameworkAttribute(document, "experiment", "random_seed") == marker) {
       RefuseSeed(errors, path, uses);
+      continue;
+    }
+    if (SetsOnlyViews(document, marker)) {
+      RefuseViews(errors, path, uses);
       continue;
     }
     if (FindFrameworkAttribute(document, "system", "threads") == marker) {

@@ -21,8 +21,9 @@ void ApplyConstants(CLoadErrors& errors, const std::string& experimentFile,
 
 /**
  * Checks that each path of factors and constants matches something other than the seed, which each
- * run has from <runs>, and that no attribute is set twice in one combination: by two factors, by a
- * factor and a constant, or twice by one of them. Attributes are compared, not the texts of paths.
+ * run has from <runs>, and the visualization, which it has not, and that no attribute is set twice
+ * in one combination: by two factors, by a factor and a constant, or twice by one of them.
+ * Attributes are compared, not the texts of paths.
  * @return the paths that lead to the number of threads.
  */
 std::set<std::string> CheckSettings(CLoadErrors& errors, const std::string& experimentFile,

@@ -136,6 +136,24 @@ TEST_CASE("campaign file: the seed of a run is that of <runs> only", "[campaign]
              Contains("test.xml:7: <set>: " + refused));
 }
 
+TEST_CASE("campaign file: runs have no visualization that could be set", "[campaign][design]") {
+  const CTemporaryFolder folder;
+  const auto read = [&folder](const std::string& path) {
+    const std::string file =
+        WriteCampaign(folder, "<runs seeds=\"1\"/>\n<set path=\"" + path + "\" value=\"2\"/>");
+    std::string experiment = kCampaignExperiment;
+    experiment.insert(experiment.find("</argos-configuration>"),
+                      "<visualization><offscreen every=\"1\"/></visualization>");
+    folder.Write("test.argos", experiment);
+    return CatchText([&file] { ReadCampaign(file); });
+  };
+  CHECK_THAT(read("//offscreen/@every"),
+             Contains("test.xml:3: <set>: \"//offscreen/@every\" is of the visualization"));
+  CHECK(read("//experiment/@length").empty());
+  // elsewhere, too
+  CHECK(read("//*/@every").empty());
+}
+
 TEST_CASE("campaign file: a <set> of the number of threads counts", "[campaign][design]") {
   const CTemporaryFolder folder;
   const std::string set = "<set path=\"//system/@threads\" value=\"3\"/>";
