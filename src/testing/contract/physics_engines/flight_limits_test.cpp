@@ -176,6 +176,28 @@ TEST_CASE("flight limits: the number of substeps follows from the robots", "[con
   CHECK(engine.GetIterations() == (c.Iterations.empty() ? 10 : std::stoul(c.Iterations)));
 }
 
+TEST_CASE("flight limits: the robot with the fastest controller sets the number of substeps",
+          "[contract][flight]") {
+  SFlightExperiment experiment;
+  experiment.Engines = "<pointmass3d id='e' iterations='1'/>";
+  experiment.Arena = EyeBotXml("a", CVector3()) + EyeBotXml("b", CVector3(2, 0, 0));
+  CFlightWorld world(experiment);
+  // the velocity loop of one has the rate 40 / s instead of 20 / s; it enters first or last
+  const std::string fast = GENERATE("a", "b");
+  CAPTURE(fast);
+  for (const std::string id : {"a", "b"}) {
+    CEmbodiedEntity& body = world.Body(id);
+    auto description = std::make_shared<SBodyDescription>(*body.GetBodyDescription());
+    description->Propellers->Velocity.Proportional *= id == fast ? 2.0 : 1.0;
+    world.GetSpace().RemoveEntityFromPhysicsEngines(body);
+    body.SetBodyDescription(std::move(description));
+    world.GetSpace().AddEntityToPhysicsEngine(body);
+  }
+  auto& engine =
+      dynamic_cast<CPointMass3DEngine&>(*world.GetSimulator().GetPhysicsEngines().front());
+  CHECK(engine.GetSubsteps() == 6);
+}
+
 TEST_CASE("flight limits: bodies that cannot fly are refused with a reason",
           "[contract][flight][errors]") {
   SFlightExperiment experiment;

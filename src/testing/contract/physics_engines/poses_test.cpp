@@ -3,6 +3,8 @@
 #include <argos3/testing/contract/physics_engines/drive_world.h>
 #include <argos3/testing/contract/physics_engines/engines.h>
 
+#include <argos3/core/simulator/geometry/body_description.h>
+#include <argos3/core/simulator/geometry/bounding_box.h>
 #include <argos3/core/simulator/loop_functions.h>
 #include <argos3/plugins/robots/e-puck/simulator/epuck_entity.h>
 #include <argos3/plugins/simulator/entities/light_entity.h>
@@ -83,6 +85,27 @@ TEST_CASE("poses: enabled anchors move with the body", "[contract][engine]") {
     CHECK_THAT(Distance(ahead, expected), WithinAbs(0.0, 1e-12));
   }
   CHECK(Distance(world.Position("a"), start) > 0.01);
+}
+
+TEST_CASE("poses: the bounding box contains solids away from the origin", "[contract][engine]") {
+  const SEngineType engine = GENERATE(from_range(kEnginesWithWheels));
+  CAPTURE(engine);
+  CDriveWorld world(engine.ToXml(),
+                    "<box id='a' size='0.2,0.1,0.1' movable='true' mass='1'>"
+                    "<body position='1,2,0' orientation='30,0,0'/></box>");
+  CEmbodiedEntity& body = world.Body("a");
+  auto description = std::make_shared<SBodyDescription>(*body.GetBodyDescription());
+  description->Shapes = {SShapeDescription::Box(CVector3(0.2, 0.1, 0.1), CVector3(0.3, 0.1, 0)),
+                         SShapeDescription::Cylinder(0.05, 0.1, CVector3(-0.1, 0.2, 0))};
+  world.GetSpace().RemoveEntityFromPhysicsEngines(body);
+  body.SetBodyDescription(description);
+  world.GetSpace().AddEntityToPhysicsEngine(body);
+  REQUIRE(body.MoveTo(CVector3(1.5, 2.5, 0), CQuaternion(CRadians(2.0), CVector3::Z)));
+  const SAnchor& origin = body.GetOriginAnchor();
+  const SBoundingBox expected =
+      description->ComputeBoundingBox(origin.Position, origin.Orientation);
+  CHECK_THAT(Distance(body.GetBoundingBox().MinCorner, expected.MinCorner), WithinAbs(0.0, 1e-9));
+  CHECK_THAT(Distance(body.GetBoundingBox().MaxCorner, expected.MaxCorner), WithinAbs(0.0, 1e-9));
 }
 
 TEST_CASE("poses: a body that is made with what is not a pose is an error", "[contract][engine]") {
