@@ -5,10 +5,6 @@
 
 #include <memory>
 
-namespace ci_controller_test {
-
-using Catch::Contains;
-
 // without a namespace, which would be part of its name in messages
 class CCI_TestNoseSensor : public argos::CCI_Sensor {};
 
@@ -22,6 +18,10 @@ struct SSimulatedPart {
 class CTestNose : public SSimulatedPart, public CCI_TestNoseSensor {};
 
 }  // namespace argosTest
+
+namespace ci_controller_test {
+
+using Catch::Contains;
 
 namespace {
 
