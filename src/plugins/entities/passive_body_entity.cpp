@@ -61,6 +61,7 @@ void CPassiveBodyEntity::UpdateComponents() {
 }
 
 CRFIDTagEquippedEntity& CPassiveBodyEntity::GetRFIDTagEquippedEntity() {
+  const auto lock = CRobotsCode::LockLazy();
   if (m_rfidTags == nullptr) {
     m_rfidTags = NewComponent<CRFIDTagEquippedEntity>(*this, "rfid_tags_0");
     if (GetIndex() >= 0) {

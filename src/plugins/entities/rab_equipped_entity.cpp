@@ -92,7 +92,8 @@ void CRABEquippedEntity::SetData(const CByteArray& data) {
     THROW_ARGOSEXCEPTION(Describe()
                          << ": messages have " << m_unMsgSize << " bytes, got " << data.Size());
   }
-  if (CRobotsCode::ChangesLater(*this, "SetData()", [this, data] { SetData(data); })) {
+  if (CRobotsCode::MayRun() &&
+      CRobotsCode::ChangesLater(*this, "SetData()", [this, data] { SetData(data); })) {
     return;
   }
   m_cData = data;

@@ -113,7 +113,8 @@ void CRFIDTagEntity::SetData(const CByteArray& data) {
     THROW_ARGOSEXCEPTION("RFID tag \"" << GetContext() << GetId() << "\" has a memory of "
                                        << m_data.Size() << " bytes, got " << data.Size());
   }
-  if (CRobotsCode::ChangesLater(*this, "SetData()", [this, data] { SetData(data); })) {
+  if (CRobotsCode::MayRun() &&
+      CRobotsCode::ChangesLater(*this, "SetData()", [this, data] { SetData(data); })) {
     return;
   }
   m_data = data;

@@ -47,8 +47,9 @@ class CTagEntity : public CMediumMember<CTagEntity, CTagMedium> {
   const std::string& GetPayload() const { return m_payload; }
   /** By code of its own robot: takes effect when all robots have been controlled (CRobotsCode). */
   void SetPayload(const std::string& payload) {
-    if (CRobotsCode::ChangesLater(*this, "SetPayload()",
-                                  [this, payload] { SetPayload(payload); })) {
+    if (CRobotsCode::MayRun() && CRobotsCode::ChangesLater(*this, "SetPayload()", [this, payload] {
+          SetPayload(payload);
+        })) {
       return;
     }
     m_payload = payload;

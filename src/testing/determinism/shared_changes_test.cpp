@@ -286,7 +286,8 @@ SExperiment World(UInt32 robots, UInt32 threads) {
   SExperiment experiment;
   experiment.Threads = threads;
   experiment.Controllers =
-      "<changer id='c'><actuators><differential_steering implementation='default'/></actuators>"
+      "<changer id='c'><actuators><differential_steering implementation='default'/>"
+      "<leds implementation='default' medium='leds'/></actuators>"
       "<sensors><range_and_bearing implementation='medium' medium='rab'/>"
       "<colored_blob_omnidirectional_camera implementation='rot_z_only' medium='leds'/></sensors>"
       "<params/></changer>";
@@ -305,7 +306,7 @@ SExperiment World(UInt32 robots, UInt32 threads) {
   for (UInt32 robot = 0; robot < robots; ++robot) {
     arena << "<foot-bot id='" << IdOf(robot) << "' rab_range='1' rab_data_size='2'><body position='"
           << 0.5 * (robot % 12) - 3 << ',' << 0.5 * (robot / 12) - 3 << ",0'/>"
-          << "<leds medium='leds'/><tags medium='tags'><tag position='0,0,0.1' payload='x' "
+          << "<tags medium='tags'><tag position='0,0,0.1' payload='x' "
              "anchor='origin' orientation='0,0,0' observable_angle='80' side_length='0.1'/></tags>"
              "<directional_leds medium='dleds'><directional_led position='0,0,0.1' "
              "orientation='0,0,0' anchor='origin' color='black' observable_angle='80'/>"

@@ -24,8 +24,9 @@ const CControllableEntity* GetRobot(const SRunningCode& code) {
              : nullptr;
 }
 
+// false for a component that is being created, too
 bool IsInSpace(const CEntity& entity) {
-  return entity.GetRootEntity().GetIndex() >= 0;
+  return entity.GetIndex() >= 0;
 }
 
 bool IsOfRunningRobot(const CEntity& entity) {

@@ -1,6 +1,7 @@
 #include <argos3/core/simulator/space/entity_views.h>
 
 #include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/simulator/entity/robots_code.h>
 #include <argos3/core/simulator/space/root_places.h>
 
 #include <algorithm>
@@ -114,6 +115,8 @@ void CEntityViews::ListPending() {
 }
 
 CEntityViews& CEntityViews::Complete() {
+  // components that robots create at the same time are added to the pending ones
+  const auto lazy = CRobotsCode::LockLazy();
   const std::lock_guard<std::mutex> lock(m_mutex);
   Open();
   if (!m_isComplete) {
@@ -157,6 +160,7 @@ void CEntityViews::ListAll() {
 }
 
 CSpace::TMapPerType* CEntityViews::FindType(const std::string& type) {
+  const auto lazy = CRobotsCode::LockLazy();
   const std::lock_guard<std::mutex> lock(m_mutex);
   Open();
   ListPending();

@@ -470,7 +470,8 @@ TEST_CASE("argos3: users' libraries in the plug-in path are loaded after those o
   fs::create_symlink(InBuildTree("testing/plugins/libargos3_test_good.so"),
                      fs::path(folder.Path(".")) / "libargos3_test_good.so");
   setenv("ARGOS_PLUGIN_PATH", folder.Path(".").c_str(), 1);
-  const SProgramRun run = folder.Run({"-q", "foot-bot", "--log-level", "debug"});
+  folder.Write("e.argos", Experiment());
+  const SProgramRun run = folder.Run({"e.argos", "--log-level", "debug"});
   unsetenv("ARGOS_PLUGIN_PATH");
   CAPTURE(run.Out, run.Err);
   CHECK(run.Status == 0);

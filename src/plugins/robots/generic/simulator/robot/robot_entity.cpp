@@ -146,6 +146,7 @@ void CRobotEntity::Create(const std::string& type) {
 }
 
 CEntity& CRobotEntity::GetOrCreateComponent(const char* type) {
+  const auto lock = CRobotsCode::LockLazy();
   for (size_t i = 0; i < m_type.OnDemand.size(); ++i) {
     if (std::strcmp(type, m_type.OnDemand[i].Type) == 0) {
       MakeComponent(i);
