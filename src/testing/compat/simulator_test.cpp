@@ -241,8 +241,8 @@ TEST_CASE("compat: loop functions move, add and remove entities", "[compat]") {
   CHECK(cFunctions.MoveEntity(cFootBot.GetEmbodiedEntity(), CVector3(-3.0, 0.0, 0.0), CQuaternion(),
                               true));
   CHECK(cPosition == CVector3(-2.0, -2.0, 0.0));
-  CHECK_FALSE(cFunctions.MoveEntity(cFootBot.GetEmbodiedEntity(), CVector3(2.0, 0.0, 0.0),
-                                    CQuaternion(), false, true));
+  CHECK(cFunctions.MoveEntity(cFootBot.GetEmbodiedEntity(), CVector3(2.0, 0.0, 0.0), CQuaternion(),
+                              false, true));
   CLightEntity& cLight = dynamic_cast<CLightEntity&>(cFunctions.GetSpace().GetEntity("light"));
   cFunctions.MoveEntity(cLight, CVector3(2.0, 2.0, 2.0), CQuaternion());
   CHECK(cLight.GetPosition() == CVector3(2.0, 2.0, 2.0));

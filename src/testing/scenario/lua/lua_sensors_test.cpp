@@ -191,12 +191,12 @@ TEST_CASE("lua devices: after a reset the table of a sensor that is off has no o
       "function init() robot.colored_blob_omnidirectional_camera.enable() end\n"
       "function step() end function destroy() end\n"
       "function reset() seen = #robot.colored_blob_omnidirectional_camera end\n";
-  experiment.Arena = "<light id='l' position='0.5,0,0.3' color='red' intensity='1' medium='leds'/>";
+  experiment.Arena = "<light id='l' position='0.5,0,0.1' color='red' intensity='1' medium='leds'/>";
   CLuaWorld world(experiment);
   const std::string before = world.Get("#robot.colored_blob_omnidirectional_camera");
   world.Step(2);
   REQUIRE(world.Get("#robot.colored_blob_omnidirectional_camera") == "1");
-  REQUIRE(GetNumber(world, "robot.footbot_light[1].value") > 0.0);
+  REQUIRE(GetNumber(world, "robot.light[1].value") > 0.0);
   // sensors that are switched off are not read in step()
   for (const auto& [label, sensor] : world.GetController().GetAllSensors()) {
     sensor->Disable();
@@ -205,7 +205,7 @@ TEST_CASE("lua devices: after a reset the table of a sensor that is off has no o
   world.GetSimulator().Reset();
   CHECK(world.Get("seen") == "0");
   CHECK(world.Get("#robot.colored_blob_omnidirectional_camera") == before);
-  CHECK(GetNumber(world, "robot.footbot_light[1].value") == 0.0);
+  CHECK(GetNumber(world, "robot.light[1].value") == 0.0);
 }
 
 }  // namespace lua_sensors_test
