@@ -70,12 +70,14 @@ void CPerspectiveCameraEquippedEntity::SetAperture(const CRadians& aperture) {
 }
 
 void CPerspectiveCameraEquippedEntity::SetFocalLength(Real focalLength) {
+  CRobotsCode::CheckOwn(*this, "SetFocalLength()");
   RequirePositive(focalLength, Describe(), "focal length (m)");
   KeepForReset(m_focalLength);
   m_focalLength = focalLength;
 }
 
 void CPerspectiveCameraEquippedEntity::SetRange(Real range) {
+  CRobotsCode::CheckOwn(*this, "SetRange()");
   RequirePositive(range, Describe(), "range (m)");
   KeepForReset(m_range);
   m_range = range;

@@ -58,6 +58,7 @@ struct SSetter {
 const std::map<std::string, std::string> kNotUndone = {
     {"CEntity::SetParent", "the structure of entities is not a value"},
     {"CEntity::SetIndex", "for the space"},
+    {"CEntity::SetNode", "private: the element that the entity was initialised from"},
     {"CEntity::SetEnabledAtStart", "changes the start"},
     {"CComposableEntity::SetLazyComponents", "protected: for constructors"},
     {"CPositionalEntity::SetInitPosition", "changes the start"},
@@ -67,6 +68,7 @@ const std::map<std::string, std::string> kNotUndone = {
     {"CEmbodiedEntity::SetOriginPose", "for engines; Reset() restores the pose"},
     {"CEmbodiedEntity::SetLinkPose", "for engines; Reset() restores the poses"},
     {"CEmbodiedEntity::SetRootFollows", "for the class of the entity"},
+    {"CControllableEntity::SetStopped", "for replays, which are not reset"},
     {"CControllableEntity::SetController", "a new controller is kept, as documented"},
     {"CControllableEntity::SetLateController", "for the space"},
     {"CControllableEntity::SetQuarantined", "for the space"},

@@ -139,7 +139,7 @@ const std::vector<SChange>& SharedChanges() {
          a.Simulator().template GetMedium<CLEDMedium>("leds").RemoveEntity(
              a.Robot.GetLEDEquippedEntity().GetLED(0));
        }},
-      {"CRABMedium::RemoveEntity()",
+      {"RemoveEntity() of a medium",
        [](auto& a) {
          a.Simulator().template GetMedium<CRABMedium>("rab").RemoveEntity(
              a.Robot.GetRABEquippedEntity());
