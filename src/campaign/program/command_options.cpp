@@ -4,6 +4,7 @@
 #include <argos3/campaign/store/failed_runs.h>
 
 #include <argos3/core/utility/errors/argos_exception.h>
+#include <argos3/core/utility/processes/exit_status.h>
 
 #include <CLI/CLI.hpp>
 
@@ -18,8 +19,6 @@
 namespace argos {
 
 namespace {
-
-constexpr int kSignalStatus = 128;
 
 UInt32 CountProcessors() {
   cpu_set_t processors;

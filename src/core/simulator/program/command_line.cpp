@@ -24,6 +24,7 @@
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/logging/log_control.h>
 #include <argos3/core/utility/plugins/dynamic_loading.h>
+#include <argos3/core/utility/processes/exit_status.h>
 
 #include <fmt/format.h>
 
@@ -47,8 +48,6 @@ using SOptions = CARGoSCommandLineArgParser::SOptions;
 constexpr int kFailure = 1;
 // the run ended normally, but errors stopped robots
 constexpr int kRobotsStopped = 3;
-// exit status of a program terminated by a signal, by the convention of shells: 128 + its number
-constexpr int kSignalStatus = 128;
 
 void FlushLogs() {
   LOG.Flush();

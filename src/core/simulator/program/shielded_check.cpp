@@ -1,6 +1,8 @@
 #include <argos3/core/simulator/program/shielded_check.h>
 
 #include <argos3/core/utility/errors/argos_exception.h>
+#include <argos3/core/utility/files/scratch_folder.h>
+#include <argos3/core/utility/processes/exit_status.h>
 
 #include <dlfcn.h>
 #include <spawn.h>
@@ -27,32 +29,6 @@ namespace fs = std::filesystem;
 
 constexpr char kFolderVariable[] = "ARGOS_SHIELDED_CHECK";
 constexpr char kRaise[] = "argos3_raise_write_shield";
-constexpr int kSignalStatus = 128;  // as shells do
-
-/* A new folder, which the destructor removes with all that is in it. */
-class CTemporaryFolder {
- public:
-  CTemporaryFolder() {
-    std::error_code error;
-    m_path = (fs::temp_directory_path(error) / "argos3_check_XXXXXX").string();
-    if (error || mkdtemp(m_path.data()) == nullptr) {
-      THROW_ARGOSEXCEPTION(
-          "the folder for what the experiment's code would write cannot be created: "
-          << (error ? error.message() : std::strerror(errno)));
-    }
-  }
-  ~CTemporaryFolder() {
-    std::error_code ignored;
-    fs::remove_all(m_path, ignored);
-  }
-  CTemporaryFolder(const CTemporaryFolder&) = delete;
-  CTemporaryFolder& operator=(const CTemporaryFolder&) = delete;
-
-  const std::string& GetPath() const { return m_path; }
-
- private:
-  std::string m_path;
-};
 
 // beside the library that has this code
 std::string FindShield() {
@@ -120,8 +96,8 @@ int RunShieldedCheck(const char* program, const char* const* argv) {
         "the system has not preloaded the library that keeps the experiment's code "
         "from changing files: LD_PRELOAD has no effect here");
   }
-  const CTemporaryFolder folder;
-  std::vector<std::string> variables = MakeEnvironment(folder.GetPath());
+  const CScratchFolder folder("argos3_check_");
+  std::vector<std::string> variables = MakeEnvironment(folder.GetPath().string());
   std::vector<char*> environment;
   for (std::string& variable : variables) {
     environment.push_back(variable.data());
