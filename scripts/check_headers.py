@@ -159,7 +159,7 @@ class Compiler:
     def __init__(self, build, headers):
         command, *warnings = lines_of(build, "header_checks", "compiler")
         self.command = [command, "-x", "c++", "-std=c++17", "-fsyntax-only",
-                        *(flag for flag in warnings if flag and not flag.startswith("SHELL:"))]
+                        *(flag for flag in warnings if flag.startswith("-W"))]
         self.headers = headers
         cache = os.environ.get("XDG_CACHE_HOME") or os.path.expanduser("~/.cache")
         self.stamps = os.path.join(cache, "argos3-checks", "headers")
