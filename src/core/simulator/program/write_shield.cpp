@@ -313,6 +313,8 @@ __attribute__((constructor)) void RaiseInPrograms() {
 
 extern "C" {
 
+// NOLINTBEGIN(readability-identifier-naming): names of C
+
 /** From now on, this process changes files in a folder only. */
 void argos3_raise_write_shield(const char* folder) {
   GetShield().Folder = folder;
@@ -359,6 +361,9 @@ int __openat_2(int folder, const char* path, int flags) {
 int __openat64_2(int folder, const char* path, int flags) {
   return openat64(folder, path, flags, 0);
 }
+
+// NOLINTEND(readability-identifier-naming)
+
 int creat(const char* path, mode_t mode) {
   return open(path, O_WRONLY | O_CREAT | O_TRUNC, mode);
 }

@@ -160,10 +160,10 @@ class CReader {
 
   // a use of the table of parameters, or of a variable that refers to it
   void ReadParameters(std::size_t i) {
-    if (IsSymbol(i + 1, ".") && At(i + 2).Kind == SToken::EKind::Name) {
-      m_source.Parameters.emplace(At(i + 2).Text);
-    } else if (IsSymbol(i + 1, "[") && At(i + 2).Kind == SToken::EKind::Text &&
-               IsSymbol(i + 3, "]")) {
+    const bool isField = IsSymbol(i + 1, ".") && At(i + 2).Kind == SToken::EKind::Name;
+    const bool isConstantIndex =
+        IsSymbol(i + 1, "[") && At(i + 2).Kind == SToken::EKind::Text && IsSymbol(i + 3, "]");
+    if (isField || isConstantIndex) {
       m_source.Parameters.emplace(At(i + 2).Text);
     } else if (IsSymbol(i + 1, "[")) {
       m_source.PassesParameters = true;
