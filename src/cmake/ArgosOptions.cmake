@@ -10,10 +10,6 @@ target_compile_options(argos_options INTERFACE -ffp-contract=off)
 # loop with a comparison or a square root; results are the same.
 target_compile_options(argos_options INTERFACE -fno-math-errno -fno-trapping-math)
 
-# Names of sources in messages do not depend on where the sources are, so ccache finds in one checkout what another one
-# has compiled: units of several sources include them by absolute paths.
-target_compile_options(argos_options INTERFACE -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=)
-
 set(argosWarnings -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual)
 # g++ 12 warns wrongly of overlapping copies in "text" + string, and of copies that are too long if <string> is
 # precompiled: GCC bug 105329. AddressSanitizer finds real ones.
