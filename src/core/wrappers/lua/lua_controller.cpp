@@ -56,6 +56,7 @@ void CLuaController::Load() {
   try {
     m_script = SLuaScript::Load(m_scriptName, m_params.GetFileName(), m_limits.IsUnsafe);
     m_state = std::make_unique<CLuaState>(m_limits);
+    m_state->KeepOrder(true);
     m_state->Run([this](lua_State* state) {
       if (m_reusesReadings) {
         CLuaTable::ReuseReadings(state);
@@ -63,6 +64,7 @@ void CLuaController::Load() {
       FillRobotTable(state);
       CLuaMetrics::Register(state);
     });
+    m_state->KeepOrder(false);
     Seed(kStart);
     m_state->Execute(*m_script);
     running = "init()";
@@ -154,6 +156,7 @@ void CLuaController::ControlStep() {
   if (m_state == nullptr || !IsOK()) {
     return;
   }
+  m_state->LoadAhead();
   try {
     m_state->Run([this](lua_State* state) {
       ReadSensors(state, false);

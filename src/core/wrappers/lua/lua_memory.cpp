@@ -37,6 +37,16 @@ void* CLuaMemory::Reallocate(void* block, std::size_t oldSize, std::size_t newSi
   return moved;
 }
 
+void CLuaMemory::KeepOrder(bool isOn) {
+  m_keepsOrder = isOn;
+  if (isOn && m_left > 0) {
+    m_inOrder.push_back({m_next, m_left});
+  } else if (!isOn && !m_inOrder.empty()) {
+    // the rest of the chunk is for what follows
+    m_inOrder.back().Size -= m_left;
+  }
+}
+
 std::size_t CLuaMemory::TakeWork() {
   return std::exchange(m_work, 0);
 }
@@ -73,7 +83,8 @@ void* CLuaMemory::AllocateLarge(std::size_t size) {
 }
 
 void* CLuaMemory::AllocateSmall(std::size_t sizeClass) {
-  if (SFree* const block = m_free[sizeClass]) {
+  SFree* const block = m_keepsOrder ? nullptr : m_free[sizeClass];
+  if (block != nullptr) {
     m_free[sizeClass] = block->Next;
     return block;
   }
@@ -90,11 +101,12 @@ void* CLuaMemory::AllocateSmall(std::size_t sizeClass) {
     m_next = m_chunks.back().get();
     m_left = kChunkSize;
     m_taken += kChunkSize;
+    if (m_keepsOrder) {
+      m_inOrder.push_back({m_next, m_left});
+    }
   }
-  void* const block = m_next;
-  m_next += size;
   m_left -= size;
-  return block;
+  return std::exchange(m_next, m_next + size);
 }
 
 }  // namespace argos

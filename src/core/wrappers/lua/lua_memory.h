@@ -1,6 +1,8 @@
 #ifndef ARGOS3_CORE_WRAPPERS_LUA_LUA_MEMORY_H
 #define ARGOS3_CORE_WRAPPERS_LUA_LUA_MEMORY_H
 
+#include <argos3/core/utility/memory/load_ahead.h>
+
 #include <array>
 #include <cstddef>
 #include <memory>
@@ -33,6 +35,17 @@ class CLuaMemory {
    */
   void* Reallocate(void* block, std::size_t oldSize, std::size_t newSize);
 
+  /**
+   * While this is on, small blocks are adjacent even if freed ones would fit: for what is read in
+   * each tick, in this order.
+   */
+  void KeepOrder(bool isOn);
+  /** Prefetches the blocks that were allocated while KeepOrder() was on. */
+  void LoadAheadInOrder() const {
+    for (const SRange& range : m_inOrder) {
+      LoadAhead(range.First, range.Size);
+    }
+  }
   std::size_t GetLimit() const { return m_limit; }
   /** Bytes in use. */
   std::size_t GetUsed() const { return m_used; }
@@ -47,6 +60,10 @@ class CLuaMemory {
   static constexpr std::size_t kLargestSmall = 256;
   static constexpr std::size_t kChunkSize = 4096;
 
+  struct SRange {
+    const std::byte* First;
+    std::size_t Size;
+  };
   struct SFree {
     SFree* Next;
   };
@@ -69,6 +86,8 @@ class CLuaMemory {
   std::size_t m_used = 0;
   std::size_t m_taken = 0;
   std::size_t m_work = 0;
+  bool m_keepsOrder = false;
+  std::vector<SRange> m_inOrder;  // allocated while m_keepsOrder
 };
 
 }  // namespace argos

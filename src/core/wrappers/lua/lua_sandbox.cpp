@@ -1,28 +1,28 @@
 #include <argos3/core/wrappers/lua/lua_sandbox.h>
 
+#include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/wrappers/lua/lua_keys.h>
 #include <argos3/core/wrappers/lua/lua_limits.h>
 #include <argos3/core/wrappers/lua/lua_parameters.h>
 #include <argos3/core/wrappers/lua/lua_state.h>
 #include <argos3/core/wrappers/lua/lua_types.h>
 #include <argos3/core/wrappers/lua/lua_utility.h>
+#include <argos3/core/wrappers/lua/lua_variations.h>
 
 #include <algorithm>
+#include <array>
 #include <iterator>
+#include <memory>
 #include <string_view>
+#include <utility>
 
 // Lua leaves a C function with longjmp() when it raises an error: no object in this file may need a
-// destructor. Most functions here check, and then run Lua's own function, which is an upvalue, in
-// place: its arguments and results stay where they are.
+// destructor. Most functions here check, and then run Lua's own function in place: its arguments
+// and results stay where they are.
 
 namespace argos {
 
 namespace {
-
-/** Runs the function that the caller replaces; it must have no upvalues. */
-int RunOriginal(lua_State* state) {
-  return lua_tocfunction(state, lua_upvalueindex(1))(state);
-}
 
 void CountWork(lua_State* state, UInt64 instructions) {
   CLuaState::Of(state).CountWork(state, instructions);
@@ -89,113 +89,16 @@ int Pairs(lua_State* state) {
   return 2;
 }
 
-// What differs from run to run.
-
-/** True for values that are identified by their addresses. */
-bool IsAddress(int type) {
-  return type >= LUA_TTABLE || type == LUA_TLIGHTUSERDATA;
-}
-
-/** True if the place of such keys in a table depends on the run: strings have seeded hashes. */
-bool IsHashed(int type) {
-  return type == LUA_TSTRING || IsAddress(type);
-}
-
-/** next(table [, key]) */
-int Next(lua_State* state) {
-  luaL_checktype(state, 1, LUA_TTABLE);
-  CLuaParameters::ReadAll(state, 1);
-  lua_settop(state, 2);
-  // without a key, the caller may only test whether the table is empty
-  const bool continues = !lua_isnil(state, 2);
-  bool isHashed = IsHashed(lua_type(state, 2));
-  if (lua_next(state, 1) == 0) {
-    lua_pushnil(state);
-    return 1;
-  }
-  isHashed = isHashed || IsHashed(lua_type(state, -2));
-  if (continues && isHashed) {
-    CLuaState::Of(state).WarnOnce(
-        state, ELuaVariation::Next,
-        "next() visits strings, tables and functions in an order that differs from run to run; use "
-        "pairs(), which visits strings in a fixed order");
-  }
-  return 2;
-}
-
-/** A value that is converted to a text. */
-void CheckText(lua_State* state, int index) {
-  if (!IsAddress(lua_type(state, index))) {
-    return;
-  }
-  if (luaL_getmetafield(state, index, "__tostring") != LUA_TNIL) {
-    lua_pop(state, 1);
-    return;
-  }
-  CLuaState::Of(state).WarnOnce(
-      state, ELuaVariation::Address,
-      "the text of a table or function is its address, which differs from run to run");
-}
-
-/** tostring(value), print(...), and string.format(format, ...) with FIRST = 2 */
-template <int FIRST>
-int ConvertToText(lua_State* state) {
-  for (int i = lua_gettop(state); i >= FIRST; --i) {
-    CheckText(state, i);
-  }
-  return RunOriginal(state);
-}
-
-/** math.randomseed([number [, number]]) */
-int SeedRandom(lua_State* state) {
-  if (lua_isnone(state, 1)) {
-    CLuaState::Of(state).WarnOnce(
-        state, ELuaVariation::Seed,
-        "math.randomseed() without a number draws a seed that differs from run to run; without the "
-        "call, math.random() has the seed of the experiment");
-  }
-  // not in place: it has upvalues
-  lua_pushvalue(state, lua_upvalueindex(1));
-  lua_insert(state, 1);
-  lua_call(state, lua_gettop(state) - 1, LUA_MULTRET);
-  return lua_gettop(state);
-}
-
-constexpr const char* kClock =
-    " depends on the clock of the machine, so runs differ in all that depends on it";
-
-/** os.time([table]) */
-int ReadTime(lua_State* state) {
-  if (lua_isnoneornil(state, 1)) {
-    CLuaState::Of(state).WarnOnce(state, ELuaVariation::Time, "os.time()", kClock);
-  }
-  return RunOriginal(state);
-}
-
-/** os.clock() */
-int ReadClock(lua_State* state) {
-  CLuaState::Of(state).WarnOnce(state, ELuaVariation::Clock, "os.clock()", kClock);
-  return RunOriginal(state);
-}
-
-/** os.date([format [, time]]) */
-int FormatDate(lua_State* state) {
-  if (lua_isnoneornil(state, 2)) {
-    CLuaState::Of(state).WarnOnce(state, ELuaVariation::Date, "os.date()", kClock);
-  }
-  return RunOriginal(state);
-}
-
 /** rawget(table, key) */
-int GetRaw(lua_State* state) {
+int GetRaw(lua_State* state, lua_CFunction original) {
   CLuaParameters::Open(state, 1);
-  return RunOriginal(state);
+  return original(state);
 }
 
 // Functions that loop in C. What they copy costs about as much as an instruction for each value.
 
 /** string.rep(s, n [, sep]) */
-int RepeatString(lua_State* state) {
+int RepeatString(lua_State* state, lua_CFunction original) {
   std::size_t length = 0;
   luaL_checklstring(state, 1, &length);
   const lua_Integer count = luaL_checkinteger(state, 2);
@@ -212,7 +115,7 @@ int RepeatString(lua_State* state) {
   if (pieces <= CLuaState::Of(state).GetLargestBlock() / (length + separator)) {
     CountWork(state, pieces / kPiecesPerInstruction);
   }
-  return RunOriginal(state);
+  return original(state);
 }
 
 /** Counts the values from one number to another; Lua's function checks the arguments. */
@@ -223,42 +126,42 @@ void CountValues(lua_State* state, lua_Integer from, lua_Integer to) {
 }
 
 /** table.move(a, from, to, t [, b]) */
-int MoveValues(lua_State* state) {
+int MoveValues(lua_State* state, lua_CFunction original) {
   CountValues(state, lua_tointeger(state, 2), lua_tointeger(state, 3));
-  return RunOriginal(state);
+  return original(state);
 }
 
 /** table.insert(t, position, value), 3 arguments, and table.remove(t, position), 2 */
 template <int ARGUMENTS>
-int ShiftValues(lua_State* state) {
+int ShiftValues(lua_State* state, lua_CFunction original) {
   if (lua_gettop(state) == ARGUMENTS && lua_istable(state, 1)) {
     CountValues(state, lua_tointeger(state, 2), luaL_len(state, 1));
   }
-  return RunOriginal(state);
+  return original(state);
 }
 
 /** table.concat(t [, separator [, from [, to]]]) */
-int ConcatenateValues(lua_State* state) {
+int ConcatenateValues(lua_State* state, lua_CFunction original) {
   if (lua_istable(state, 1)) {
     CountValues(state, lua_tointeger(state, 3),
                 lua_isnoneornil(state, 4) ? luaL_len(state, 1) : lua_tointeger(state, 4));
   }
-  return RunOriginal(state);
+  return original(state);
 }
 
 // Coroutines.
 
-int CreateCoroutine(lua_State* state) {
+int CreateCoroutine(lua_State* state, lua_CFunction original) {
   CountWork(state, CLuaSandbox::kInstructionsOfCoroutine);
-  return RunOriginal(state);
+  return original(state);
 }
 
 /** coroutine.close(co) */
-int CloseCoroutine(lua_State* state) {
+int CloseCoroutine(lua_State* state, lua_CFunction original) {
   if (CLuaState::Of(state).WasInterrupted()) {
     CountWork(state, 1);
   }
-  return RunOriginal(state);
+  return original(state);
 }
 
 /** Moves the values on top of one stack to another. */
@@ -303,27 +206,27 @@ int ResumeWrapped(lua_State* state) {
 }
 
 /** coroutine.wrap(); its upvalue is coroutine.create(). */
-int WrapCoroutine(lua_State* state) {
-  CreateCoroutine(state);
+int WrapCoroutine(lua_State* state, lua_CFunction original) {
+  CreateCoroutine(state, original);
   lua_pushcclosure(state, ResumeWrapped, 1);
   return 1;
 }
 
 // What acts on the whole process.
 
-int Exit(lua_State* state) {
+int Exit(lua_State* state, lua_CFunction /*original*/) {
   return luaL_error(state,
                     "os.exit() ends the whole process; to stop this script, call error(), and to "
                     "end the run, simulation.finish() in Lua loop functions");
 }
 
-int SetLocale(lua_State* state) {
+int SetLocale(lua_State* state, lua_CFunction original) {
   if (!lua_isnoneornil(state, 1)) {
     return luaL_error(state,
                       "os.setlocale() changes the locale of the whole process; numbers always have "
                       "a decimal point here");
   }
-  return RunOriginal(state);
+  return original(state);
 }
 
 /** log(...) and logerr(...) */
@@ -356,15 +259,15 @@ void ForceText(lua_State* state, int index) {
 }
 
 /** load(chunk [, name [, mode [, environment]]]) */
-int LoadText(lua_State* state) {
+int LoadText(lua_State* state, lua_CFunction original) {
   ForceText(state, 3);
-  return RunOriginal(state);
+  return original(state);
 }
 
 /** loadfile([name [, mode [, environment]]]) */
-int LoadTextFile(lua_State* state) {
+int LoadTextFile(lua_State* state, lua_CFunction original) {
   ForceText(state, 2);
-  return RunOriginal(state);
+  return original(state);
 }
 
 int FinishFile(lua_State* state, int, lua_KContext) {
@@ -372,7 +275,7 @@ int FinishFile(lua_State* state, int, lua_KContext) {
 }
 
 /** dofile([name]) */
-int RunTextFile(lua_State* state) {
+int RunTextFile(lua_State* state, lua_CFunction /*original*/) {
   const char* const name = luaL_optstring(state, 1, nullptr);
   lua_settop(state, 1);
   if (luaL_loadfilex(state, name, kTextOnly) != LUA_OK) {
@@ -404,10 +307,8 @@ int SearchTextFile(lua_State* state) {
   return 2;
 }
 
-/** A function that is off; its upvalue is its name. */
-int Refuse(lua_State* state) {
-  return luaL_error(state, "%s() is off; it needs unsafe=\"true\" in <params>",
-                    lua_tostring(state, lua_upvalueindex(1)));
+int Refuse(lua_State* state, const char* library, const char* name) {
+  return luaL_error(state, "%s.%s() is off; it needs unsafe=\"true\" in <params>", library, name);
 }
 
 int RefuseHook(lua_State* state) {
@@ -419,7 +320,7 @@ int RefuseHook(lua_State* state) {
 // Finalizers.
 
 /** setmetatable(table, metatable) */
-int SetMetatable(lua_State* state) {
+int SetMetatable(lua_State* state, lua_CFunction original) {
   CLuaParameters::Open(state, 1);
   if (!CLuaState::Of(state).IsUnsafe() && lua_istable(state, 2)) {
     lua_pushliteral(state, "__gc");
@@ -430,7 +331,7 @@ int SetMetatable(lua_State* state) {
     }
     lua_pop(state, 1);
   }
-  return RunOriginal(state);
+  return original(state);
 }
 
 /** Makes getmetatable() return false for values with the metatable on top; pops it. */
@@ -442,31 +343,34 @@ void HideMetatable(lua_State* state) {
 
 // Installation.
 
+// A robot has a state of its own, and what is in it costs time whenever garbage is collected. So
+// all functions that need nothing of a state are plain C functions, which are no objects there.
+
+/** A function that replaces one of Lua, which it may call. */
 struct SReplacement {
   const char* Library;
   const char* Name;
-  lua_CFunction Function;
+  int (*Function)(lua_State*, lua_CFunction original);
+  const char* Original = nullptr;  // if it has another name
 };
 
-// the original function becomes an upvalue
 constexpr SReplacement kAlways[] = {{"string", "rep", RepeatString},
                                     {"table", "move", MoveValues},
                                     {"table", "insert", ShiftValues<3>},
                                     {"table", "remove", ShiftValues<2>},
                                     {"table", "concat", ConcatenateValues},
-                                    {"coroutine", "close", CloseCoroutine},
+                                    {LUA_COLIBNAME, "wrap", WrapCoroutine, "create"},
+                                    {LUA_COLIBNAME, "create", CreateCoroutine},
+                                    {LUA_COLIBNAME, "close", CloseCoroutine},
                                     {"os", "setlocale", SetLocale},
                                     {"os", "exit", Exit},
-                                    {LUA_GNAME, "log", CountLog},
-                                    {LUA_GNAME, "logerr", CountLog},
-                                    {LUA_GNAME, "next", Next},
-                                    {LUA_GNAME, "tostring", ConvertToText<1>},
-                                    {LUA_GNAME, "print", ConvertToText<1>},
-                                    {"string", "format", ConvertToText<2>},
-                                    {"math", "randomseed", SeedRandom},
-                                    {"os", "time", ReadTime},
-                                    {"os", "clock", ReadClock},
-                                    {"os", "date", FormatDate},
+                                    {LUA_GNAME, "next", CLuaVariations::Next},
+                                    {LUA_GNAME, "tostring", CLuaVariations::ConvertToText<1>},
+                                    {LUA_GNAME, "print", CLuaVariations::ConvertToText<1>},
+                                    {"string", "format", CLuaVariations::ConvertToText<2>},
+                                    {"os", "time", CLuaVariations::ReadTime},
+                                    {"os", "clock", CLuaVariations::ReadClock},
+                                    {"os", "date", CLuaVariations::FormatDate},
                                     {LUA_GNAME, "rawget", GetRaw},
                                     {LUA_GNAME, "setmetatable", SetMetatable}};
 
@@ -474,36 +378,94 @@ constexpr SReplacement kSafe[] = {{LUA_GNAME, "load", LoadText},
                                   {LUA_GNAME, "loadfile", LoadTextFile},
                                   {LUA_GNAME, "dofile", RunTextFile}};
 
+// functions with upvalues, which the replacement has as its own upvalue
+struct SClosure {
+  const char* Library;
+  const char* Name;
+  const char* Original;
+  lua_CFunction Function;
+};
+
+constexpr SClosure kClosures[] = {{LUA_GNAME, "pairs", "next", Pairs},
+                                  {LUA_GNAME, "log", "log", CountLog},
+                                  {LUA_GNAME, "logerr", "logerr", CountLog},
+                                  {"math", "randomseed", "randomseed", CLuaVariations::SeedRandom}};
+
 constexpr const char* kRefusedOfDebug[] = {
     "debug",        "getlocal",       "getmetatable", "getregistry", "getupvalue",
     "getuservalue", "setcstacklimit", "sethook",      "setlocal",    "setmetatable",
     "setupvalue",   "setuservalue",   "upvalueid",    "upvaluejoin"};
 
-/** The library must be on top of the stack. */
-void Replace(lua_State* state, const char* name, const char* original, lua_CFunction function) {
-  lua_getfield(state, -1, original);
-  lua_pushcclosure(state, function, 1);
-  lua_setfield(state, -2, name);
+/** Functions of Lua's libraries, which are the same in all states. */
+template <const auto& REPLACEMENTS>
+const auto& GetOriginals() {
+  static const auto kOriginals = [] {
+    std::array<lua_CFunction, std::size(REPLACEMENTS)> originals;
+    const std::unique_ptr<lua_State, decltype(&lua_close)> state(luaL_newstate(), lua_close);
+    if (state == nullptr) {
+      throw std::bad_alloc();
+    }
+    luaL_openlibs(state.get());
+    for (size_t i = 0; i < originals.size(); ++i) {
+      const SReplacement& entry = REPLACEMENTS[i];
+      lua_getglobal(state.get(), entry.Library);
+      lua_getfield(state.get(), -1, entry.Original != nullptr ? entry.Original : entry.Name);
+      originals[i] = lua_tocfunction(state.get(), -1);
+      ARGOS_ASSERT(originals[i] != nullptr && lua_getupvalue(state.get(), -1, 1) == nullptr,
+                   "Lua's function " << entry.Name << " has upvalues");
+      lua_pop(state.get(), 2);
+    }
+    return originals;
+  }();
+  return kOriginals;
 }
 
-void ReplaceAll(lua_State* state, const SReplacement* first, const SReplacement* last) {
-  for (const SReplacement* entry = first; entry != last; ++entry) {
-    lua_getglobal(state, entry->Library);
-    Replace(state, entry->Name, entry->Name, entry->Function);
+template <const auto& REPLACEMENTS, size_t ENTRY>
+int RunReplacement(lua_State* state) {
+  return REPLACEMENTS[ENTRY].Function(state, GetOriginals<REPLACEMENTS>()[ENTRY]);
+}
+
+/** Replaces a field of a global table. */
+void SetFunction(lua_State* state, const char* library, const char* name, lua_CFunction function) {
+  lua_getglobal(state, library);
+  lua_pushcfunction(state, function);
+  lua_setfield(state, -2, name);
+  lua_pop(state, 1);
+}
+
+template <const auto& REPLACEMENTS>
+void ReplaceAll(lua_State* state) {
+  GetOriginals<REPLACEMENTS>();  // not in a function that a script calls
+  [state]<size_t... ENTRIES>(std::index_sequence<ENTRIES...>) {
+    (SetFunction(state, REPLACEMENTS[ENTRIES].Library, REPLACEMENTS[ENTRIES].Name,
+                 RunReplacement<REPLACEMENTS, ENTRIES>),
+     ...);
+  }
+  (std::make_index_sequence<std::size(REPLACEMENTS)>());
+}
+
+void ReplaceClosures(lua_State* state) {
+  for (const SClosure& entry : kClosures) {
+    lua_getglobal(state, entry.Library);
+    lua_getfield(state, -1, entry.Original);
+    lua_pushcclosure(state, entry.Function, 1);
+    lua_setfield(state, -2, entry.Name);
     lua_pop(state, 1);
   }
 }
 
-/** The library must be on top of the stack. */
-void RefuseFunction(lua_State* state, const char* library, const char* name) {
-  lua_pushfstring(state, "%s.%s", library, name);
-  lua_pushcclosure(state, Refuse, 1);
-  lua_setfield(state, -2, name);
+int RefuseLoadlib(lua_State* state) {
+  return Refuse(state, LUA_LOADLIBNAME, "loadlib");
+}
+
+template <size_t ENTRY>
+int RefuseOfDebug(lua_State* state) {
+  return Refuse(state, LUA_DBLIBNAME, kRefusedOfDebug[ENTRY]);
 }
 
 void RefuseLibraries(lua_State* state) {
+  SetFunction(state, LUA_LOADLIBNAME, "loadlib", RefuseLoadlib);
   lua_getglobal(state, LUA_LOADLIBNAME);
-  RefuseFunction(state, LUA_LOADLIBNAME, "loadlib");
   lua_pushliteral(state, "");
   lua_setfield(state, -2, "cpath");
   // the searchers are: package.preload, files, libraries, libraries of all packages
@@ -520,11 +482,10 @@ void RefuseLibraries(lua_State* state) {
 }
 
 void RefuseDebug(lua_State* state) {
-  lua_getglobal(state, LUA_DBLIBNAME);
-  for (const char* const name : kRefusedOfDebug) {
-    RefuseFunction(state, LUA_DBLIBNAME, name);
+  [state]<size_t... ENTRIES>(std::index_sequence<ENTRIES...>) {
+    (SetFunction(state, LUA_DBLIBNAME, kRefusedOfDebug[ENTRIES], RefuseOfDebug<ENTRIES>), ...);
   }
-  lua_pop(state, 1);
+  (std::make_index_sequence<std::size(kRefusedOfDebug)>());
 }
 
 void HideMetatables(lua_State* state) {
@@ -543,23 +504,15 @@ void HideMetatables(lua_State* state) {
 }  // namespace
 
 void CLuaSandbox::Install(lua_State* state, const SLuaLimits& limits) {
-  lua_pushglobaltable(state);
-  Replace(state, "pairs", "next", Pairs);
-  lua_getglobal(state, LUA_COLIBNAME);
-  Replace(state, "wrap", "create", WrapCoroutine);
-  Replace(state, "create", "create", CreateCoroutine);
-  lua_pop(state, 2);
-  ReplaceAll(state, std::begin(kAlways), std::end(kAlways));
+  ReplaceClosures(state);
+  ReplaceAll<kAlways>(state);
   if (!limits.IsUnsafe) {
-    ReplaceAll(state, std::begin(kSafe), std::end(kSafe));
+    ReplaceAll<kSafe>(state);
     RefuseLibraries(state);
     RefuseDebug(state);
     HideMetatables(state);
   } else if (limits.MaxInstructions > 0) {
-    lua_getglobal(state, LUA_DBLIBNAME);
-    lua_pushcfunction(state, RefuseHook);
-    lua_setfield(state, -2, "sethook");
-    lua_pop(state, 1);
+    SetFunction(state, LUA_DBLIBNAME, "sethook", RefuseHook);
   }
 }
 

@@ -147,6 +147,11 @@ void CLuaState::SeedMath(UInt64 seed) {
   });
 }
 
+void CLuaState::KeepOrder(bool isOn) {
+  m_memory.KeepOrder(isOn);
+  lua_gc(m_state, isOn ? LUA_GCSTOP : LUA_GCRESTART);
+}
+
 void CLuaState::Execute(const SLuaScript& script) {
   m_variations = script.Variations;
   Run([&script](lua_State* state) {

@@ -59,6 +59,14 @@ class CLuaState {
   /** Restarts math.random(). */
   void SeedMath(UInt64 seed);
 
+  /**
+   * While this is on, what is created is in memory in its order, and no garbage is collected: for
+   * the tables that are written in each tick.
+   */
+  void KeepOrder(bool isOn);
+  /** Prefetches what was created while KeepOrder() was on. */
+  void LoadAhead() const { m_memory.LoadAheadInOrder(); }
+
   /** Lets require() search the script's folder first, and runs the script. @throws CLuaError */
   void Execute(const SLuaScript& script);
 

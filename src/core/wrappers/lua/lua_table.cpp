@@ -162,4 +162,23 @@ void CLuaTable::SetIndex(std::size_t index) {
   lua_rawseti(m_state, m_index, static_cast<lua_Integer>(index));
 }
 
+void CLuaTable::PushKey(const char* key) {
+  lua_pushstring(m_state, key);
+}
+
+void CLuaTable::PopKey() {
+  lua_pop(m_state, 1);
+}
+
+bool CLuaTable::SetInRecord(std::size_t index, Real number) {
+  const bool isTable = lua_rawgeti(m_state, m_index, static_cast<lua_Integer>(index)) == LUA_TTABLE;
+  if (isTable) {
+    lua_pushvalue(m_state, -2);
+    lua_pushnumber(m_state, number);
+    lua_settable(m_state, -3);
+  }
+  lua_pop(m_state, 1);
+  return isTable;
+}
+
 }  // namespace argos

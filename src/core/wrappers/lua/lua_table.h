@@ -177,6 +177,28 @@ class CLuaTable {
   }
 
   /**
+   * The same for records of which only one field changes, a number: the name of the field is looked
+   * up once.
+   * @param number    number(record) is the value of that field.
+   * @param writeNew  called as write() above, for the tables that are new only.
+   */
+  template <typename RECORDS, typename NUMBER, typename WRITE>
+  void SetRecords(const RECORDS& records, const char* key, NUMBER number, WRITE writeNew) {
+    PushKey(key);
+    std::size_t index = 0;
+    for (const auto& record : records) {
+      const Real value = number(record);
+      if (!SetInRecord(++index, value)) {
+        CLuaTable table = MakeTable(index, kRecordSizeHint);
+        table.Set(key, value);
+        writeNew(table, record);
+      }
+    }
+    PopKey();
+    Truncate(index);
+  }
+
+  /**
    * The same with a new table for each record, so that a script may keep the old ones; unless
    * readings are reused.
    */
@@ -221,6 +243,10 @@ class CLuaTable {
   std::string GetFunctionName(const char* name) const;
   void SetField(const char* key);
   void SetIndex(std::size_t index);
+  void PushKey(const char* key);
+  void PopKey();
+  /** Sets the field with the key on top in the table at an index. @return false if it is none. */
+  bool SetInRecord(std::size_t index, Real number);
 
   void PushField(const char* key) const;
   void PushIndex(std::size_t index) const;

@@ -35,14 +35,13 @@ CPlacedSensors<READINGS, BASE>::CPlacedSensors() {
 
 template <class READINGS, class BASE>
 void CPlacedSensors<READINGS, BASE>::WriteReadings(CLuaTable& table) const {
-  table.SetRecords(this->m_tReadings,
-                   [](CLuaTable& record, const typename READINGS::SReading& reading) {
-                     record.Set("value", reading.Value);
-                     // places never change
-                     if (record.IsNew()) {
-                       record.Set(READINGS::kLuaPlace, READINGS::GetPlace(reading));
-                     }
-                   });
+  using TReading = typename READINGS::SReading;
+  table.SetRecords(
+      this->m_tReadings, "value", [](const TReading& reading) { return reading.Value; },
+      [](CLuaTable& record, const TReading& reading) {
+        // places never change
+        record.Set(READINGS::kLuaPlace, READINGS::GetPlace(reading));
+      });
 }
 
 template <class READINGS, class BASE>
