@@ -1,5 +1,6 @@
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/active_set.h>
 
+#include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/utility/math/angles.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_limits.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_shapes.h>
@@ -22,7 +23,7 @@ bool IsTouching(b2Body& body) {
 
 }  // namespace
 
-void CActiveSet::Activate(UInt32 slot, const SBodyDescription* description) {
+void CActiveSet::Activate(UInt32 slot) {
   SDrivenBody& body = m_store.GetDriven(slot);
   ARGOS_ASSERT(!body.IsActive(), "the robot in slot " << slot << " is active already");
   const Real unitsPerMetre = m_store.GetSettings().UnitsPerMetre;
@@ -36,8 +37,9 @@ void CActiveSet::Activate(UInt32 slot, const SBodyDescription* description) {
     mass.I = m_store.ToUnits(body.Kind->Inertia * unitsPerMetre);
     box2dBody.SetMassData(&mass);
   } else {
-    AddFixtures(box2dBody, *description, unitsPerMetre, kMovableFriction);
-    SetMass(box2dBody, *description, unitsPerMetre);
+    const SBodyDescription& description = *body.Owner.Body->GetBodyDescription();
+    AddFixtures(box2dBody, description, unitsPerMetre, kMovableFriction);
+    SetMass(box2dBody, description, unitsPerMetre);
   }
   box2dBody.SetLinearVelocity(
       b2Vec2(m_store.ToUnits(body.Velocity.X), m_store.ToUnits(body.Velocity.Y)));
@@ -55,6 +57,20 @@ void CActiveSet::Activate(UInt32 slot, const SBodyDescription* description) {
   active.Motor = static_cast<b2MotorJoint*>(m_store.GetWorld().CreateJoint(&definition));
 }
 
+void CActiveSet::Activate(SPassiveBody& body) {
+  if (body.Body->IsEnabled()) {
+    return;
+  }
+  b2Body& box2dBody = *body.Body;
+  box2dBody.SetTransform(b2Vec2(m_store.ToUnits(body.Pose.X), m_store.ToUnits(body.Pose.Y)),
+                         static_cast<float>(body.Pose.ComputeYaw()));
+  box2dBody.SetEnabled(true);
+  SetVelocity(*body.Owner.Handle, body.Velocity);
+  body.X = box2dBody.GetPosition().x;
+  body.Y = box2dBody.GetPosition().y;
+  body.Angle = box2dBody.GetAngle();
+}
+
 void CActiveSet::Deactivate(UInt32 slot) {
   std::vector<SDrivenBody>& driven = m_store.GetDriven();
   const UInt32 number = m_store.GetDriven(slot).ActiveNumber;
@@ -69,25 +85,49 @@ void CActiveSet::Deactivate(UInt32 slot) {
 }
 
 void CActiveSet::Select(const CDiscPairs& discPairs, CCrowd& crowd) {
-  const std::vector<SDrivenBody>& driven = m_store.GetDriven();
+  SelectPassive(crowd);
   if (!crowd.HasExcluded() && m_bodies.empty()) {
     return;
   }
+  const std::vector<SDrivenBody>& driven = m_store.GetDriven();
   m_isWanted.assign(driven.size(), 0);
   const std::vector<CDiscPairs::SDisc>& discs = discPairs.GetDiscs();
   for (UInt32 place = 0; place < discs.size(); ++place) {
     m_isWanted[discs[place].Number] = crowd.IsExcluded(place) ? 1 : 0;
   }
+  const std::vector<CCrowdSolids::SSolid>& solids = crowd.GetSolids().GetSolids();
+  for (UInt32 i = 0; i < solids.size(); ++i) {
+    if (solids[i].Kind == EPlanarKind::Driven) {
+      m_isWanted[solids[i].Slot] = crowd.IsExcluded(crowd.GetSolids().GetNumDiscs() + i) ? 1 : 0;
+    }
+  }
   // backwards, because the last one takes the place of a deactivated one
   for (size_t i = m_bodies.size(); i-- > 0;) {
     const UInt32 slot = m_bodies[i].Slot;
-    if (driven[slot].IsDisc && m_isWanted[slot] == 0) {
+    if (m_isWanted[slot] == 0) {
       Deactivate(slot);
     }
   }
   for (UInt32 slot = 0; slot < driven.size(); ++slot) {
     if (m_isWanted[slot] != 0 && !driven[slot].IsActive()) {
       Activate(slot);
+    }
+  }
+}
+
+// A body that Box2D has moved is where it has left it.
+void CActiveSet::SelectPassive(CCrowd& crowd) {
+  const CCrowdSolids& solids = crowd.GetSolids();
+  for (UInt32 i = 0; i < solids.GetSolids().size(); ++i) {
+    const CCrowdSolids::SSolid& solid = solids.GetSolids()[i];
+    if (solid.Kind != EPlanarKind::Passive) {
+      continue;
+    }
+    SPassiveBody& body = m_store.GetPassive()[solid.Slot];
+    if (crowd.IsExcluded(solids.GetNumDiscs() + i)) {
+      Activate(body);
+    } else if (body.Body->IsEnabled()) {
+      body.Body->SetEnabled(false);
     }
   }
 }
@@ -107,8 +147,9 @@ b2Body& CActiveSet::GetBox2DBody(const SPlanarHandle& handle) const {
 void CActiveSet::SetVelocity(const SPlanarHandle& handle, const SPlanarVelocity& velocity) {
   b2Body* box2dBody = nullptr;
   if (handle.Kind == EPlanarKind::Passive) {
-    m_store.GetPassive(handle).Velocity = velocity;
-    box2dBody = &GetBox2DBody(handle);
+    SPassiveBody& body = m_store.GetPassive(handle);
+    body.Velocity = velocity;
+    box2dBody = body.Body->IsEnabled() ? body.Body : nullptr;
   } else if (handle.Kind == EPlanarKind::Driven) {
     SDrivenBody& body = m_store.GetDriven(handle);
     body.Velocity = velocity;
@@ -199,8 +240,10 @@ void CActiveSet::SetMotor(SActiveBody& active, UInt32 substep, UInt32 substeps) 
   const float inertia = box2dBody.GetInertia();
   const float inTick = mass * m_store.ToUnits(body.Kind->MaxSpeedChange);
   const float angularInTick = inertia * static_cast<float>(body.Kind->MaxYawRateChange);
-  float impulse = elapsed * inTick - active.SpentImpulse;
-  float angularImpulse = elapsed * angularInTick - active.SpentAngularImpulse;
+  // what was not used is not saved for later
+  float impulse = std::min(share * inTick, elapsed * inTick - active.SpentImpulse);
+  float angularImpulse =
+      std::min(share * angularInTick, elapsed * angularInTick - active.SpentAngularImpulse);
   if (body.NumGrips == 0 && !IsTouching(box2dBody)) {
     // slightly more than the change of velocity takes, for the solver's rounding errors
     constexpr float kAmple = 1.01F;

@@ -22,13 +22,12 @@ struct SActiveBody {
 };
 
 /**
- * The robots that have a body in Box2D.
+ * The movable bodies that Box2D moves: those in a cluster that CCrowd leaves to it, with a grip.
  *
- * A disc is active while it is in a cluster that CCrowd leaves to Box2D: one with a movable object,
- * a robot that is no disc, or a grip. Robots that are not discs are always active. A motor of
- * bounded force drives the Box2D body along the chord of the robot's arc. If Box2D has moved a
- * robot to the end of its planned arc, within some roundings, then nothing pushed it, and it gets
- * the exact pose; else it gets Box2D's.
+ * A robot has a Box2D body only then; that of an object is enabled only then. A motor of bounded
+ * force drives the Box2D body of a robot along the chord of its arc. If Box2D has moved a robot to
+ * the end of its planned arc, within some roundings, then nothing pushed it, and it gets the exact
+ * pose; else it gets Box2D's.
  */
 class CActiveSet {
  public:
@@ -41,14 +40,13 @@ class CActiveSet {
   }
   const std::vector<SActiveBody>& GetBodies() const { return m_bodies; }
 
-  /**
-   * Gives an inactive robot a Box2D body.
-   * @param description  required if the robot is not a disc.
-   */
-  void Activate(UInt32 slot, const SBodyDescription* description = nullptr);
+  /** Gives an inactive robot a Box2D body. */
+  void Activate(UInt32 slot);
+  /** Enables the Box2D body of an object, if it is not, at its present pose. */
+  void Activate(SPassiveBody& body);
   /** Removes the Box2D body of an active robot. */
   void Deactivate(UInt32 slot);
-  /** Activates the discs of excluded clusters, and deactivates the others. */
+  /** Activates the bodies of excluded clusters, and deactivates the others. */
   void Select(const CDiscPairs& discPairs, CCrowd& crowd);
   /** To be called if another robot has got the slot of a removed one. */
   void UpdateSlot(UInt32 slot);
@@ -86,6 +84,7 @@ class CActiveSet {
   void StartTick(SActiveBody& active);
   void SetMotor(SActiveBody& active, UInt32 substep, UInt32 substeps);
   void FinishTick(const SActiveBody& active, UInt32 substeps);
+  void SelectPassive(CCrowd& crowd);
 
   CPlanarStore& m_store;
   std::vector<SActiveBody> m_bodies;

@@ -12,27 +12,43 @@ namespace {
 
 // discs in a run of a thread
 constexpr size_t kRobotGrain = 1024;
+// parts of other bodies that a solid can meet in a tick, in a crowd
+constexpr size_t kTouchesOfSolid = 12;
 // Greatest way on which a disc is pushed out of an overlap in a tick, in radii of the smallest
 // movable body.
 constexpr Real kMostAllowance = 0.5;
 
 }  // namespace
 
-void CCrowd::Reserve(size_t discs) {
-  m_clusters.Reserve(discs);
-  m_solver.Reserve(discs);
+void CCrowd::Reserve(size_t discs, size_t solids) {
+  m_clusters.Reserve(discs + solids);
+  m_solver.Reserve(discs + solids);
+  if (solids > 0) {
+    const size_t touches = kTouchesOfSolid * solids;
+    m_solids.Reserve(solids, touches);
+    m_clusters.ReserveTouches(touches);
+    m_solver.ReserveForSolids(discs, solids, touches);
+    m_memory.Touches.Reserve(2 * touches);
+  }
   m_lines.reserve(discs);
-  m_pairMemory.Reserve(m_store.GetDriven().capacity(), 2 * discs);
-  m_wallMemory.Reserve(m_store.GetDriven().capacity(), discs);
+  m_memory.Pairs.Reserve(m_store.GetDriven().capacity(), 2 * discs);
+  m_memory.Walls.Reserve(m_store.GetDriven().capacity(), discs);
 }
 
 void CCrowd::Forget(UInt32 slot) {
-  m_pairMemory.Forget(slot);
-  m_wallMemory.Forget(slot);
+  m_memory.Pairs.Forget(slot);
+  m_memory.Walls.Forget(slot);
+  m_memory.Touches.Clear();
 }
 
 void CCrowd::ExpectOverlaps() {
   m_allowance = kMostAllowance * m_store.GetMetresPerUnit();
+}
+
+void CCrowd::Start(CDiscPairs& discPairs, Real reach) {
+  m_lines.clear();
+  m_solids.Find(m_store, discPairs, reach, kSolidReach * reach);
+  m_clusters.Unite(discPairs, m_solids);
 }
 
 void CCrowd::AddLine(CDiscPairs& discPairs, UInt32 place, const SCrowdLine& line) {
@@ -41,7 +57,7 @@ void CCrowd::AddLine(CDiscPairs& discPairs, UInt32 place, const SCrowdLine& line
 }
 
 void CCrowd::Advance(CThreadPool& pool, const CDiscPairs& discPairs, Real longestPath, Real reach) {
-  m_clusters.Build(discPairs, 2.0 * (m_store.GetWidestMovable() + reach));
+  m_clusters.Build(2.0 * (m_store.GetWidestMovable() + kSolidReach * reach));
   const size_t count = m_clusters.GetMembers().size();
   SCrowdTick tick;
   tick.Duration = m_store.GetSettings().Tick;
@@ -52,58 +68,137 @@ void CCrowd::Advance(CThreadPool& pool, const CDiscPairs& discPairs, Real longes
   m_solver.Start(tick, count);
   pool.ParallelFor(count, kRobotGrain,
                    [this](size_t begin, size_t end, UInt32) { FillIn(begin, end); });
-  m_solver.Solve(pool, m_clusters, discPairs, m_lines, m_pairMemory, m_wallMemory);
+  m_solver.Solve(pool, m_clusters, discPairs, m_solids, m_lines, m_memory);
   pool.ParallelFor(count, kRobotGrain,
                    [this](size_t begin, size_t end, UInt32) { TakeResults(begin, end); });
-  m_solver.Remember(m_clusters, m_store.GetDriven().size(), m_pairMemory, m_wallMemory);
+  m_solver.Remember(m_store.GetDriven().size(), m_memory);
   m_allowance = std::min(2.0 * m_solver.GetDeepest(), kMostAllowance * m_store.GetMetresPerUnit());
 }
 
 void CCrowd::FillIn(size_t begin, size_t end) {
-  const SPlanarSettings& settings = m_store.GetSettings();
-  const Real lag = settings.VelocityLag;
   for (size_t i = begin; i < end; ++i) {
     const UInt32 member = static_cast<UInt32>(i);
-    const SDrivenBody& body = m_store.GetDriven(m_clusters.GetMembers()[i].Number);
-    m_solver.GetPosition(member) = {body.Pose.X, body.Pose.Y, 0.0};
-    SCrowdDisc& disc = m_solver.GetDisc(member);
-    disc.VX = static_cast<float>(body.Velocity.X);
-    disc.VY = static_cast<float>(body.Velocity.Y);
-    disc.W = static_cast<float>(body.Velocity.W);
-    disc.InverseMass = static_cast<float>(1.0 / body.Kind->Mass);
-    disc.InverseInertia = static_cast<float>(1.0 / body.Kind->Inertia);
-    disc.Radius = static_cast<float>(body.BoundingRadius);
-    SCrowdDrive& drive = m_solver.GetDrive(member);
-    drive = SCrowdDrive();
-    SPlanarVelocity target = body.NextVelocity;
-    if (body.IsLimited) {
-      const SArc arc = FollowArcs(body.Pose, body.Command, body.NextCommand, settings.Tick, lag);
-      target = {arc.DX / settings.Tick, arc.DY / settings.Tick,
-                lag * body.Command.YawRate + (1.0 - lag) * body.NextCommand.YawRate};
+    const CCrowdClusters::SMember& body = m_clusters.GetMembers()[i];
+    if (m_solids.IsSolid(body.Item)) {
+      FillInSolid(member, m_solids.GetSolid(body.Item));
+    } else {
+      FillInDriven(member, m_store.GetDriven(body.Number));
     }
-    drive.TargetX = static_cast<float>(target.X);
-    drive.TargetY = static_cast<float>(target.Y);
-    drive.TargetW = static_cast<float>(target.W);
-    drive.InTick = static_cast<float>(body.Kind->Mass * body.Kind->MaxSpeedChange);
-    drive.AngularInTick = static_cast<float>(body.Kind->Inertia * body.Kind->MaxYawRateChange);
   }
+}
+
+void CCrowd::FillInDriven(UInt32 member, const SDrivenBody& body) {
+  const SPlanarSettings& settings = m_store.GetSettings();
+  const Real lag = settings.VelocityLag;
+  m_solver.GetPosition(member) = {body.Pose.X, body.Pose.Y, 0.0};
+  SCrowdDisc& disc = m_solver.GetDisc(member);
+  disc.VX = static_cast<float>(body.Velocity.X);
+  disc.VY = static_cast<float>(body.Velocity.Y);
+  disc.W = static_cast<float>(body.Velocity.W);
+  disc.InverseMass = static_cast<float>(1.0 / body.Kind->Mass);
+  disc.InverseInertia = static_cast<float>(1.0 / body.Kind->Inertia);
+  disc.Radius = static_cast<float>(body.BoundingRadius);
+  SCrowdDrive& drive = m_solver.GetDrive(member);
+  drive = SCrowdDrive();
+  SPlanarVelocity target = body.NextVelocity;
+  if (body.IsLimited) {
+    const SArc arc = FollowArcs(body.Pose, body.Command, body.NextCommand, settings.Tick, lag);
+    target = {arc.DX / settings.Tick, arc.DY / settings.Tick,
+              lag * body.Command.YawRate + (1.0 - lag) * body.NextCommand.YawRate};
+  }
+  drive.TargetX = static_cast<float>(target.X);
+  drive.TargetY = static_cast<float>(target.Y);
+  drive.TargetW = static_cast<float>(target.W);
+  drive.InTick = static_cast<float>(body.Kind->Mass * body.Kind->MaxSpeedChange);
+  drive.AngularInTick = static_cast<float>(body.Kind->Inertia * body.Kind->MaxYawRateChange);
+}
+
+// The solver moves the centre of mass.
+void CCrowd::FillInSolid(UInt32 member, const CCrowdSolids::SSolid& solid) {
+  const SPlanarSolid& shape = *solid.Shape;
+  SCrowdDisc& disc = m_solver.GetDisc(member);
+  SCrowdDrive& drive = m_solver.GetDrive(member);
+  if (solid.Kind == EPlanarKind::Driven) {
+    FillInDriven(member, m_store.GetDriven(solid.Slot));
+  } else {
+    const Real tick = m_store.GetSettings().Tick;
+    const SPlanarVelocity& velocity = m_store.GetPassive()[solid.Slot].Velocity;
+    disc.VX = static_cast<float>(velocity.X);
+    disc.VY = static_cast<float>(velocity.Y);
+    disc.W = static_cast<float>(velocity.W);
+    drive = SCrowdDrive();
+    drive.IsFriction = true;
+    drive.InTick = static_cast<float>(shape.Friction.Force * tick);
+    drive.AngularInTick = static_cast<float>(shape.Friction.Torque * tick);
+  }
+  disc.InverseMass = static_cast<float>(1.0 / shape.Mass);
+  disc.InverseInertia = static_cast<float>(1.0 / shape.Inertia);
+  disc.Radius = static_cast<float>(shape.NarrowestHalf);
+  const auto leverX = static_cast<float>(solid.Cos * shape.CentreX - solid.Sin * shape.CentreY);
+  const auto leverY = static_cast<float>(solid.Sin * shape.CentreX + solid.Cos * shape.CentreY);
+  disc.VX -= disc.W * leverY;
+  disc.VY += disc.W * leverX;
+  drive.TargetX -= drive.TargetW * leverY;
+  drive.TargetY += drive.TargetW * leverX;
+  m_solver.GetPosition(member) = {solid.X, solid.Y, 0.0};
 }
 
 void CCrowd::TakeResults(size_t begin, size_t end) {
   for (size_t i = begin; i < end; ++i) {
     const UInt32 member = static_cast<UInt32>(i);
-    if (!m_solver.IsPushed(member)) {
-      continue;  // it moves exactly as planned
+    const CCrowdClusters::SMember& body = m_clusters.GetMembers()[i];
+    if (m_solids.IsSolid(body.Item)) {
+      TakeSolid(member, m_solids.GetSolid(body.Item));
+    } else if (m_solver.IsPushed(member)) {  // else it moves exactly as planned
+      TakeDriven(member, m_store.GetDriven(body.Number));
     }
-    SDrivenBody& body = m_store.GetDriven(m_clusters.GetMembers()[i].Number);
-    const SCrowdPosition& position = m_solver.GetPosition(member);
-    const SCrowdDisc& disc = m_solver.GetDisc(member);
-    body.NextPose = body.Pose;
-    body.NextPose.X = position.X;
-    body.NextPose.Y = position.Y;
-    Turn(body.NextPose, std::cos(0.5 * position.Turn), std::sin(0.5 * position.Turn));
-    body.NextVelocity = {static_cast<Real>(disc.VX), static_cast<Real>(disc.VY),
-                         static_cast<Real>(disc.W)};
+  }
+}
+
+void CCrowd::TakeDriven(UInt32 member, SDrivenBody& body) {
+  const SCrowdPosition& position = m_solver.GetPosition(member);
+  const SCrowdDisc& disc = m_solver.GetDisc(member);
+  body.NextPose = body.Pose;
+  body.NextPose.X = position.X;
+  body.NextPose.Y = position.Y;
+  Turn(body.NextPose, std::cos(0.5 * position.Turn), std::sin(0.5 * position.Turn));
+  body.NextVelocity = {static_cast<Real>(disc.VX), static_cast<Real>(disc.VY),
+                       static_cast<Real>(disc.W)};
+}
+
+void CCrowd::TakeSolid(UInt32 member, const CCrowdSolids::SSolid& solid) {
+  const SPlanarSolid& shape = *solid.Shape;
+  const SCrowdDisc& disc = m_solver.GetDisc(member);
+  const SCrowdPosition& position = m_solver.GetPosition(member);
+  SPassiveBody* const passive =
+      solid.Kind == EPlanarKind::Passive ? &m_store.GetPassive()[solid.Slot] : nullptr;
+  if (passive != nullptr) {
+    // as far as the solver goes; a deep overlap takes several ticks
+    passive->IsFresh = passive->IsFresh && m_solver.IsPushed(member);
+    passive->Velocity = SPlanarVelocity();
+  }
+  const bool hasMoved = position.X != solid.X || position.Y != solid.Y || position.Turn != 0.0;
+  if (!m_solver.IsPushed(member) || (passive != nullptr && !hasMoved)) {
+    return;
+  }
+  SPlanarPose pose = passive != nullptr ? passive->Pose : m_store.GetDriven(solid.Slot).Pose;
+  Turn(pose, std::cos(0.5 * position.Turn), std::sin(0.5 * position.Turn));
+  const Real cosine = pose.HalfCos * pose.HalfCos - pose.HalfSin * pose.HalfSin;
+  const Real sine = 2.0 * pose.HalfSin * pose.HalfCos;
+  const Real leverX = cosine * shape.CentreX - sine * shape.CentreY;
+  const Real leverY = sine * shape.CentreX + cosine * shape.CentreY;
+  pose.X = position.X - leverX;
+  pose.Y = position.Y - leverY;
+  const Real turnRate = static_cast<Real>(disc.W);
+  const SPlanarVelocity velocity = {static_cast<Real>(disc.VX) + turnRate * leverY,
+                                    static_cast<Real>(disc.VY) - turnRate * leverX, turnRate};
+  if (passive != nullptr) {
+    passive->Pose = pose;
+    passive->Velocity = velocity;
+    passive->Moved = true;
+  } else {
+    m_store.GetDriven(solid.Slot).NextPose = pose;
+    m_store.GetDriven(solid.Slot).NextVelocity = velocity;
   }
 }
 

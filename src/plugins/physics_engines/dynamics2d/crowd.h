@@ -1,7 +1,6 @@
 #ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_CROWD_H
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_CROWD_H
 
-#include <argos3/plugins/simulator/physics_engines/dynamics2d/contact_memory.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/crowd_clusters.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/crowd_solver.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_store.h>
@@ -13,34 +12,39 @@ namespace argos {
 class CThreadPool;
 
 /**
- * The robots that are discs and may touch only each other and immovable things in a tick: nearly
- * all that touch anything in most swarms.
+ * The bodies that may touch something in a tick, nearly all of them: robots and movable objects.
  *
- * They are solved by CCrowdSolver. The clusters in which there is something else, a movable object,
- * a robot that is no disc or a grip, are excluded: Box2D solves them.
+ * They are solved by CCrowdSolver. The clusters in which there is a grip are excluded: Box2D solves
+ * them. Bodies are items, see CCrowdSolids.
  */
 class CCrowd {
  public:
   explicit CCrowd(CPlanarStore& store) : m_store(store) {}
 
-  void Reserve(size_t discs);
+  void Reserve(size_t discs, size_t solids);
   /** Forgets what is known of the robot in a slot, before another one gets it. */
   void Forget(UInt32 slot);
+  /** Forgets the forces of solids, of which one was added or removed. */
+  void ForgetSolids() { m_memory.Touches.Clear(); }
   /** Forgets the forces at obstacles, because these have changed. */
-  void ForgetObstacles() { m_wallMemory.Clear(); }
+  void ForgetObstacles() {
+    m_memory.Walls.Clear();
+    m_memory.Touches.Clear();
+  }
   /** A robot may overlap others: it was added. */
   void ExpectOverlaps();
   /** How much farther than on its way a disc may be moved in this tick because it overlaps, m. */
   Real GetAllowance() const { return m_allowance; }
 
-  /** Starts a tick, after CDiscPairs::Find(). */
-  void Start(const CDiscPairs& discPairs) {
-    m_lines.clear();
-    m_clusters.Unite(discPairs);
-  }
-  /** Leaves the cluster of a disc to Box2D. */
-  void Exclude(UInt32 place) { m_clusters.Exclude(place); }
-  bool IsExcluded(UInt32 place) { return m_clusters.IsExcluded(place); }
+  /**
+   * Starts a tick, after CDiscPairs::Find().
+   * @param reach  how far a disc may move in the tick, m.
+   */
+  void Start(CDiscPairs& discPairs, Real reach);
+  CCrowdSolids& GetSolids() { return m_solids; }
+  /** Leaves the cluster of an item to Box2D. */
+  void Exclude(UInt32 item) { m_clusters.Exclude(item); }
+  bool IsExcluded(UInt32 item) { return m_clusters.IsExcluded(item); }
   bool HasExcluded() const { return m_clusters.HasExcluded(); }
   /** Adds a line that a disc does not cross. */
   void AddLine(CDiscPairs& discPairs, UInt32 place, const SCrowdLine& line);
@@ -52,12 +56,17 @@ class CCrowd {
 
  private:
   void FillIn(size_t begin, size_t end);
+  void FillInDriven(UInt32 member, const SDrivenBody& body);
+  void FillInSolid(UInt32 member, const CCrowdSolids::SSolid& solid);
   void TakeResults(size_t begin, size_t end);
+  void TakeDriven(UInt32 member, SDrivenBody& body);
+  void TakeSolid(UInt32 member, const CCrowdSolids::SSolid& solid);
 
   CPlanarStore& m_store;
   CCrowdClusters m_clusters;
   CCrowdSolver m_solver;
-  CContactMemory m_pairMemory, m_wallMemory;
+  CCrowdSolids m_solids;
+  SCrowdMemory m_memory;
   std::vector<SCrowdLine> m_lines;  // of this tick
   Real m_allowance = 0.0;  // m
 };

@@ -16,72 +16,107 @@ constexpr Real kStripWidth = 6.0;
 
 }  // namespace
 
-void CCrowdClusters::Reserve(size_t discs) {
-  m_parent.reserve(discs);
-  m_isExcluded.reserve(discs);
-  m_clusterOf.reserve(discs);
-  m_patchOf.reserve(discs);
-  m_memberOf.reserve(discs);
-  m_clusters.reserve(discs);
-  m_patches.reserve(discs);
-  m_members.reserve(discs);
-  m_pairs.reserve(2 * discs);
-  m_walls.reserve(discs);
-  m_sort.Reserve(2 * discs, 2 * discs);
+void CCrowdClusters::Reserve(size_t items) {
+  m_parent.reserve(items);
+  m_isExcluded.reserve(items);
+  m_isAwake.reserve(items);
+  m_clusterOf.reserve(items);
+  m_patchOf.reserve(items);
+  m_memberOf.reserve(items);
+  m_clusters.reserve(items);
+  m_patches.reserve(items);
+  m_members.reserve(items);
+  m_pairs.reserve(2 * items);
+  m_walls.reserve(items);
+  m_sort.Reserve(2 * items, 2 * items);
 }
 
-void CCrowdClusters::Unite(const CDiscPairs& discPairs) {
-  const size_t count = discPairs.GetDiscs().size();
+void CCrowdClusters::Unite(UInt32 a, UInt32 b) {
+  // the first item is the root
+  const UInt32 rootA = FindRoot(a);
+  const UInt32 rootB = FindRoot(b);
+  m_parent[std::max(rootA, rootB)] = std::min(rootA, rootB);
+}
+
+void CCrowdClusters::Unite(const CDiscPairs& discPairs, const CCrowdSolids& solids) {
+  m_discPairs = &discPairs;
+  m_solids = &solids;
+  const size_t count = discPairs.GetDiscs().size() + solids.GetSolids().size();
   m_parent.resize(count);
   std::iota(m_parent.begin(), m_parent.end(), 0U);
   m_isExcluded.assign(count, 0);
   m_hasExcluded = false;
   for (const CDiscPairs::SPart& part : discPairs.GetParts()) {
     for (const CDiscPairs::SPair& pair : part.Pairs) {
-      // the first place is the root
-      const UInt32 a = FindRoot(pair.A);
-      const UInt32 b = FindRoot(pair.B);
-      m_parent[std::max(a, b)] = std::min(a, b);
+      Unite(pair.A, pair.B);
+    }
+  }
+  for (const CCrowdSolids::SPair& pair : solids.GetPairs()) {
+    if (pair.B != CCrowdSolids::kNone) {
+      Unite(pair.A, pair.B);
     }
   }
 }
 
-void CCrowdClusters::Build(const CDiscPairs& discPairs, Real pairReach) {
-  NumberClusters(discPairs);
+void CCrowdClusters::Build(Real pairReach) {
+  FindAwake();
+  NumberClusters();
   CutIntoStrips(pairReach);
-  SortMembers(discPairs);
-  SortPairs(discPairs);
-  SortWalls(discPairs);
+  SortMembers();
+  SortPairs();
+  SortWalls();
+  SortTouches();
 }
 
-void CCrowdClusters::NumberClusters(const CDiscPairs& discPairs) {
-  const std::vector<CDiscPairs::SDisc>& discs = discPairs.GetDiscs();
+SPlanarVector CCrowdClusters::GetCentre(UInt32 item) const {
+  if (m_solids->IsSolid(item)) {
+    const CCrowdSolids::SSolid& solid = m_solids->GetSolid(item);
+    return {solid.X, solid.Y};
+  }
+  const CDiscPairs::SDisc& disc = m_discPairs->GetDiscs()[item];
+  return {disc.X, disc.Y};
+}
+
+// Solids that are connected with a disc or with something that moves.
+void CCrowdClusters::FindAwake() {
+  if (m_solids->GetSolids().empty()) {
+    return;
+  }
+  m_isAwake.assign(GetNumItems(), 0);
+  for (UInt32 item = 0; item < GetNumItems(); ++item) {
+    if (m_solids->IsSolid(item) ? m_solids->GetSolid(item).IsAwake : m_discPairs->IsNear(item)) {
+      m_isAwake[FindRoot(item)] = 1;
+    }
+  }
+}
+
+void CCrowdClusters::NumberClusters() {
   m_clusters.clear();
-  m_clusterOf.resize(discs.size());
-  for (UInt32 place = 0; place < discs.size(); ++place) {
-    m_clusterOf[place] = kNone;
-    if (!discPairs.IsNear(place)) {
+  m_clusterOf.resize(GetNumItems());
+  for (UInt32 item = 0; item < GetNumItems(); ++item) {
+    m_clusterOf[item] = kNone;
+    if (!m_solids->IsSolid(item) && !m_discPairs->IsNear(item)) {
       continue;
     }
-    const UInt32 root = FindRoot(place);
-    if (m_isExcluded[root] != 0) {
+    const UInt32 root = FindRoot(item);
+    if ((m_solids->IsSolid(item) && m_isAwake[root] == 0) || m_isExcluded[root] != 0) {
       continue;
     }
-    const CDiscPairs::SDisc& disc = discs[place];
-    if (root == place) {
-      m_clusterOf[place] = static_cast<UInt32>(m_clusters.size());
+    const SPlanarVector centre = GetCentre(item);
+    if (root == item) {
+      m_clusterOf[item] = static_cast<UInt32>(m_clusters.size());
       SExtent& cluster = m_clusters.emplace_back();
-      cluster.MinX = cluster.MaxX = disc.X;
-      cluster.MinY = cluster.MaxY = disc.Y;
+      cluster.MinX = cluster.MaxX = centre.X;
+      cluster.MinY = cluster.MaxY = centre.Y;
     } else {
-      m_clusterOf[place] = m_clusterOf[root];
+      m_clusterOf[item] = m_clusterOf[root];
     }
-    SExtent& cluster = m_clusters[m_clusterOf[place]];
+    SExtent& cluster = m_clusters[m_clusterOf[item]];
     ++cluster.Size;
-    cluster.MinX = std::min(cluster.MinX, disc.X);
-    cluster.MaxX = std::max(cluster.MaxX, disc.X);
-    cluster.MinY = std::min(cluster.MinY, disc.Y);
-    cluster.MaxY = std::max(cluster.MaxY, disc.Y);
+    cluster.MinX = std::min(cluster.MinX, centre.X);
+    cluster.MaxX = std::max(cluster.MaxX, centre.X);
+    cluster.MinY = std::min(cluster.MinY, centre.Y);
+    cluster.MaxY = std::max(cluster.MaxY, centre.Y);
   }
 }
 
@@ -115,34 +150,35 @@ void CCrowdClusters::CutIntoStrips(Real pairReach) {
   m_patches.assign(patch, SCrowdPatch());
 }
 
-UInt32 CCrowdClusters::ComputePatch(const CDiscPairs::SDisc& disc, const SExtent& cluster) const {
+UInt32 CCrowdClusters::ComputePatch(const SPlanarVector& centre, const SExtent& cluster) const {
   if (cluster.NumStrips == 1) {
     return cluster.FirstPatch;
   }
-  const Real along = cluster.AlongX ? disc.X - cluster.MinX : disc.Y - cluster.MinY;
+  const Real along = cluster.AlongX ? centre.X - cluster.MinX : centre.Y - cluster.MinY;
   const UInt32 strip = static_cast<UInt32>(along * cluster.StripsPerMetre);
   return cluster.FirstPatch + std::min(strip, cluster.NumStrips - 1);
 }
 
-void CCrowdClusters::SortMembers(const CDiscPairs& discPairs) {
-  const std::vector<CDiscPairs::SDisc>& discs = discPairs.GetDiscs();
-  m_patchOf.resize(discs.size());
-  m_memberOf.resize(discs.size());
-  m_sort.Start(discs.size(), m_patches.size());
-  for (UInt32 place = 0; place < discs.size(); ++place) {
-    if (m_clusterOf[place] == kNone) {
-      m_patchOf[place] = kNone;
-      m_sort.LeaveOut(place);
+void CCrowdClusters::SortMembers() {
+  m_patchOf.resize(GetNumItems());
+  m_memberOf.resize(GetNumItems());
+  m_sort.Start(GetNumItems(), m_patches.size());
+  for (UInt32 item = 0; item < GetNumItems(); ++item) {
+    if (m_clusterOf[item] == kNone) {
+      m_patchOf[item] = kNone;
+      m_sort.LeaveOut(item);
     } else {
-      m_patchOf[place] = ComputePatch(discs[place], m_clusters[m_clusterOf[place]]);
-      m_sort.SetKey(place, m_patchOf[place]);
+      m_patchOf[item] = ComputePatch(GetCentre(item), m_clusters[m_clusterOf[item]]);
+      m_sort.SetKey(item, m_patchOf[item]);
     }
   }
   m_members.resize(m_sort.Finish());
-  for (UInt32 place = 0; place < discs.size(); ++place) {
-    if (m_patchOf[place] != kNone) {
-      m_memberOf[place] = m_sort.GetPlace(place);
-      m_members[m_memberOf[place]] = {place, discs[place].Number};
+  for (UInt32 item = 0; item < GetNumItems(); ++item) {
+    if (m_patchOf[item] != kNone) {
+      m_memberOf[item] = m_sort.GetPlace(item);
+      m_members[m_memberOf[item]] = {item, m_solids->IsSolid(item)
+                                               ? item - m_solids->GetNumDiscs()
+                                               : m_discPairs->GetDiscs()[item].Number};
     }
   }
   for (UInt32 patch = 0; patch < m_patches.size(); ++patch) {
@@ -152,14 +188,14 @@ void CCrowdClusters::SortMembers(const CDiscPairs& discPairs) {
 }
 
 // By patch; in each, those inside before those on its border with the next one.
-void CCrowdClusters::SortPairs(const CDiscPairs& discPairs) {
+void CCrowdClusters::SortPairs() {
   size_t count = 0;
-  for (const CDiscPairs::SPart& part : discPairs.GetParts()) {
+  for (const CDiscPairs::SPart& part : m_discPairs->GetParts()) {
     count += part.Pairs.size();
   }
   m_sort.Start(count, 2 * m_patches.size());
   size_t item = 0;
-  for (const CDiscPairs::SPart& part : discPairs.GetParts()) {
+  for (const CDiscPairs::SPart& part : m_discPairs->GetParts()) {
     for (const CDiscPairs::SPair& pair : part.Pairs) {
       const UInt32 a = m_patchOf[pair.A];
       const UInt32 b = m_patchOf[pair.B];
@@ -173,7 +209,7 @@ void CCrowdClusters::SortPairs(const CDiscPairs& discPairs) {
   }
   m_pairs.resize(m_sort.Finish());
   item = 0;
-  for (const CDiscPairs::SPart& part : discPairs.GetParts()) {
+  for (const CDiscPairs::SPart& part : m_discPairs->GetParts()) {
     for (const CDiscPairs::SPair& pair : part.Pairs) {
       if (!m_sort.IsLeftOut(item)) {
         m_pairs[m_sort.GetPlace(item)] = {m_memberOf[pair.A], m_memberOf[pair.B]};
@@ -188,14 +224,14 @@ void CCrowdClusters::SortPairs(const CDiscPairs& discPairs) {
   }
 }
 
-void CCrowdClusters::SortWalls(const CDiscPairs& discPairs) {
+void CCrowdClusters::SortWalls() {
   size_t count = 0;
-  for (const CDiscPairs::SPart& part : discPairs.GetParts()) {
+  for (const CDiscPairs::SPart& part : m_discPairs->GetParts()) {
     count += part.ObstaclePairs.size();
   }
   m_sort.Start(count, m_patches.size());
   size_t item = 0;
-  for (const CDiscPairs::SPart& part : discPairs.GetParts()) {
+  for (const CDiscPairs::SPart& part : m_discPairs->GetParts()) {
     for (const CDiscPairs::SObstaclePair& pair : part.ObstaclePairs) {
       if (m_patchOf[pair.Disc] == kNone) {
         m_sort.LeaveOut(item);
@@ -207,7 +243,7 @@ void CCrowdClusters::SortWalls(const CDiscPairs& discPairs) {
   }
   m_walls.resize(m_sort.Finish());
   item = 0;
-  for (const CDiscPairs::SPart& part : discPairs.GetParts()) {
+  for (const CDiscPairs::SPart& part : m_discPairs->GetParts()) {
     for (const CDiscPairs::SObstaclePair& pair : part.ObstaclePairs) {
       if (!m_sort.IsLeftOut(item)) {
         m_walls[m_sort.GetPlace(item)] = {m_memberOf[pair.Disc], pair.Obstacle};
@@ -218,6 +254,34 @@ void CCrowdClusters::SortWalls(const CDiscPairs& discPairs) {
   for (UInt32 patch = 0; patch < m_patches.size(); ++patch) {
     m_patches[patch].FirstWall = m_sort.Begin(patch);
     m_patches[patch].EndWall = m_sort.End(patch);
+  }
+}
+
+// In the order of pairs.
+void CCrowdClusters::SortTouches() {
+  const std::vector<CCrowdSolids::SPair>& pairs = m_solids->GetPairs();
+  m_sort.Start(pairs.size(), 2 * m_patches.size());
+  for (size_t i = 0; i < pairs.size(); ++i) {
+    const UInt32 a = m_patchOf[pairs[i].A];
+    const UInt32 b = pairs[i].B != CCrowdSolids::kNone ? m_patchOf[pairs[i].B] : a;
+    if (a == kNone) {
+      m_sort.LeaveOut(i);
+    } else {
+      m_sort.SetKey(i, 2 * std::min(a, b) + (a == b ? 0 : 1));
+    }
+  }
+  m_touches.resize(m_sort.Finish());
+  for (size_t i = 0; i < pairs.size(); ++i) {
+    if (!m_sort.IsLeftOut(i)) {
+      const CCrowdSolids::SPair& pair = pairs[i];
+      m_touches[m_sort.GetPlace(i)] = {m_memberOf[pair.A],
+                                       pair.B != CCrowdSolids::kNone ? m_memberOf[pair.B] : kNone,
+                                       pair.PartA, pair.PartB};
+    }
+  }
+  for (UInt32 patch = 0; patch < m_patches.size(); ++patch) {
+    m_patches[patch].Touches = {m_sort.Begin(2 * patch), m_sort.End(2 * patch)};
+    m_patches[patch].BorderTouches = {m_sort.Begin(2 * patch + 1), m_sort.End(2 * patch + 1)};
   }
 }
 

@@ -2,21 +2,31 @@
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_CROWD_CLUSTERS_H
 
 #include <argos3/core/utility/spatial/counting_sort.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics2d/crowd_solids.h>
 #include <argos3/plugins/simulator/physics_engines/planar/disc_pairs.h>
 
 #include <vector>
 
 namespace argos {
 
+/** A range of an array. */
+struct SCrowdRange {
+  UInt32 First = 0, End = 0;
+
+  UInt32 GetSize() const { return End - First; }
+};
+
 /**
- * Discs that are solved one after the other: a whole cluster, or a strip of a large one. Ranges of
+ * Bodies that are solved one after the other: a whole cluster, or a strip of a large one. Ranges of
  * the arrays of CCrowdClusters.
  */
 struct SCrowdPatch {
-  UInt32 FirstDisc = 0, EndDisc = 0;
+  UInt32 FirstDisc = 0, EndDisc = 0;  // members
   UInt32 FirstPair = 0, EndPair = 0;  // of which both discs are in the patch
   UInt32 FirstBorder = 0, EndBorder = 0;  // of which one disc is in the next patch
   UInt32 FirstWall = 0, EndWall = 0;
+  // pairs of bodies of which one is a solid, or a solid and an obstacle
+  SCrowdRange Touches, BorderTouches;
 };
 
 /** A cluster: one patch, or several of which each has pairs with the next one only. */
@@ -25,18 +35,19 @@ struct SCrowdCluster {
 };
 
 /**
- * The discs that can meet something in a tick, in clusters: discs of different clusters cannot
+ * The bodies that can meet something in a tick, in clusters: those of different clusters cannot
  * meet. A large cluster is cut into strips across its longer side, so wide that only adjoining
  * ones have pairs in common; strips that do not adjoin can be solved at the same time.
  *
- * Everything depends on the places of the discs only, not on threads: clusters are in the order of
- * their first places, and discs and pairs in the order of places within a patch.
+ * Discs and solids are items, see CCrowdSolids. Clusters of solids in which nothing moves are left
+ * out. Everything depends on the places of the bodies only, not on threads: clusters are in the
+ * order of their first items, and members and pairs in the order of items within a patch.
  */
 class CCrowdClusters {
  public:
-  /** A disc in a cluster. */
+  /** A body in a cluster: an item, and the number of the disc or of the solid. */
   struct SMember {
-    UInt32 Place, Number;
+    UInt32 Item, Number;
   };
   /** Two discs, by their numbers in GetMembers(). */
   struct SPair {
@@ -45,24 +56,31 @@ class CCrowdClusters {
   struct SWall {
     UInt32 Disc, Obstacle;
   };
+  /** Parts of two bodies, by their numbers in GetMembers(); see CCrowdSolids::SPair. */
+  struct STouch {
+    UInt32 A, B;
+    UInt32 PartA, PartB;
+  };
 
-  void Reserve(size_t discs);
-  /** Unites discs that can meet; after CDiscPairs::Find(). */
-  void Unite(const CDiscPairs& discPairs);
-  /** Leaves out the cluster of a disc; between Unite() and Build(). */
-  void Exclude(UInt32 place) {
-    m_isExcluded[FindRoot(place)] = 1;
+  void Reserve(size_t items);
+  void ReserveTouches(size_t touches) { m_touches.reserve(touches); }
+  /** Unites bodies that can meet; after Find() of both, which must stay valid. */
+  void Unite(const CDiscPairs& discPairs, const CCrowdSolids& solids);
+  /** Leaves out the cluster of an item; between Unite() and Build(). */
+  void Exclude(UInt32 item) {
+    m_isExcluded[FindRoot(item)] = 1;
     m_hasExcluded = true;
   }
   bool HasExcluded() const { return m_hasExcluded; }
-  /** Is the disc in an excluded cluster? */
-  bool IsExcluded(UInt32 place) { return m_isExcluded[FindRoot(place)] != 0; }
-  /** Lists the clusters that are not excluded. */
-  void Build(const CDiscPairs& discPairs, Real reach);
+  /** Is the item in an excluded cluster? */
+  bool IsExcluded(UInt32 item) { return m_isExcluded[FindRoot(item)] != 0; }
+  /** Lists the clusters that are not excluded. @param pairReach of centres of pairs, m. */
+  void Build(Real pairReach);
 
   const std::vector<SMember>& GetMembers() const { return m_members; }
   const std::vector<SPair>& GetPairs() const { return m_pairs; }
   const std::vector<SWall>& GetWalls() const { return m_walls; }
+  const std::vector<STouch>& GetTouches() const { return m_touches; }
   const std::vector<SCrowdPatch>& GetPatches() const { return m_patches; }
   /** Clusters of one patch: the first ones, in this order. */
   size_t GetNumSmall() const { return m_numSmall; }
@@ -81,32 +99,41 @@ class CCrowdClusters {
     Real StripsPerMetre = 0.0;
   };
 
-  UInt32 FindRoot(UInt32 place) {
-    while (m_parent[place] != place) {
-      m_parent[place] = m_parent[m_parent[place]];
-      place = m_parent[place];
+  UInt32 FindRoot(UInt32 item) {
+    while (m_parent[item] != item) {
+      m_parent[item] = m_parent[m_parent[item]];
+      item = m_parent[item];
     }
-    return place;
+    return item;
   }
-  void NumberClusters(const CDiscPairs& discPairs);
+  void Unite(UInt32 a, UInt32 b);
+  size_t GetNumItems() const { return m_parent.size(); }
+  SPlanarVector GetCentre(UInt32 item) const;
+  void FindAwake();
+  void NumberClusters();
   void CutIntoStrips(Real pairReach);
-  UInt32 ComputePatch(const CDiscPairs::SDisc& disc, const SExtent& cluster) const;
-  void SortMembers(const CDiscPairs& discPairs);
-  void SortPairs(const CDiscPairs& discPairs);
-  void SortWalls(const CDiscPairs& discPairs);
+  UInt32 ComputePatch(const SPlanarVector& centre, const SExtent& cluster) const;
+  void SortMembers();
+  void SortPairs();
+  void SortWalls();
+  void SortTouches();
 
-  std::vector<UInt32> m_parent;  // by place
-  std::vector<UInt8> m_isExcluded;  // by place of the root
+  const CDiscPairs* m_discPairs = nullptr;
+  const CCrowdSolids* m_solids = nullptr;
+  std::vector<UInt32> m_parent;  // by item
+  std::vector<UInt8> m_isExcluded;  // by item, of the root
+  std::vector<UInt8> m_isAwake;  // by item, of the root
   bool m_hasExcluded = false;
-  std::vector<UInt32> m_clusterOf;  // by place; kNone: in no cluster
+  std::vector<UInt32> m_clusterOf;  // by item; kNone: in no cluster
   std::vector<SExtent> m_clusters;
-  std::vector<UInt32> m_patchOf;  // by place; kNone: in no cluster
-  std::vector<UInt32> m_memberOf;  // by place
+  std::vector<UInt32> m_patchOf;  // by item; kNone: in no cluster
+  std::vector<UInt32> m_memberOf;  // by item
   CCountingSort m_sort;
 
   std::vector<SMember> m_members;
   std::vector<SPair> m_pairs;
   std::vector<SWall> m_walls;
+  std::vector<STouch> m_touches;
   std::vector<SCrowdPatch> m_patches;
   std::vector<SCrowdCluster> m_large;
   size_t m_numSmall = 0;

@@ -24,6 +24,8 @@ void CCrowdSolver::FindContacts(UInt32 number, const SSubstep& substep) {
   state.NumContacts = FindContacts(patch.FirstPair, patch.EndPair, substep, state);
   state.NumBorder = FindContacts(patch.FirstBorder, patch.EndBorder, substep, state);
   FindWalls(number, substep);
+  state.NumTouches = FindTouches(patch.Touches, substep, state);
+  state.NumBorderTouches = FindTouches(patch.BorderTouches, substep, state);
 }
 
 // @return the number of contacts, which begin at the number of the first pair.
@@ -135,18 +137,30 @@ void CCrowdSolver::FindWalls(UInt32 number, const SSubstep& substep) {
   state.NumWalls = next - patch.FirstWall;
 }
 
-// The drive bounds the impulse in the tick. It exerts an equal share in each substep. But a robot
-// that touches nothing may use as much of the bound as it takes to reach its speed at the start of
-// the tick: this makes its path an exact arc.
 void CCrowdSolver::StartDrives(UInt32 number, const SSubstep& substep) {
   const SCrowdPatch& patch = m_clusters->GetPatches()[number];
-  const float elapsed = static_cast<float>(substep.Number + 1) / static_cast<float>(substep.Count);
   for (UInt32 i = patch.FirstDisc; i < patch.EndDisc; ++i) {
-    SCrowdDrive& drive = m_drives[i];
-    const SCrowdDisc& disc = m_discs[i];
-    drive.Most = elapsed * drive.InTick - drive.Spent;
-    drive.AngularMost = elapsed * drive.AngularInTick - drive.AngularSpent;
-    if (m_isTouching[i] == 0) {
+    StartDrive(i, substep);
+    m_isTouching[i] = 0;
+  }
+}
+
+// A force acts in each substep, up to its bound. But a robot that touches nothing may use as much
+// of the bound of the tick as it takes to reach its speed at the start of the tick: this makes its
+// path an exact arc. What it has used in advance it does not have later; what it has not used is
+// not saved for later.
+void CCrowdSolver::StartDrive(UInt32 member, const SSubstep& substep) {
+  SCrowdDrive& drive = m_drives[member];
+  const SCrowdDisc& disc = m_discs[member];
+  const float count = static_cast<float>(substep.Count);
+  const float elapsed = static_cast<float>(substep.Number + 1) / count;
+  drive.Most = drive.InTick / count;
+  drive.AngularMost = drive.AngularInTick / count;
+  if (!drive.IsFriction) {
+    drive.Most = std::min(drive.Most, elapsed * drive.InTick - drive.Spent);
+    drive.AngularMost =
+        std::min(drive.AngularMost, elapsed * drive.AngularInTick - drive.AngularSpent);
+    if (m_isTouching[member] == 0) {
       const float x = drive.TargetX - disc.VX;
       const float y = drive.TargetY - disc.VY;
       const float change = std::sqrt(x * x + y * y);
@@ -157,11 +171,10 @@ void CCrowdSolver::StartDrives(UInt32 number, const SSubstep& substep) {
           std::clamp(kAmpleImpulse * turn / disc.InverseInertia, drive.AngularMost,
                      std::max(drive.AngularMost, drive.AngularInTick - drive.AngularSpent));
     }
-    drive.Most = std::max(drive.Most, 0.0F);
-    drive.AngularMost = std::max(drive.AngularMost, 0.0F);
-    drive.X = drive.Y = drive.Angular = 0.0F;
-    m_isTouching[i] = 0;
   }
+  drive.Most = std::max(drive.Most, 0.0F);
+  drive.AngularMost = std::max(drive.AngularMost, 0.0F);
+  drive.X = drive.Y = drive.Angular = 0.0F;
 }
 
 void CCrowdSolver::WarmStart(UInt32 first, UInt32 count) {

@@ -36,6 +36,17 @@ void CCrowdSolver::Reserve(size_t discs) {
   m_states.reserve(discs);
 }
 
+void CCrowdSolver::ReserveForSolids(size_t discs, size_t solids, size_t touches) {
+  m_parts.reserve(2 * solids);
+  m_touches.reserve(2 * touches);
+  m_touchForces.reserve(2 * touches);
+  m_touchSearches.reserve(2 * touches);
+  m_contactSearches.reserve(2 * discs);
+  m_wallSearches.reserve(discs);
+  m_driveSearches.reserve(discs + solids);
+  m_isLoaded.reserve(discs + solids);
+}
+
 void CCrowdSolver::Start(const SCrowdTick& tick, size_t discs) {
   m_tick = tick;
   const Real scale = tick.SmallestRadius * kDefaultSubsteps / tick.LeastSubsteps;
@@ -49,29 +60,44 @@ void CCrowdSolver::Start(const SCrowdTick& tick, size_t discs) {
   m_isPushed.assign(discs, 0);
 }
 
-void CCrowdSolver::Solve(CThreadPool& pool, const CCrowdClusters& clusters,
-                         const CDiscPairs& discPairs, const std::vector<SCrowdLine>& lines,
-                         const CContactMemory& pairMemory, const CContactMemory& wallMemory) {
-  m_clusters = &clusters;
-  m_discPairs = &discPairs;
-  m_lines = &lines;
-  const auto& members = clusters.GetMembers();
-  const auto& pairs = clusters.GetPairs();
+// Finds the forces from which the tick starts.
+void CCrowdSolver::LookUpForces(CThreadPool& pool, const SCrowdMemory& memory) {
+  const auto& members = m_clusters->GetMembers();
+  const auto& pairs = m_clusters->GetPairs();
   m_pairForces.resize(pairs.size());
   m_contacts.resize(pairs.size());
   pool.ParallelFor(pairs.size(), kMemberGrain, [&](size_t begin, size_t end, UInt32) {
     for (size_t i = begin; i < end; ++i) {
       const UInt32 a = members[pairs[i].A].Number;
       const UInt32 b = members[pairs[i].B].Number;
-      m_pairForces[i] = pairMemory.Find(std::min(a, b), std::max(a, b));
+      m_pairForces[i] = memory.Pairs.Find(std::min(a, b), std::max(a, b));
     }
   });
-  const auto& walls = clusters.GetWalls();
+  const auto& walls = m_clusters->GetWalls();
   m_wallForces.resize(walls.size());
   m_wallContacts.resize(walls.size());
   for (size_t i = 0; i < walls.size(); ++i) {
-    m_wallForces[i] = wallMemory.Find(members[walls[i].Disc].Number, walls[i].Obstacle);
+    m_wallForces[i] = memory.Walls.Find(members[walls[i].Disc].Number, walls[i].Obstacle);
   }
+  LookUpTouchForces(pool, memory.Touches);
+  if (!m_solids->GetSolids().empty()) {
+    m_contactSearches.resize(pairs.size());
+    m_wallSearches.resize(walls.size());
+    m_touchSearches.resize(m_touches.size());
+    m_driveSearches.resize(members.size());
+    m_isLoaded.assign(members.size(), 0);
+  }
+}
+
+void CCrowdSolver::Solve(CThreadPool& pool, const CCrowdClusters& clusters,
+                         const CDiscPairs& discPairs, const CCrowdSolids& solids,
+                         const std::vector<SCrowdLine>& lines, const SCrowdMemory& memory) {
+  m_clusters = &clusters;
+  m_discPairs = &discPairs;
+  m_solids = &solids;
+  m_lines = &lines;
+  LookUpForces(pool, memory);
+  m_parts = solids.GetParts();
   m_states.assign(clusters.GetPatches().size(), SPatchState());
   pool.ParallelFor(clusters.GetNumSmall(), kClusterGrain, [this](size_t begin, size_t end, UInt32) {
     for (size_t patch = begin; patch < end; ++patch) {
@@ -98,10 +124,14 @@ UInt32 CCrowdSolver::CountSubsteps(const SCrowdPatch& patch) const {
     const SCrowdDisc& disc = m_discs[i];
     const float fastest = std::max(drive.TargetX * drive.TargetX + drive.TargetY * drive.TargetY,
                                    disc.VX * disc.VX + disc.VY * disc.VY);
+    const float turn =
+        IsSolid(i) ? std::max(std::abs(drive.TargetW), std::abs(disc.W)) : std::abs(drive.TargetW);
     needed = std::max(
         {needed, std::sqrt(fastest) * tick / (static_cast<float>(kMaxStepShare) * disc.Radius),
-         std::abs(drive.TargetW) * tick / static_cast<float>(kMaxStepTurn)});
-    weakest = std::min(weakest, drive.InTick);
+         turn * tick / static_cast<float>(kMaxStepTurn)});
+    if (!drive.IsFriction) {
+      weakest = std::min(weakest, drive.InTick);
+    }
   }
   if (m_tick.RefineInCrowds) {
     float greatest = 0.0F;  // force, N
@@ -123,12 +153,18 @@ void CCrowdSolver::SolveSmall(UInt32 number) {
     StartDrives(number, substep);
     SPatchState& state = m_states[number];
     WarmStart(patch.FirstPair, state.NumContacts);
+    WarmStartTouches(2 * patch.Touches.First, state.NumTouches);
     WarmStartWalls(patch.FirstWall, state.NumWalls);
     const float tolerance = m_tolerance / substep.Duration;
-    for (UInt32 sweep = 0; sweep < kMaxCrowdSweeps && SweepPatch(number, sweep) > tolerance;
-         ++sweep) {
+    if (patch.Touches.GetSize() > 0) {
+      IterateSmall(number, kTouchTolerance * tolerance);
+    } else {
+      for (UInt32 sweep = 0; sweep < kMaxCrowdSweeps && SweepPatch(number, sweep) > tolerance;
+           ++sweep) {
+      }
     }
-    Finish(number, substep);
+    TakeForces(number, substep);
+    Move(number, substep);
   }
   for (UInt32 push = 0; push < kMaxPushes; ++push) {
     PushApart(number);
@@ -138,43 +174,26 @@ void CCrowdSolver::SolveSmall(UInt32 number) {
   }
 }
 
-// Calls visit(patch) for the patches of a cluster, on all threads.
-template <typename VISIT>
-void CCrowdSolver::ForPatches(CThreadPool& pool, const SCrowdCluster& cluster, VISIT&& visit) {
-  pool.ParallelFor(cluster.EndPatch - cluster.FirstPatch, 1, [&](size_t begin, size_t end, UInt32) {
-    for (size_t i = begin; i < end; ++i) {
-      visit(cluster.FirstPatch + static_cast<UInt32>(i));
-    }
-  });
-}
-
-// Calls visit(patch) for the borders after patches 0, 2, ..., then after 1, 3, ...: no two have a
-// patch in common.
-template <typename VISIT>
-void CCrowdSolver::ForBorders(CThreadPool& pool, const SCrowdCluster& cluster, VISIT&& visit) {
-  const UInt32 numPatches = cluster.EndPatch - cluster.FirstPatch;
-  for (UInt32 parity = 0; parity < 2; ++parity) {
-    pool.ParallelFor((numPatches - parity) / 2, 1, [&](size_t begin, size_t end, UInt32) {
-      for (size_t i = begin; i < end; ++i) {
-        visit(cluster.FirstPatch + parity + 2 * static_cast<UInt32>(i));
-      }
-    });
-  }
-}
-
 void CCrowdSolver::SolveLarge(CThreadPool& pool, const SCrowdCluster& cluster) {
   UInt32 count = 0;
   for (UInt32 number = cluster.FirstPatch; number < cluster.EndPatch; ++number) {
     count = std::max(count, CountSubsteps(m_clusters->GetPatches()[number]));
   }
+  const bool hasTouches = HasTouches(cluster);
   SSubstep substep = {static_cast<float>(m_tick.Duration / count), 0, count};
   for (; substep.Number < count; ++substep.Number) {
     StartSubstep(pool, cluster, substep);
-    bool isDue = true;
-    for (UInt32 sweep = 0; sweep < kMaxCrowdSweeps && isDue; ++sweep) {
-      isDue = SweepLarge(pool, cluster, sweep, m_tolerance / substep.Duration);
+    const float tolerance = m_tolerance / substep.Duration;
+    if (hasTouches) {
+      IterateLarge(pool, cluster, kTouchTolerance * tolerance);
+    } else {
+      bool isDue = true;
+      for (UInt32 sweep = 0; sweep < kMaxCrowdSweeps && isDue; ++sweep) {
+        isDue = SweepLarge(pool, cluster, sweep, tolerance);
+      }
     }
-    ForPatches(pool, cluster, [&](UInt32 number) { Finish(number, substep); });
+    ForPatches(pool, cluster, [&](UInt32 number) { TakeForces(number, substep); });
+    ForPatches(pool, cluster, [&](UInt32 number) { Move(number, substep); });
   }
   bool isDeep = true;
   for (UInt32 push = 0; push < kMaxPushes && isDeep; ++push) {
@@ -189,11 +208,13 @@ void CCrowdSolver::StartSubstep(CThreadPool& pool, const SCrowdCluster& cluster,
   ForPatches(pool, cluster, [&](UInt32 number) {
     StartDrives(number, substep);
     WarmStart(patches[number].FirstPair, m_states[number].NumContacts);
+    WarmStartTouches(2 * patches[number].Touches.First, m_states[number].NumTouches);
     WarmStartWalls(patches[number].FirstWall, m_states[number].NumWalls);
     m_states[number].IsDue = true;
   });
   ForBorders(pool, cluster, [&](UInt32 number) {
     WarmStart(patches[number].FirstBorder, m_states[number].NumBorder);
+    WarmStartTouches(2 * patches[number].BorderTouches.First, m_states[number].NumBorderTouches);
   });
 }
 
@@ -208,8 +229,11 @@ bool CCrowdSolver::SweepLarge(CThreadPool& pool, const SCrowdCluster& cluster, U
   ForBorders(pool, cluster, [&](UInt32 number) {
     SPatchState& state = m_states[number];
     if (state.IsDue || m_states[number + 1].IsDue) {
-      state.BorderChange = SweepContacts(m_clusters->GetPatches()[number].FirstBorder,
-                                         state.NumBorder, sweep % 2 != 0);
+      const SCrowdPatch& patch = m_clusters->GetPatches()[number];
+      const bool backwards = sweep % 2 != 0;
+      state.BorderChange =
+          std::max(SweepContacts(patch.FirstBorder, state.NumBorder, backwards),
+                   SweepTouches(2 * patch.BorderTouches.First, state.NumBorderTouches, backwards));
     }
   });
   bool isDue = false;
@@ -239,8 +263,9 @@ bool CCrowdSolver::PushLargeApart(CThreadPool& pool, const SCrowdCluster& cluste
   ForBorders(pool, cluster, [&](UInt32 number) {
     SPatchState& state = m_states[number];
     if (state.IsDue || m_states[number + 1].IsDue) {
-      state.BorderDeepest =
-          PushContactsApart(m_clusters->GetPatches()[number].FirstBorder, state.NumBorder);
+      const SCrowdPatch& patch = m_clusters->GetPatches()[number];
+      state.BorderDeepest = std::max(PushContactsApart(patch.FirstBorder, state.NumBorder),
+                                     PushTouchesApart(patch.BorderTouches));
     }
   });
   return std::any_of(m_states.begin() + cluster.FirstPatch, m_states.begin() + cluster.EndPatch,
@@ -253,7 +278,9 @@ float CCrowdSolver::SweepPatch(UInt32 number, UInt32 sweep) {
   const SCrowdPatch& patch = m_clusters->GetPatches()[number];
   SPatchState& state = m_states[number];
   float change = SweepDrives(patch.FirstDisc, patch.EndDisc);
-  change = std::max(change, SweepContacts(patch.FirstPair, state.NumContacts, sweep % 2 != 0));
+  const bool backwards = sweep % 2 != 0;
+  change = std::max(change, SweepContacts(patch.FirstPair, state.NumContacts, backwards));
+  change = std::max(change, SweepTouches(2 * patch.Touches.First, state.NumTouches, backwards));
   change = std::max(change, SweepWalls(patch.FirstWall, state.NumWalls));
   state.Change = change;
   return change;
@@ -363,7 +390,7 @@ float CCrowdSolver::SweepWalls(UInt32 first, UInt32 count) {
 // end of a substep
 /****************************************/
 
-void CCrowdSolver::Finish(UInt32 number, const SSubstep& substep) {
+void CCrowdSolver::TakeForces(UInt32 number, const SSubstep& substep) {
   const SCrowdPatch& patch = m_clusters->GetPatches()[number];
   SPatchState& state = m_states[number];
   // no disc enters a wall because of what is not solved
@@ -387,6 +414,12 @@ void CCrowdSolver::Finish(UInt32 number, const SSubstep& substep) {
       RaiseFlag(m_isPushed[contact.Disc]);
     }
   }
+  TakeTouchForces(2 * patch.Touches.First, state.NumTouches, perSecond);
+  TakeTouchForces(2 * patch.BorderTouches.First, state.NumBorderTouches, perSecond);
+}
+
+void CCrowdSolver::Move(UInt32 number, const SSubstep& substep) {
+  const SCrowdPatch& patch = m_clusters->GetPatches()[number];
   const Real duration = static_cast<Real>(substep.Duration);
   const float fastest = static_cast<float>(m_tick.LongestPath / m_tick.Duration);
   for (UInt32 i = patch.FirstDisc; i < patch.EndDisc; ++i) {
@@ -397,10 +430,14 @@ void CCrowdSolver::Finish(UInt32 number, const SSubstep& substep) {
       disc.VX *= scale;
       disc.VY *= scale;
     }
-    SCrowdPosition& position = m_positions[i];
-    position.X += static_cast<Real>(disc.VX) * duration;
-    position.Y += static_cast<Real>(disc.VY) * duration;
-    position.Turn += static_cast<Real>(disc.W) * duration;
+    if (IsSolid(i)) {
+      MoveSolid(i, substep);
+    } else {
+      SCrowdPosition& position = m_positions[i];
+      position.X += static_cast<Real>(disc.VX) * duration;
+      position.Y += static_cast<Real>(disc.VY) * duration;
+      position.Turn += static_cast<Real>(disc.W) * duration;
+    }
     SCrowdDrive& drive = m_drives[i];
     drive.Spent += std::sqrt(drive.X * drive.X + drive.Y * drive.Y);
     drive.AngularSpent += std::abs(drive.Angular);
@@ -416,6 +453,7 @@ void CCrowdSolver::PushApart(UInt32 number) {
   const SCrowdPatch& patch = m_clusters->GetPatches()[number];
   SPatchState& state = m_states[number];
   state.Deepest = PushContactsApart(patch.FirstPair, state.NumContacts);
+  state.Deepest = std::max(state.Deepest, PushTouchesApart(patch.Touches));
   state.Deepest = std::max(state.Deepest, PushOutOfWalls(patch.FirstWall, state.NumWalls));
 }
 
@@ -469,8 +507,10 @@ void CCrowdSolver::Push(UInt32 disc, Real x, Real y) {
   RaiseFlag(m_isPushed[disc]);
 }
 
-void CCrowdSolver::Remember(const CCrowdClusters& clusters, size_t slots,
-                            CContactMemory& pairMemory, CContactMemory& wallMemory) const {
+void CCrowdSolver::Remember(size_t slots, SCrowdMemory& memory) const {
+  const CCrowdClusters& clusters = *m_clusters;
+  CContactMemory& pairMemory = memory.Pairs;
+  CContactMemory& wallMemory = memory.Walls;
   const auto& members = clusters.GetMembers();
   pairMemory.StartCollecting();
   for (size_t i = 0; i < m_pairForces.size(); ++i) {
@@ -490,6 +530,7 @@ void CCrowdSolver::Remember(const CCrowdClusters& clusters, size_t slots,
     }
   }
   wallMemory.FinishCollecting(slots);
+  RememberTouches(memory.Touches);
 }
 
 }  // namespace argos

@@ -1,23 +1,25 @@
 #ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_CROWD_SOLVER_H
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_CROWD_SOLVER_H
 
+#include <argos3/core/utility/threads/thread_pool.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/contact_memory.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/crowd_clusters.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics2d/touch_memory.h>
 #include <argos3/plugins/simulator/physics_engines/planar/separation.h>
 
+#include <array>
+#include <cmath>
 #include <vector>
 
 namespace argos {
 
-class CThreadPool;
-
-/** A disc of a crowd, as the solver moves it. */
+/** A body of a crowd, as the solver moves it: its centre of mass. */
 struct SCrowdDisc {
   float VX = 0.0F, VY = 0.0F;  // m/s
   float W = 0.0F;  // rad/s
   float InverseMass = 0.0F;  // 1/kg
   float InverseInertia = 0.0F;  // 1/(kg m^2)
-  float Radius = 0.0F;  // m
+  float Radius = 0.0F;  // of a disc, or half of the narrowest side of a solid, m
 
   /** @param x,y  impulse, N s. @param turn  impulse along the rim, anticlockwise, N s. */
   void ApplyImpulse(float x, float y, float turn) {
@@ -27,13 +29,24 @@ struct SCrowdDisc {
   }
 };
 
-/** The drive of a disc: what it aims at, and the bounds of its impulses. */
+/**
+ * The drive of a body: what it aims at, and the bounds of its impulses. The friction of an object
+ * on the ground aims at rest.
+ */
 struct SCrowdDrive {
   float TargetX = 0.0F, TargetY = 0.0F, TargetW = 0.0F;  // m/s, rad/s
   float InTick = 0.0F, AngularInTick = 0.0F;  // greatest impulses in a tick, N s and N m s
   float Spent = 0.0F, AngularSpent = 0.0F;  // in this tick
   float Most = 0.0F, AngularMost = 0.0F;  // in this substep
   float X = 0.0F, Y = 0.0F, Angular = 0.0F;  // impulses of this substep
+  bool IsFriction = false;
+
+  /** True if friction holds the body: it could resist more. */
+  bool HoldsPlace() const { return X * X + Y * Y < kHolds * Most * Most; }
+  bool HoldsYaw() const { return std::abs(Angular) < kHolds * AngularMost; }
+
+ private:
+  static constexpr float kHolds = 0.99F;
 };
 
 struct SCrowdPosition {
@@ -60,8 +73,14 @@ struct SCrowdTick {
   Real LongestPath = 0.0;
 };
 
+/** What was remembered of the contacts of the tick before. */
+struct SCrowdMemory {
+  CContactMemory Pairs, Walls;
+  CTouchMemory Touches;
+};
+
 /**
- * Moves the discs of clusters that touch, or may touch, each other and immovable things.
+ * Moves the bodies of clusters that touch, or may touch, each other and immovable things.
  *
  * In each substep the velocities are found that drives, contacts and friction allow together, by
  * sweeps over drives and contacts (projected Gauss-Seidel, as in Box2D: E. Catto, Iterative
@@ -69,7 +88,9 @@ struct SCrowdTick {
  * contact limits the speed of approach to what the gap allows (speculative contact), so that discs
  * that move towards each other stop when they touch, in any number of substeps. A cluster is swept
  * until the velocities change no more than a tolerance: so a deep crowd costs more than a pair,
- * and pays for itself only.
+ * and pays for itself only. Where there are solids, whose masses may differ by orders of magnitude,
+ * the sweeps are steps of a conjugate gradient method (M. Silcowitz-Hansen, S. Niebe, K. Erleben, A
+ * Nonsmooth Nonlinear Conjugate Gradient Method for Interactive Contact Force Problems, 2010).
  *
  * The patches of a large cluster are swept on all threads, then the pairs on their borders; patches
  * in which nothing changes any more are left out. The result depends on no thread.
@@ -77,6 +98,7 @@ struct SCrowdTick {
 class CCrowdSolver {
  public:
   void Reserve(size_t discs);
+  void ReserveForSolids(size_t discs, size_t solids, size_t touches);
   /** Sets the number of discs, all of which are to be filled in. */
   void Start(const SCrowdTick& tick, size_t discs);
   SCrowdDisc& GetDisc(UInt32 member) { return m_discs[member]; }
@@ -87,13 +109,12 @@ class CCrowdSolver {
    * @param lines  what obstacles from kFirstLine on are.
    */
   void Solve(CThreadPool& pool, const CCrowdClusters& clusters, const CDiscPairs& discPairs,
-             const std::vector<SCrowdLine>& lines, const CContactMemory& pairMemory,
-             const CContactMemory& wallMemory);
-  /** After Solve(): has anything pushed the disc? */
+             const CCrowdSolids& solids, const std::vector<SCrowdLine>& lines,
+             const SCrowdMemory& memory);
+  /** After Solve(): has anything pushed the body? */
   bool IsPushed(UInt32 member) const { return m_isPushed[member] != 0; }
-  /** After Solve(): stores the forces of the last substep. */
-  void Remember(const CCrowdClusters& clusters, size_t slots, CContactMemory& pairMemory,
-                CContactMemory& wallMemory) const;
+  /** After Solve(): stores the forces of the last substep. @param slots  of robots. */
+  void Remember(size_t slots, SCrowdMemory& memory) const;
   /** After Solve(): the deepest overlap that is left, m. */
   Real GetDeepest() const { return m_deepest; }
 
@@ -118,15 +139,38 @@ class CCrowdSolver {
     float Friction;
     float Normal, Tangent;
   };
+  /** A contact point of a solid with another body, or with something that does not move. */
+  struct STouch {
+    UInt32 A, B, Point;  // B is kNone for something immovable
+    float NX, NY;  // from A to B
+    // of the normal and of the tangent about the centres of mass, m
+    float NormalLeverA, TangentLeverA, NormalLeverB, TangentLeverB;
+    float Approach;
+    float Mass, TangentMass;
+    float Friction;
+    float Normal, Tangent;
+  };
+  /** Impulses before a sweep, and the direction in which they changed: see CCrowdSolver. */
+  struct SDriveSearch {
+    float X, Y, Angular;
+    float StepX, StepY, StepAngular;
+  };
+  struct SContactSearch {
+    float Normal, Tangent;
+    float StepNormal, StepTangent;
+  };
   /** The contacts of a patch in a substep, and how far it is solved. */
   struct SPatchState {
     UInt32 NumContacts = 0, NumBorder = 0, NumWalls = 0;
+    UInt32 NumTouches = 0, NumBorderTouches = 0;
     float Change = 0.0F;  // greatest change of a velocity in the last sweep, m/s
     float BorderChange = 0.0F;
     float Deepest = 0.0F, BorderDeepest = 0.0F;  // overlap, m
+    double Energy = 0.0, BorderEnergy = 0.0;  // of the changes in the last sweep, J
     bool IsDue = false;  // in the next sweep
   };
 
+  void LookUpForces(CThreadPool& pool, const SCrowdMemory& memory);
   void SolveSmall(UInt32 patch);
   template <typename VISIT>
   static void ForPatches(CThreadPool& pool, const SCrowdCluster& cluster, VISIT&& visit);
@@ -142,6 +186,7 @@ class CCrowdSolver {
   void FindWalls(UInt32 patch, const SSubstep& substep);
   SSeparation SeparateFromWall(const CCrowdClusters::SWall& wall, const SStep& step) const;
   void StartDrives(UInt32 patch, const SSubstep& substep);
+  void StartDrive(UInt32 member, const SSubstep& substep);
   void WarmStart(UInt32 first, UInt32 count);
   void WarmStartWalls(UInt32 first, UInt32 count);
   void ApplyImpulse(const SContact& contact, float normal, float tangent);
@@ -151,12 +196,49 @@ class CCrowdSolver {
   float SweepWalls(UInt32 first, UInt32 count);
   float SolveContact(SContact& contact);
   float SweepPatch(UInt32 patch, UInt32 sweep);
-  void Finish(UInt32 patch, const SSubstep& substep);
+  void TakeForces(UInt32 patch, const SSubstep& substep);
+  void Move(UInt32 patch, const SSubstep& substep);
   void PushApart(UInt32 patch);
   float PushContactsApart(UInt32 first, UInt32 count);
   float PushOutOfWalls(UInt32 first, UInt32 count);
   void Push(UInt32 disc, Real x, Real y);
   static void RaiseFlag(UInt8& flag);
+
+  // solids: crowd_touches.cpp
+  bool IsSolid(UInt32 member) const {
+    return m_solids->IsSolid(m_clusters->GetMembers()[member].Item);
+  }
+  const CCrowdSolids::SSolid& GetSolid(UInt32 member) const {
+    return m_solids->GetSolid(m_clusters->GetMembers()[member].Item);
+  }
+  void PlaceParts(UInt32 member);
+  int FindPoints(const CCrowdClusters::STouch& pair, float duration, SSeparation* points) const;
+  SStep ComputeStep(const CCrowdClusters::STouch& pair, float duration) const;
+  UInt32 FindTouches(const SCrowdRange& range, const SSubstep& substep, SPatchState& state);
+  bool MakeTouch(const CCrowdClusters::STouch& pair, const SSeparation& point, Real most,
+                 STouch& touch, SPatchState& state) const;
+  void LookUpTouchForces(CThreadPool& pool, const CTouchMemory& memory);
+  void RememberTouches(CTouchMemory& memory) const;
+  CTouchMemory::SKey MakeKey(UInt32 touch, UInt32 point) const;
+  void WarmStartTouches(UInt32 first, UInt32 count);
+  void ApplyImpulse(const STouch& touch, float normal, float tangent);
+  float SweepTouches(UInt32 first, UInt32 count, bool backwards);
+  float SolveTouch(STouch& touch);
+  void TakeTouchForces(UInt32 first, UInt32 count, float perSecond);
+  void MoveSolid(UInt32 member, const SSubstep& substep);
+  float PushTouchesApart(const SCrowdRange& range);
+  void PushPoint(const CCrowdClusters::STouch& pair, const SSeparation& point);
+
+  // the conjugate gradient method: crowd_search.cpp
+  bool HasTouches(const SCrowdCluster& cluster) const;
+  void KeepImpulses(UInt32 patch);
+  void KeepBorderImpulses(UInt32 patch);
+  void MeasureChange(UInt32 patch);
+  void MeasureBorderChange(UInt32 patch);
+  void StepOn(UInt32 patch, float share);
+  void StepBorderOn(UInt32 patch, float share);
+  void IterateLarge(CThreadPool& pool, const SCrowdCluster& cluster, float tolerance);
+  void IterateSmall(UInt32 patch, float tolerance);
 
   SCrowdTick m_tick;
   float m_tolerance = 0.0F;  // m in a substep
@@ -164,6 +246,7 @@ class CCrowdSolver {
   Real m_slop = 0.0;  // m
   const CCrowdClusters* m_clusters = nullptr;
   const CDiscPairs* m_discPairs = nullptr;
+  const CCrowdSolids* m_solids = nullptr;
   const std::vector<SCrowdLine>* m_lines = nullptr;
   // by member
   std::vector<SCrowdDisc> m_discs;
@@ -171,15 +254,45 @@ class CCrowdSolver {
   std::vector<SCrowdPosition> m_positions;
   std::vector<UInt8> m_isTouching;  // something, in this substep
   std::vector<UInt8> m_isPushed;  // in this tick
+  std::vector<UInt8> m_isLoaded;  // by a contact, in this substep
+  std::vector<SDriveSearch> m_driveSearches;
+  std::vector<SFootprint> m_parts;  // of solids
   // by pair and by wall: N
   std::vector<SContactForce> m_pairForces;
   std::vector<SContactForce> m_wallForces;
+  std::vector<SContactForce> m_touchForces;  // two for each touch
   // those of a patch begin at the number of its first pair or wall
   std::vector<SContact> m_contacts;
   std::vector<SWallContact> m_wallContacts;
+  std::vector<STouch> m_touches;  // from twice the number of the first touch
+  std::vector<SContactSearch> m_contactSearches, m_wallSearches, m_touchSearches;
   std::vector<SPatchState> m_states;  // by patch
   Real m_deepest = 0.0;  // m
 };
+
+// Calls visit(patch) for the patches of a cluster, on all threads.
+template <typename VISIT>
+void CCrowdSolver::ForPatches(CThreadPool& pool, const SCrowdCluster& cluster, VISIT&& visit) {
+  pool.ParallelFor(cluster.EndPatch - cluster.FirstPatch, 1, [&](size_t begin, size_t end, UInt32) {
+    for (size_t i = begin; i < end; ++i) {
+      visit(cluster.FirstPatch + static_cast<UInt32>(i));
+    }
+  });
+}
+
+// Calls visit(patch) for the borders after patches 0, 2, ..., then after 1, 3, ...: no two have a
+// patch in common.
+template <typename VISIT>
+void CCrowdSolver::ForBorders(CThreadPool& pool, const SCrowdCluster& cluster, VISIT&& visit) {
+  const UInt32 numPatches = cluster.EndPatch - cluster.FirstPatch;
+  for (UInt32 parity = 0; parity < 2; ++parity) {
+    pool.ParallelFor((numPatches - parity) / 2, 1, [&](size_t begin, size_t end, UInt32) {
+      for (size_t i = begin; i < end; ++i) {
+        visit(cluster.FirstPatch + parity + 2 * static_cast<UInt32>(i));
+      }
+    });
+  }
+}
 
 }  // namespace argos
 

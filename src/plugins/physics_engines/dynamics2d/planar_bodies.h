@@ -4,9 +4,11 @@
 #include <argos3/core/simulator/physics_engine/drive_source.h>
 #include <argos3/core/simulator/physics_engine/planar_motion.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_handle.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_solid.h>
 #include <argos3/plugins/simulator/physics_engines/planar/footprints.h>
 
 #include <limits>
+#include <memory>
 #include <vector>
 
 class b2Body;
@@ -30,15 +32,20 @@ struct SImmovableBody {
   std::vector<SFootprint> Obstacles;  // its solids, for the proximity filter
 };
 
-/** A movable object without a drive. */
+/**
+ * A movable object without a drive. Its Box2D body is enabled while Box2D solves its cluster: see
+ * CActiveSet.
+ */
 struct SPassiveBody {
   SPlanarPose Pose;
   SPlanarVelocity Velocity;
   SPlanarOwner Owner;
   b2Body* Body = nullptr;
+  SPlanarSolid Solid;
   float X = 0.0F, Y = 0.0F, Angle = 0.0F;  // of Body when Pose was written, Box2D units, rad
   float Extent = 0.0F;  // half of its narrowest side, Box2D units
   Real BoundingRadius = 0.0;  // around the origin, m
+  bool IsFresh = true;  // it may overlap others, although nothing moves: it was added
   bool Moved = false;  // in this tick
   bool WasReleased = false;  // by a gripper, in this tick
   UInt8 NumGrips = 0;  // that hold it
@@ -78,6 +85,7 @@ struct SDrivenBody {
   // constant
   CDriveSource Drive;
   const SDrivenKind* Kind = nullptr;  // shared by many; owned by the store
+  std::unique_ptr<const SPlanarSolid> Solid;  // null for a disc
   Real BoundingRadius = 0.0;  // around the origin, m
   bool IsDisc = false;  // one disc around the origin
   bool IsGrippable = false;

@@ -1,8 +1,10 @@
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_ghosts.h>
 
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/overlap_solver.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_limits.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_shapes.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace argos {
@@ -35,6 +37,9 @@ class CWaker : public b2QueryCallback {
 }  // namespace
 
 void CPlanarGhosts::Place(CDiscPairs& discPairs, CCrowd& crowd, Real reach, Real longestPath) {
+  const bool hasActivePassive =
+      std::any_of(m_store.GetPassive().begin(), m_store.GetPassive().end(),
+                  [](const SPassiveBody& body) { return body.Body->IsEnabled(); });
   for (const SGhostDisc& ghost : m_ghosts) {
     m_nearGhost.clear();
     discPairs.ForNear(ghost.X, ghost.Y, ghost.Radius + reach,
@@ -47,15 +52,35 @@ void CPlanarGhosts::Place(CDiscPairs& discPairs, CCrowd& crowd, Real reach, Real
         PlaceLine(ghost, place, discPairs, crowd);
       }
     }
-    for (const SActiveBody& active : m_active.GetBodies()) {
-      const SDrivenBody& body = m_active.GetRobot(active);
-      if (!body.IsDisc && std::hypot(body.Pose.X - ghost.X, body.Pose.Y - ghost.Y) <=
-                              ghost.Radius + body.BoundingRadius + 2.0 * reach) {
-        PlaceFace(ghost, body, longestPath);
-      }
-    }
-    if (!m_store.GetPassive().empty()) {
+    PlaceForSolids(ghost, crowd.GetSolids(), reach, longestPath);
+    if (hasActivePassive) {
       PlaceDisc(ghost, longestPath);
+    }
+  }
+}
+
+// A robot that is no disc stays on its side of a face. Objects touch the ghost.
+void CPlanarGhosts::PlaceForSolids(const SGhostDisc& ghost, CCrowdSolids& solids, Real reach,
+                                   Real longestPath) {
+  m_nearGhost.clear();
+  solids.ForNear(ghost.X, ghost.Y, ghost.Radius,
+                 [this](UInt32 item) { m_nearGhost.push_back(item); });
+  for (const UInt32 item : m_nearGhost) {
+    const CCrowdSolids::SSolid& solid = solids.GetSolid(item);
+    if (solid.Kind == EPlanarKind::Passive) {
+      SFootprint disc = {ghost.X, ghost.Y, 1.0, 0.0, 0.0, 0.0, ghost.Radius};
+      solids.AddObstacle(item, disc, kSolidReach * reach);
+      continue;
+    }
+    const SDrivenBody& body = m_store.GetDriven(solid.Slot);
+    if (std::hypot(body.Pose.X - ghost.X, body.Pose.Y - ghost.Y) >
+        ghost.Radius + body.BoundingRadius + 2.0 * kSolidReach * reach) {
+      continue;
+    }
+    if (body.IsActive()) {
+      PlaceFace(ghost, body, longestPath);
+    } else if (const std::optional<SFootprint> face = MakeFace(ghost, body, longestPath)) {
+      solids.AddObstacle(item, *face, kSolidReach * reach);
     }
   }
 }
@@ -86,31 +111,48 @@ b2Body& CPlanarGhosts::CreateGhostBody(const SPlanarPose& pose, UInt32 partner) 
   return body;
 }
 
-// half-way between the ghost and the robot, across the line between their centres
-void CPlanarGhosts::PlaceFace(const SGhostDisc& ghost, const SDrivenBody& body, Real longestPath) {
+// A square whose side is half-way between the ghost and the circle around the robot, across the
+// line between their centres; none if they have one centre.
+std::optional<SFootprint> CPlanarGhosts::MakeFace(const SGhostDisc& ghost, const SDrivenBody& body,
+                                                  Real longestPath) {
   const Real dx = body.Pose.X - ghost.X;
   const Real dy = body.Pose.Y - ghost.Y;
   const Real distance = std::hypot(dx, dy);
   if (!(distance > 0.0)) {
-    return;
+    return std::nullopt;
   }
   const Real gap = distance - ghost.Radius - body.BoundingRadius;
   // so large that no path of the robot leads around it or through it
   const Real half = ghost.Radius + 2.0 * body.BoundingRadius + 2.0 * longestPath;
   const Real toCentre = (ghost.Radius + 0.5 * gap - half) / distance;
+  return SFootprint{ghost.X + dx * toCentre,
+                    ghost.Y + dy * toCentre,
+                    dx / distance,
+                    dy / distance,
+                    half,
+                    half,
+                    0.0};
+}
+
+void CPlanarGhosts::PlaceFace(const SGhostDisc& ghost, const SDrivenBody& body, Real longestPath) {
+  const std::optional<SFootprint> face = MakeFace(ghost, body, longestPath);
+  if (!face) {
+    return;
+  }
   SPlanarPose pose;
-  pose.X = ghost.X + dx * toCentre;
-  pose.Y = ghost.Y + dy * toCentre;
-  pose.SetYaw(std::atan2(dy, dx));
-  b2Body& face = CreateGhostBody(pose, GetBodyNumber(m_active.GetBox2DBody(*body.Owner.Handle)));
+  pose.X = face->X;
+  pose.Y = face->Y;
+  pose.SetYaw(std::atan2(face->Sin, face->Cos));
+  b2Body& faceBody =
+      CreateGhostBody(pose, GetBodyNumber(m_active.GetBox2DBody(*body.Owner.Handle)));
   b2PolygonShape box;
-  box.SetAsBox(m_store.ToUnits(half), m_store.ToUnits(half));
+  box.SetAsBox(m_store.ToUnits(face->HalfX), m_store.ToUnits(face->HalfY));
   box.m_radius = kShapeMargin;
   b2FixtureDef definition;
   definition.shape = &box;
   definition.friction = 0.0F;
   definition.restitution = 0.0F;
-  face.CreateFixture(&definition);
+  faceBody.CreateFixture(&definition);
 }
 
 void CPlanarGhosts::PlaceDisc(const SGhostDisc& ghost, Real longestPath) {

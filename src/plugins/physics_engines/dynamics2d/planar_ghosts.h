@@ -6,6 +6,7 @@
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/ghost_filter.h>
 #include <argos3/plugins/simulator/physics_engines/planar/ghost_discs.h>
 
+#include <optional>
 #include <vector>
 
 namespace argos {
@@ -45,6 +46,9 @@ class CPlanarGhosts {
 
  private:
   void PlaceLine(const SGhostDisc& ghost, UInt32 place, CDiscPairs& discPairs, CCrowd& crowd);
+  void PlaceForSolids(const SGhostDisc& ghost, CCrowdSolids& solids, Real reach, Real longestPath);
+  static std::optional<SFootprint> MakeFace(const SGhostDisc& ghost, const SDrivenBody& body,
+                                            Real longestPath);
   void PlaceFace(const SGhostDisc& ghost, const SDrivenBody& body, Real longestPath);
   void PlaceDisc(const SGhostDisc& ghost, Real longestPath);
   b2Body& CreateGhostBody(const SPlanarPose& pose, UInt32 partner);

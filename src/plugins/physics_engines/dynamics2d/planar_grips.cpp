@@ -121,7 +121,6 @@ void CPlanarGrips::CreateSpares(std::vector<b2Body*>& spares) {
 
 void CPlanarGrips::StartTick() {
   const Real maxRate = kMaxSubsteps * kMaxStepTurn / m_store.GetSettings().Tick;
-  m_seekReach = 0.0;
   for (SManipulator& each : m_manipulators) {
     if (each.Turret != nullptr) {
       each.Rotation = each.Turret->GetRotation().GetValue();
@@ -142,9 +141,6 @@ void CPlanarGrips::StartTick() {
         std::abs(std::remainder(each.Target - each.Rotation, 2.0 * ARGOS_PI)) > kServoSlack;
     each.Target = (isBehind || !each.IsMotorOn ? each.Rotation : each.Target) +
                   each.Rate * m_store.GetSettings().Tick;
-    if (IsSeeking(each)) {
-      m_seekReach = std::max(m_seekReach, ComputeSeekReach(each));
-    }
   }
 }
 
@@ -407,7 +403,9 @@ void CPlanarGrips::CopyGrips(const std::vector<CEmbodiedEntity*>& cluster,
 void CPlanarGrips::RestoreGrip(const SGripTransfer& grip, const SPlanarHandle& holder,
                                const SPlanarHandle& held) {
   for (const SPlanarHandle* end : {&holder, &held}) {
-    if (end->Kind == EPlanarKind::Driven && !m_store.GetDriven(*end).IsActive()) {
+    if (end->Kind == EPlanarKind::Passive) {
+      m_active.Activate(m_store.GetPassive(*end));
+    } else if (!m_store.GetDriven(*end).IsActive()) {
       m_active.Activate(end->Slot);
     }
   }

@@ -87,15 +87,12 @@ class CPlanarGrips {
   void StartTick();
   /** @return true if a gripper holds a body. */
   bool IsHoldingAny() const;
-  /** Greatest reach of a seeking gripper out of the circle around its robot, m. */
-  Real GetSeekReach() const { return m_seekReach; }
-  /** Calls visit(slot, reach in m) for every disc whose gripper seeks a body. */
+  /** Calls visit(slot, reach in m) for every robot whose gripper seeks a body. */
   template <typename VISIT>
-  void ForEachSeekingDisc(VISIT&& visit) const {
+  void ForEachSeeking(VISIT&& visit) const {
     for (const SManipulator& each : m_manipulators) {
-      const SPlanarHandle& robot = *each.Owner.Handle;
-      if (IsSeeking(each) && m_store.GetDriven(robot).IsDisc) {
-        visit(robot.Slot, ComputeSeekReach(each));
+      if (IsSeeking(each)) {
+        visit(each.Owner.Handle->Slot, ComputeSeekReach(each));
       }
     }
   }
@@ -132,7 +129,6 @@ class CPlanarGrips {
   CPlanarStore& m_store;
   CActiveSet& m_active;
   std::vector<SManipulator> m_manipulators;  // in the order of SetManipulator()
-  Real m_seekReach = 0.0;  // m
 };
 
 }  // namespace argos

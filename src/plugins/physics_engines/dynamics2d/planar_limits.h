@@ -90,6 +90,15 @@ constexpr UInt32 kMaxCrowdSweeps = 300;
  */
 constexpr Real kCrowdTolerance = 0.001;
 /**
+ * The same with solids: sweeps at most, the share of kCrowdTolerance, and how much faster than that
+ * tolerance a body is that friction does not hold yet.
+ */
+constexpr UInt32 kMaxTouchSweeps = 500;
+constexpr float kTouchTolerance = 0.05F;
+constexpr float kRestTolerance = 1.0F;
+/** No part of a solid moves farther than so many times the longest path of a body in the tick. */
+constexpr Real kSolidReach = 1.5;
+/**
  * In a crowd the forces of drives add up. A tick has a substep for each such multiple of the force
  * of a drive in the greatest force of a contact.
  */

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 namespace argos {
 
@@ -133,13 +134,14 @@ void CPlanarStore::AddPassive(const SPlanarOwner& owner, const SBodyDescription&
   body.Angle = body.Body->GetAngle();
   body.Extent = ToUnits(ComputeNarrowestHalf(description));
   body.BoundingRadius = description.ComputeBoundingRadius();
+  body.Solid = DescribeSolid(description, ChooseGroundFriction(description, m_settings.BoxFriction,
+                                                               m_settings.CylinderFriction));
   m_widestMovable = std::max(m_widestMovable, body.BoundingRadius);
-  AddGroundFriction(*body.Body, description);
+  AddGroundFriction(*body.Body, body.Solid.Friction);
+  body.Body->SetEnabled(false);
 }
 
-void CPlanarStore::AddGroundFriction(b2Body& body, const SBodyDescription& description) {
-  const SGroundFriction friction =
-      ChooseGroundFriction(description, m_settings.BoxFriction, m_settings.CylinderFriction);
+void CPlanarStore::AddGroundFriction(b2Body& body, const SGroundFriction& friction) {
   // Box2D would freeze a slow body even if no friction stops it
   body.SetSleepingAllowed(friction.Force > 0.0 && friction.Torque > 0.0);
   if (friction.Force > 0.0 || friction.Torque > 0.0) {
@@ -178,7 +180,20 @@ void CPlanarStore::AddDriven(const SPlanarOwner& owner, const SBodyDescription& 
   body.BoundingRadius = description.ComputeBoundingRadius();
   m_widestMovable = std::max(m_widestMovable, body.BoundingRadius);
   body.IsDisc = IsCentredDisc(description);
+  if (!body.IsDisc) {
+    body.Solid = std::make_unique<SPlanarSolid>(DescribeSolid(description, {0.0, 0.0}));
+    m_drivenSolids.push_back(owner.Handle->Slot);
+  }
   body.IsGrippable = description.Grippable;
+}
+
+// Before a robot is removed from a slot, and the last one gets it.
+void CPlanarStore::ForgetDrivenSolid(UInt32 slot) {
+  std::erase(m_drivenSolids, slot);
+  if (!m_drivenSolids.empty() && m_drivenSolids.back() + 1 == m_driven.size()) {
+    m_drivenSolids.back() = slot;
+    std::sort(m_drivenSolids.begin(), m_drivenSolids.end());
+  }
 }
 
 // Moves the last body of an array into the slot of the removed one.
@@ -209,6 +224,7 @@ void CPlanarStore::Remove(const SPlanarHandle& handle) {
       break;
     case EPlanarKind::Driven:
       ARGOS_ASSERT(!m_driven[slot].IsActive(), "an active robot is removed from slot " << slot);
+      ForgetDrivenSolid(slot);
       FillSlot(m_driven, EPlanarKind::Driven, slot);
       break;
   }

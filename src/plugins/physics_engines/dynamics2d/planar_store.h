@@ -48,6 +48,9 @@ class CPlanarStore {
   const std::vector<SPassiveBody>& GetPassive() const { return m_passive; }
   std::vector<SDrivenBody>& GetDriven() { return m_driven; }
   const std::vector<SDrivenBody>& GetDriven() const { return m_driven; }
+  /** The slots of the robots that are no discs, ascending. */
+  const std::vector<UInt32>& GetDrivenSolids() const { return m_drivenSolids; }
+  bool HasSolids() const { return !m_passive.empty() || !m_drivenSolids.empty(); }
   /** One body. The handle must be current, and of that kind. */
   SPassiveBody& GetPassive(const SPlanarHandle& handle) {
     return m_passive[SlotOf(handle, EPlanarKind::Passive)];
@@ -130,7 +133,8 @@ class CPlanarStore {
                  "no Box2D body has the number " << number);
   }
   SPlanarHandle MakeHandle(EPlanarKind kind, size_t slot);
-  void AddGroundFriction(b2Body& body, const SBodyDescription& description);
+  void AddGroundFriction(b2Body& body, const SGroundFriction& friction);
+  void ForgetDrivenSolid(UInt32 slot);
   template <typename BODY>
   void FillSlot(std::vector<BODY>& bodies, EPlanarKind kind, UInt32 slot);
 
@@ -141,6 +145,7 @@ class CPlanarStore {
   std::vector<SImmovableBody> m_immovable;
   std::vector<SPassiveBody> m_passive;
   std::vector<SDrivenBody> m_driven;
+  std::vector<UInt32> m_drivenSolids;  // slots
   std::deque<SDrivenKind> m_drivenKinds;  // to which robots refer; all different
   std::array<CSlotGenerations, 3> m_generations;  // by kind
   bool m_obstaclesChanged = false;

@@ -33,9 +33,6 @@ void CPlanarWorld::AddDriven(const SPlanarOwner& owner, const SBodyDescription& 
                              const SPlanarPose& pose, const CDriveSource& drive) {
   m_store.AddDriven(owner, description, pose, drive);
   m_crowd.ExpectOverlaps();
-  if (!m_store.GetDriven().back().IsDisc) {
-    m_active.Activate(owner.Handle->Slot, &description);
-  }
 }
 
 void CPlanarWorld::Remove(const SPlanarHandle& handle) {
@@ -43,6 +40,7 @@ void CPlanarWorld::Remove(const SPlanarHandle& handle) {
   const UInt32 slot = handle.Slot;
   if (handle.Kind != EPlanarKind::Driven) {
     m_store.Remove(handle);
+    m_crowd.ForgetSolids();
     return;
   }
   if (m_store.GetDriven(handle).IsActive()) {
@@ -59,10 +57,9 @@ void CPlanarWorld::Remove(const SPlanarHandle& handle) {
 // vectors here.
 void CPlanarWorld::ReserveForTick() {
   constexpr size_t kClusterSize = 4;  // discs, of which each touches each
-  // Where there is nothing but discs and walls, Box2D gets no robot. Else up to an eighth in a
-  // swarm of the benchmark's density; a denser one allocates more memory while it becomes dense.
-  const bool mayBeActive =
-      !m_store.GetPassive().empty() || !m_active.GetBodies().empty() || m_grips.HasManipulators();
+  // Where there are no grippers, Box2D gets no robot. Else up to an eighth; more allocate more
+  // memory.
+  const bool mayBeActive = m_grips.HasManipulators();
   const size_t numActive = mayBeActive ? m_store.GetDriven().size() / 8 + 64 : 0;
   const size_t numDiscs = numActive / kClusterSize * kClusterSize;
 
@@ -73,6 +70,9 @@ void CPlanarWorld::ReserveForTick() {
   for (b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext()) {
     for (b2Fixture* fixture = body->GetFixtureList(); fixture != nullptr;
          fixture = fixture->GetNext()) {
+      if (!body->IsEnabled()) {
+        continue;
+      }
       everything.Combine(fixture->GetAABB(0));
     }
   }
@@ -106,7 +106,8 @@ void CPlanarWorld::ReserveForTick() {
   m_store.ReserveNumbers(numActive);
   m_ghosts.Reserve(m_store.GetGrippable().capacity());
   m_discPairs.Reserve(m_store.GetDriven().capacity());
-  m_crowd.Reserve(m_store.GetDriven().capacity());
+  const size_t solids = m_store.GetPassive().capacity() + m_store.GetDrivenSolids().size();
+  m_crowd.Reserve(m_store.GetDriven().capacity(), m_store.HasSolids() ? solids : 0);
   m_longestOfRun.reserve(m_store.GetDriven().capacity() / kPlanGrain + 1);
 }
 
@@ -123,6 +124,9 @@ Real CPlanarWorld::ComputeGhostReach() const {
 }
 
 void CPlanarWorld::Advance(CThreadPool& pool) {
+  for (SPassiveBody& body : m_store.GetPassive()) {
+    body.Moved = false;
+  }
   m_grips.StartTick();
   PlanDriven(pool);
   FindMeetings(pool);
@@ -217,8 +221,8 @@ Real CPlanarWorld::Plan(SDrivenBody& body, UInt32 slot) {
   return std::max(path, speed * tick);
 }
 
-// Finds the discs that may touch something. Those that may touch more than discs and immovable
-// bodies, or are connected with such a disc, are left to Box2D.
+// Finds the bodies that may touch something. Those that are connected with a grip, or with what a
+// gripper may grip, are left to Box2D.
 void CPlanarWorld::FindMeetings(CThreadPool& pool) {
   if (m_store.HaveObstaclesChanged()) {
     m_discPairs.SetObstacles(m_store.ListObstacles());
@@ -226,28 +230,33 @@ void CPlanarWorld::FindMeetings(CThreadPool& pool) {
   }
   ExtendLongestPath();
   m_discPairs.Find(pool, GetReach());
-  m_crowd.Start(m_discPairs);
-  const Real reach = GetReach();
+  m_crowd.Start(m_discPairs, GetReach());
+  if (m_grips.HasManipulators()) {
+    ExcludeGrips();
+  }
+}
+
+void CPlanarWorld::ExcludeGrips() {
   for (const SActiveBody& active : m_active.GetBodies()) {
     const SDrivenBody& body = m_active.GetRobot(active);
-    if (!body.IsDisc) {
-      const Real seek = body.HasManipulator ? m_grips.GetSeekReach() : 0.0;
-      ExcludeNear(body.Pose, body.BoundingRadius + reach + seek);
-    } else if (body.NumGrips > 0) {
+    if (body.NumGrips > 0) {
+      ExcludeNear(body.Pose, 0.0);
+    }
+  }
+  for (const SPassiveBody& body : m_store.GetPassive()) {
+    if (body.NumGrips > 0) {
       ExcludeNear(body.Pose, 0.0);
     }
   }
   // a robot whose gripper seeks a body reaches as far as the gripper
-  m_grips.ForEachSeekingDisc([&](UInt32 slot, Real seek) {
+  m_grips.ForEachSeeking([&](UInt32 slot, Real seek) {
     const SDrivenBody& body = m_store.GetDriven(slot);
-    ExcludeNear(body.Pose, body.BoundingRadius + reach + seek);
+    ExcludeNear(body.Pose, body.BoundingRadius + GetReach() + seek);
   });
-  for (const SPassiveBody& body : m_store.GetPassive()) {
-    ExcludeNear(body.Pose, body.BoundingRadius + reach);
-  }
 }
 
-// A disc that has a body in Box2D keeps it a little longer.
+// Excludes all bodies in a circle that may be nearer than its radius. A robot that has a body in
+// Box2D keeps it a little longer.
 void CPlanarWorld::ExcludeNear(const SPlanarPose& pose, Real radius) {
   const Real margin = kGuardMargin * m_store.GetMetresPerUnit();
   m_discPairs.ForNear(pose.X, pose.Y, radius + margin, [&](UInt32 place) {
@@ -259,6 +268,8 @@ void CPlanarWorld::ExcludeNear(const SPlanarPose& pose, Real radius) {
       m_crowd.Exclude(place);
     }
   });
+  CCrowdSolids& solids = m_crowd.GetSolids();
+  solids.ForNear(pose.X, pose.Y, radius, [&](UInt32 item) { m_crowd.Exclude(item); });
 }
 
 // by the present speeds of bodies that turn or have no drive, and by what turrets move
@@ -270,11 +281,9 @@ void CPlanarWorld::ExtendLongestPath() {
     m_longestPath = std::max(m_longestPath, speed * GetTick());
   }
   for (const SPassiveBody& body : m_store.GetPassive()) {
-    if (body.Body->IsAwake()) {
-      const Real speed = m_store.ToMetres(body.Body->GetLinearVelocity().Length()) +
-                         std::abs(body.Body->GetAngularVelocity()) * body.BoundingRadius;
-      m_longestPath = std::max(m_longestPath, speed * GetTick());
-    }
+    const Real speed = std::hypot(body.Velocity.X, body.Velocity.Y) +
+                       std::abs(body.Velocity.W) * body.BoundingRadius;
+    m_longestPath = std::max(m_longestPath, speed * GetTick());
   }
   m_longestPath = std::max(m_longestPath, m_grips.ComputeLongestSwing());
 }
@@ -282,8 +291,9 @@ void CPlanarWorld::ExtendLongestPath() {
 bool CPlanarWorld::IsAnyAwake() const {
   const std::vector<SPassiveBody>& passive = m_store.GetPassive();
   return !m_active.GetBodies().empty() ||
-         std::any_of(passive.begin(), passive.end(),
-                     [](const SPassiveBody& body) { return body.Body->IsAwake(); });
+         std::any_of(passive.begin(), passive.end(), [](const SPassiveBody& body) {
+           return body.Body->IsEnabled() && body.Body->IsAwake();
+         });
 }
 
 UInt32 CPlanarWorld::ChooseSubsteps() const {
@@ -302,7 +312,7 @@ float CPlanarWorld::ComputeSubstepsOfPassive() const {
   const float tick = static_cast<float>(GetTick());
   float needed = 0.0F;
   for (const SPassiveBody& body : m_store.GetPassive()) {
-    if (body.Body->IsAwake()) {
+    if (body.Body->IsEnabled() && body.Body->IsAwake()) {
       const float distance = body.Body->GetLinearVelocity().Length() * tick;
       const float turn = std::abs(body.Body->GetAngularVelocity()) * tick;
       needed = std::max({needed, distance / (static_cast<float>(kMaxStepShare) * body.Extent),
@@ -333,6 +343,11 @@ void CPlanarWorld::StepBox2D(UInt32 substeps) {
 
 void CPlanarWorld::FinishPassive() {
   for (SPassiveBody& body : m_store.GetPassive()) {
+    if (!body.Body->IsEnabled()) {
+      body.Moved = body.Moved || body.WasReleased;
+      body.WasReleased = false;
+      continue;
+    }
     const b2Vec2 position = body.Body->GetPosition();
     const float angle = body.Body->GetAngle();
     const bool moved = position.x != body.X || position.y != body.Y || angle != body.Angle;

@@ -17,12 +17,12 @@ namespace argos {
 class CThreadPool;
 
 /**
- * The bodies of one engine, and their motion, on Box2D.
+ * The bodies of one engine, and their motion.
  *
- * A robot that is a disc and cannot touch anything during a tick needs no solver: its exact arc is
- * computed in double precision. Each tick finds what discs can meet (CDiscPairs). Those that
- * can meet only each other and immovable things are solved together (CCrowd); the others have
- * bodies in Box2D (CActiveSet), like everything that is no disc or has no drive.
+ * A robot that cannot touch anything during a tick needs no solver: its exact arc is computed in
+ * double precision. Each tick finds what discs (CDiscPairs) and other bodies (CCrowdSolids) can
+ * meet. What can meet is solved together (CCrowd); only where robots grip something, Box2D solves
+ * it (CActiveSet).
  *
  * Everything is a function of the order of adding, removing and Advance(), and of no thread.
  */
@@ -44,6 +44,7 @@ class CPlanarWorld {
   void AddPassive(const SPlanarOwner& owner, const SBodyDescription& description,
                   const SPlanarPose& pose) {
     m_store.AddPassive(owner, description, pose);
+    m_crowd.ForgetSolids();
   }
   void AddDriven(const SPlanarOwner& owner, const SBodyDescription& description,
                  const SPlanarPose& pose, const CDriveSource& drive);
@@ -114,6 +115,7 @@ class CPlanarWorld {
   Real PlanRun(size_t begin, size_t end);
   Real Plan(SDrivenBody& body, UInt32 slot);
   void FindMeetings(CThreadPool& pool);
+  void ExcludeGrips();
   void ExcludeNear(const SPlanarPose& pose, Real radius);
   void ExtendLongestPath();
   bool IsAnyAwake() const;

@@ -47,14 +47,9 @@ SPlanarPose Moved(const SPlanarPose& pose, const STwist& twist, Real share) {
 }
 
 SFootprint Transform(const SFootprint& footprint, const SPlanarPose& pose) {
-  const Real cosine = pose.HalfCos * pose.HalfCos - pose.HalfSin * pose.HalfSin;
-  const Real sine = 2.0 * pose.HalfSin * pose.HalfCos;
-  SFootprint there = footprint;
-  there.X = pose.X + cosine * footprint.X - sine * footprint.Y;
-  there.Y = pose.Y + sine * footprint.X + cosine * footprint.Y;
-  there.Cos = cosine * footprint.Cos - sine * footprint.Sin;
-  there.Sin = sine * footprint.Cos + cosine * footprint.Sin;
-  return there;
+  return PlaceFootprint(footprint, pose.X, pose.Y,
+                        pose.HalfCos * pose.HalfCos - pose.HalfSin * pose.HalfSin,
+                        2.0 * pose.HalfSin * pose.HalfCos);
 }
 
 SFootprint MakeDisc(const SPlanarPose& pose, Real radius) {

@@ -72,6 +72,12 @@ class CDiscPairs {
     m_parts.back().ObstaclePairs.push_back({place, obstacle});
     m_isNear[place] = 1;
   }
+  /** After Find(): the disc can meet something else. One thread. */
+  void SetNear(UInt32 place) { m_isNear[place] = 1; }
+  /** Collects the numbers of the obstacles around a point in ascending order; perhaps others. */
+  void FindObstaclesNear(Real x, Real y, Real radius, std::vector<UInt32>& numbers) const {
+    m_obstacleCells.Find(m_obstacleGrid, x, y, radius, numbers);
+  }
   /** After Find(): can the disc meet another one or an obstacle? */
   bool IsNear(UInt32 place) const {
     ARGOS_ASSERT(place < m_isNear.size(), "there is no disc at place " << place);

@@ -20,6 +20,15 @@ Real ComputeYaw(const SShapeDescription& shape) {
   return 2.0 * std::atan2(shape.Orientation.GetZ(), shape.Orientation.GetW());
 }
 
+SFootprint PlaceFootprint(const SFootprint& footprint, Real x, Real y, Real cosine, Real sine) {
+  SFootprint placed = footprint;
+  placed.X = x + cosine * footprint.X - sine * footprint.Y;
+  placed.Y = y + sine * footprint.X + cosine * footprint.Y;
+  placed.Cos = cosine * footprint.Cos - sine * footprint.Sin;
+  placed.Sin = sine * footprint.Cos + cosine * footprint.Sin;
+  return placed;
+}
+
 void AppendFootprints(const SBodyDescription& description, const SPlanarPose& pose,
                       std::vector<SFootprint>& footprints) {
   const Real bodyYaw = pose.ComputeYaw();

@@ -33,6 +33,9 @@ inline Real ComputeDistance(const SFootprint& footprint, Real x, Real y) {
   return std::max(0.0, std::sqrt(ComputeSquareDistance(footprint, x, y)) - footprint.Radius);
 }
 
+/** A footprint in the frame of a body whose origin is at that place, in the world frame. */
+SFootprint PlaceFootprint(const SFootprint& footprint, Real x, Real y, Real cosine, Real sine);
+
 /** The solids of a body at that pose, seen from above; tilted ones are bounded by discs. */
 std::vector<SFootprint> DescribeFootprints(const SBodyDescription& description,
                                            const SPlanarPose& pose);

@@ -21,6 +21,7 @@ constexpr Real kReach = 0.007;  // m
 struct SScene {
   CThreadPool Pool;
   CDiscPairs Pairs;
+  CCrowdSolids Solids;
   CCrowdClusters Clusters;
 
   explicit SScene(UInt32 threads = 0) : Pool(threads, std::make_unique<CBalanceLengthSchedule>()) {}
@@ -31,9 +32,11 @@ struct SScene {
       Pairs.Place(i, places[i].first, places[i].second, kRadius);
     }
     Pairs.Find(Pool, kReach);
-    Clusters.Unite(Pairs);
+    const CPlanarStore store{SPlanarSettings()};
+    Solids.Find(store, Pairs, kReach, kReach);
+    Clusters.Unite(Pairs, Solids);
   }
-  void Build() { Clusters.Build(Pairs, 2.0 * (kRadius + kReach)); }
+  void Build() { Clusters.Build(2.0 * (kRadius + kReach)); }
   // the cluster of each patch
   std::vector<size_t> ListClusters() const {
     std::vector<size_t> clusterOf(Clusters.GetPatches().size());

@@ -66,9 +66,13 @@ TEST_CASE("planar grips: a locked gripper grips the body in its reach", "[dynami
   scene.Grips.MakeGrips();
   CHECK_FALSE(scene.Grips.IsHoldingAny());  // not locked
 
-  scene.Lock();
+  scene.Grippers[0].SetLockState(1.0);
+  scene.Grips.StartTick();
+  Real reach = 0.0;
+  scene.Grips.ForEachSeeking([&reach](UInt32, Real seek) { reach = seek; });
+  CHECK(reach == Approx(SGripperDescription().SensorRadius));
+  scene.Grips.MakeGrips();
   REQUIRE(scene.Grips.IsHoldingAny());
-  CHECK(scene.Grips.GetSeekReach() == Approx(SGripperDescription().SensorRadius));
   CHECK(&scene.Grippers[0].GetGrippedEntity() == &near.Entity);
   CHECK(scene.Grips.IsInGrip(robot.Handle));
   CHECK(scene.Grips.IsInGrip(near.Handle));

@@ -68,7 +68,7 @@ class CPlanarScene {
     return body;
   }
 
-  /** A cube with an edge of 10 cm. */
+  /** A cube with an edge of 10 cm; if it is movable, Box2D moves it. */
   SBody& AddBox(Real x, Real y, bool movable) {
     SBodyDescription description;
     description.Shapes.push_back(SShapeDescription::Box(CVector3(0.1, 0.1, 0.1)));
@@ -78,6 +78,7 @@ class CPlanarScene {
     SBody& body = Bodies.emplace_back("box");
     if (movable) {
       Store.AddPassive(body.GetOwner(), description, PoseAt(x, y));
+      Active.Activate(GetPassive(body));
     } else {
       Store.AddImmovable(body.GetOwner(), description, PoseAt(x, y));
     }
@@ -95,7 +96,7 @@ class CPlanarScene {
       Pairs.Place(slot, body.Pose.X, body.Pose.Y, body.BoundingRadius);
     }
     Pairs.Find(Pool, reach);
-    Crowd.Start(Pairs);
+    Crowd.Start(Pairs, reach);
   }
 
   /** Plans a tick of a robot that meets nothing. */
