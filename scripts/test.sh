@@ -50,6 +50,10 @@ check_installed_headers() { # check_installed_headers <include folder>
 build_user_project() { # build_user_project <name> <cmake arguments...>
   local folder="$work/$1" data="$work/$1/paths.csv"
   mkdir -p "$folder"
+  if command -v ccache >/dev/null; then
+    # here only: CMake would take it over into the build of the simulator, too, and compile all of that again
+    export CMAKE_CXX_COMPILER_LAUNCHER=ccache CCACHE_NOHASHDIR=1 CCACHE_BASEDIR="$work"
+  fi
   {
     cmake -S "$repo/examples/user_project" -B "$folder/build" -DCMAKE_BUILD_TYPE=Release "${@:2}" &&
       cmake --build "$folder/build" --parallel "$jobs" &&
@@ -120,9 +124,6 @@ run_step() { # run_step <name>: prints what the step says when it ends
 
 run_steps() { # run_steps <name>...
   export JOBS=1 TMPDIR="$work/tmp" repo jobs=1 build_dir work
-  if command -v ccache >/dev/null; then
-    export CMAKE_CXX_COMPILER_LAUNCHER=ccache CCACHE_NOHASHDIR=1 CCACHE_BASEDIR="$work"
-  fi
   # shellcheck disable=SC2046  # one name each
   export -f $(declare -F | cut -d' ' -f3)
   # shellcheck disable=SC2016  # that shell expands it
