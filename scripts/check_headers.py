@@ -14,7 +14,8 @@ Compiled:
     one for each header that is in a cycle, where the header that comes first decides.
 
 A unit that passed is not compiled again before a header that it includes, this script or the compiler changes: stamps lie in
-$XDG_CACHE_HOME/argos3-checks, by default ~/.cache/argos3-checks, so that they outlive a build folder.
+$XDG_CACHE_HOME/argos3-checks, by default ~/.cache/argos3-checks, so that they outlive a build folder. ARGOS_CHECK_ALL=1
+compiles every unit.
 """
 import concurrent.futures
 import hashlib
@@ -163,10 +164,19 @@ class Compiler:
         self.headers = headers
         cache = os.environ.get("XDG_CACHE_HOME") or os.path.expanduser("~/.cache")
         self.stamps = os.path.join(cache, "argos3-checks", "headers")
-        os.makedirs(self.stamps, exist_ok=True)
+        self.all = os.environ.get("ARGOS_CHECK_ALL", "0") != "0"
         version = subprocess.run([command, "--version"], capture_output=True, check=True).stdout
         with open(__file__, "rb") as script:
             self.common = version + script.read() + " ".join(self.command).encode()
+
+    def note(self, stamp):
+        """Writes a stamp, without effect where none can be written."""
+        try:
+            os.makedirs(self.stamps, exist_ok=True)
+            with open(stamp, "w", encoding="utf-8"):
+                pass
+        except OSError:
+            pass
 
     def key(self, defines, paths, code):
         kind = "lean" if defines else "users"
@@ -179,15 +189,17 @@ class Compiler:
         """@return whether the unit was compiled, and what the compiler said: nothing if it passed."""
         roots, defines, paths, code = unit
         stamp = os.path.join(self.stamps, self.key(defines, paths, code))
-        if os.path.exists(stamp):
-            os.utime(stamp)
+        if os.path.exists(stamp) and not self.all:
+            self.note(stamp)  # it is in use
             return False, ""
         text = "".join(f"#include <{path}>\n" for path in paths) + code + "\n"
         folders = [flag for root in roots for flag in ("-isystem" if root.startswith("/usr/") else "-I", root)]
         done = subprocess.run([*self.command, *defines, *folders, "-"], input=text, text=True, capture_output=True, check=False)
         if done.returncode == 0 and not done.stderr:
-            open(stamp, "w").close()
+            self.note(stamp)
             return True, ""
+        if os.path.exists(stamp):
+            os.remove(stamp)  # it failed in spite of it
         return True, f"{paths[-1]} alone:\n{done.stderr}"
 
 

@@ -8,13 +8,13 @@
 # Everything is checked several times faster in a unity build of clang, as continuous integration does: in build-memory/, once
 # it is built. Files are checked in any other build: each unit of g++ without a precompiled header, so it must include the
 # headers of the standard library that it needs. A changed header is checked through its own source, or through one that
-# includes it. A unit that passed is not checked again until its preprocessed text, .clang-tidy or scripts/tidy/ changes:
-# stamps lie in $XDG_CACHE_HOME/argos3-checks, by default ~/.cache/argos3-checks, so that they outlive a build folder.
+# includes it. A unit that passed is not checked again until its preprocessed text, .clang-tidy, scripts/tidy/ or
+# clang-tidy changes, see scripts/stamps.sh; ARGOS_CHECK_ALL=1 checks all units.
 set -euo pipefail
 (($# > 0)) || { sed -n '2,14s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2; exit 2; }
 build="$(cd "$1" && pwd)"
 shift
-source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
+source "$(dirname "${BASH_SOURCE[0]}")/stamps.sh"
 cd "$repo"
 database="$build/compile_commands.json"
 [[ -f "$database" ]] || die "no $database; configure $build first"
@@ -109,9 +109,8 @@ else
   echo "tidy: includes are not checked; that needs clang++ and libclang-dev"
 fi
 
-stamps="${XDG_CACHE_HOME:-$HOME/.cache}/argos3-checks/tidy"
-mkdir -p "$stamps"
-rules="$(cat .clang-tidy "$plugin_source" | sha256sum | cut -d' ' -f1)"
+prepare_stamps tidy
+rules="$({ cat .clang-tidy "$plugin_source" && clang-tidy --version; } | sha256sum | cut -d' ' -f1)"
 export stamps tidy repo build rules
 export load_plugin="${load[*]}"
 
@@ -123,9 +122,7 @@ check_one() {
   # names of files in messages of assertions are those of this checkout
   key="$(set -o pipefail; cd "$build" && { eval "$command" 2>/dev/null | sed "s|$repo/||g" || echo "$RANDOM$RANDOM"; echo "$rules"; } |
     sha256sum | cut -d' ' -f1)"
-  if [[ -f "$stamps/$key" ]]; then
-    return 0
-  fi
+  ! has_passed "$stamps/tidy/$key" || return 0
   echo "  $number ${unit#"$repo"/}"
   # the compiler's own warnings are checked by the build; unneeded includes are reported only
   local load
@@ -133,10 +130,10 @@ check_one() {
   # a unit of a unity build includes sources
   [[ "$unit" != */Unity/* ]] || load+=(--checks=-bugprone-suspicious-include)
   clang-tidy "${load[@]}" --quiet -p "$tidy" --warnings-as-errors='*,-argos-includes' --extra-arg=-Wno-everything "$unit" 2> >(
-    grep -vE '^[0-9]+ warnings? (generated|treated)|^Suppressed|^Use -header-filter' >&2) || return 1
-  : >"$stamps/$key"
+    grep -vE '^[0-9]+ warnings? (generated|treated)|^Suppressed|^Use -header-filter' >&2) || { forget_passed "$stamps/tidy/$key"; return 1; }
+  note_passed "$stamps/tidy/$key"
 }
-export -f check_one
+export -f check_one has_passed note_passed forget_passed
 
 list_units() {
   local unit number=0
