@@ -1,20 +1,30 @@
 #!/usr/bin/env bash
 # Installs missing packages, builds everything with warnings as errors, and runs all checks and tests:
-#   scripts/test.sh [--quick]     --quick: only build and tests, neither clang-tidy nor the downstream builds
+#   scripts/test.sh [--quick] [--all]
+#     --quick   only build and tests, neither clang-tidy nor the downstream builds
+#     --all     also what has passed before with the same inputs (scripts/stamps.sh); as ARGOS_CHECK_ALL=1
 # The build is that of run.sh, in build/ or where BUILD_DIR says, with the tests added to it.
 # Tests that take many minutes have the label soak and are excluded; run them with: ctest --test-dir build -L soak
 # With CI=true it leaves clang-tidy to .ci/run, which runs it in a build where it is faster.
 set -euo pipefail
-source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
+source "$(dirname "${BASH_SOURCE[0]}")/stamps.sh"
 quick=0
-case "${1:-}" in
-  "") ;;
-  --quick) quick=1 ;;
-  -h | --help) sed -n '2,7s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"; exit 0 ;;
-  *) die "unknown argument '$1'; there is only --quick" ;;
-esac
+for argument in "$@"; do
+  case "$argument" in
+    --quick) quick=1 ;;
+    --all) export ARGOS_CHECK_ALL=1 ;;
+    -h | --help) sed -n '2,9s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"; exit 0 ;;
+    *) die "unknown argument '$argument'; there are --quick and --all" ;;
+  esac
+done
 cd "$repo"
 build_dir="$release_build"
+# one run at a time in a build
+if [[ "${checks_locked:-}" != "$build_dir" ]]; then
+  mkdir -p "$build_dir"
+  flock --nonblock "$build_dir/checks.lock" true || echo "Another run uses $build_dir; waiting for its end"
+  checks_locked="$build_dir" exec flock --close "$build_dir/checks.lock" "$BASH" "$repo/scripts/test.sh" "$@"
+fi
 # a fixed folder, so that ccache finds again what was compiled there
 work="$build_dir/checks"
 rm -rf -- "$work"
@@ -63,7 +73,48 @@ build_user_project() { # build_user_project <name> <cmake arguments...>
   echo "$1: built and ran; its data has $(wc -l <"$data") lines"
 }
 
-# Steps that need the build only and are side by side, each on one core: mostly one program at a time runs in them.
+# Steps that need the build only and are side by side, each on one core: mostly one program at a time runs in them. A step
+# is left out if it passed before with the same inputs: step_NAME is the step, inputs_NAME prints its inputs. Those of
+# every step are print_system, this script and the scripts that it sources.
+
+# The installed simulator, but for its pages and the commit that argos3 --version shows.
+print_installed() {
+  cat "$work/installed.inputs"
+}
+
+# The built one.
+print_built() (
+  cd "$build_dir" && find bin/argos3 lib experiments -type f -print0 | print_files
+)
+
+inputs_digests() {
+  print_built && print_repository scripts/digests.sh src/testing/digests.txt src/testing/scenes experiments
+}
+
+step_digests() {
+  echo "Pinned digests"
+  "$repo/scripts/digests.sh" "$build_dir"
+}
+
+inputs_build_id() {
+  print_repository src/cmake src/core/build_id.h.in src/testing/unit/build_id_test.cmake src/testing/CMakeLists.txt
+}
+
+# The test that is no program of its own.
+step_build_id() {
+  echo "The build id of a changed header"
+  ctest --test-dir "$build_dir" --output-on-failure --tests-regex '^build_id_of_a_changed_header$' --no-tests=error
+}
+
+# All that controllers are compiled from.
+list_robot_sources() {
+  list_repository CMakeLists.txt '*/CMakeLists.txt' ':!src/testing' src/cmake src/core/config.h.in src/core/build_id.h.in \
+    src/core/utility src/core/control_interface src/core/wrappers 'src/plugins/*/control_interface/*' experiments
+}
+
+inputs_robot() (
+  cd "$repo" && list_robot_sources | print_files
+)
 
 # The same sources are compiled with optimization above; this finds what they include or link of the simulator.
 step_robot() {
@@ -71,6 +122,16 @@ step_robot() {
   configure "$repo/build-robot" -DCMAKE_BUILD_TYPE=Release -DARGOS_BUILD_TESTING=OFF -DARGOS_WERROR=ON \
     -DARGOS_BUILD_FOR=robot -DARGOS_PRECOMPILE_HEADERS=OFF -DCMAKE_CXX_FLAGS_RELEASE=-O0
   build "$repo/build-robot"
+  if [[ -f "$repo/build-robot/build.ninja" ]]; then
+    # what the compiler has read is listed
+    (cd "$repo/build-robot" && ninja -t deps | sed -n 's/^    //p' | sort -u | xargs -d '\n' realpath --relative-base="$repo") |
+      grep -vE '^(/|build)' | sort -u | comm -23 - <(list_robot_sources | tr '\0' '\n' | sort) >"$work/robot_unlisted"
+    [[ ! -s "$work/robot_unlisted" ]] || die "list_robot_sources lacks what the compiler has read:" "$(<"$work/robot_unlisted")"
+  fi
+}
+
+inputs_users_projects() {
+  print_installed && print_repository examples/user_project
 }
 
 step_users_projects() {
@@ -79,9 +140,27 @@ step_users_projects() {
   PKG_CONFIG_PATH="$work/prefix/lib/pkgconfig" build_user_project pkg_config -DUSE_PKG_CONFIG=ON
 }
 
+inputs_outside_projects() {
+  print_installed && print_repository scripts/outside_projects.sh src/testing/compat/projects
+}
+
 step_outside_projects() {
   echo "Projects written for ARGoS 3"
   "$repo/scripts/outside_projects.sh" "$work/prefix" "$work/projects"
+}
+
+# Of compiled files, packages depend on the libraries that they need and on the symbols that they take from them.
+inputs_packages() {
+  print_folder "$work/prefix" ! -path '*/lib/*.so' ! -path './bin/*' ! -path ./share/argos3/build.txt &&
+    (cd "$work/prefix" && find . -type f \( -path '*/lib/*.so' -o -path './bin/*' \) -printf '%M %p\n' | sort | while read -r mode file; do
+      echo "$mode $file"
+      if ! readelf --dynamic --wide "$file" 2>&1 | grep -E 'NEEDED|SONAME|RUNPATH|RPATH|FLAGS'; then
+        sha256sum "$file"
+      fi
+      nm --dynamic --undefined-only --with-symbol-versions "$file" 2>&1 || true
+    done) &&
+    cat "$build_dir/CPackConfig.cmake" &&
+    print_repository scripts/package.sh scripts/packages.txt scripts/setup.sh
 }
 
 step_packages() {
@@ -89,9 +168,20 @@ step_packages() {
   "$repo/scripts/package.sh" --build "$build_dir" "$work/packages" deb tgz
 }
 
+# Links lead to any file, of which only the name counts.
+inputs_site() {
+  print_folder "$work/prefix/include" && print_folder "$work/prefix/share/argos3/cmake" &&
+    "$build_dir/bin/argos3" -n -q all --json &&
+    list_repository | tr '\0' '\n' && print_repository '*.md' doc scripts/site scripts/site.sh
+}
+
 step_site() {
   echo "The site: user's guide and API reference"
   BUILD_DIR="$build_dir" "$repo/scripts/site.sh" "$work/site"
+}
+
+inputs_examples() {
+  print_installed && print_repository scripts/examples.sh examples
 }
 
 step_examples() {
@@ -99,9 +189,19 @@ step_examples() {
   "$repo/scripts/examples.sh" "$work/prefix"
 }
 
+# Pages show parts of any file but sources of the simulator, and link to any.
+inputs_guide() {
+  print_installed && list_repository | tr '\0' '\n' &&
+    print_repository . ':!src' ':!scripts' && print_repository scripts/guide scripts/check_guide.sh
+}
+
 step_guide() {
   echo "The user's guide"
   "$repo/scripts/check_guide.sh" "$work/prefix"
+}
+
+inputs_headers() {
+  print_folder "$work/prefix/include"
 }
 
 step_headers() {
@@ -109,21 +209,45 @@ step_headers() {
   check_installed_headers "$work/prefix/include"
 }
 
+stamp_of_step() { # stamp_of_step <name>
+  {
+    echo "$1" && cat "$work/system.inputs" &&
+      print_repository scripts/test.sh scripts/stamps.sh scripts/lib.sh && "inputs_$1"
+  } | stamp_of steps
+}
+
 run_step() { # run_step <name>: prints what the step says when it ends
-  local began="$SECONDS" status=0
+  set -o pipefail
+  local began="$SECONDS" status=0 stamp="" stamp_now=""
+  if [[ -s "$work/system.inputs" ]]; then
+    stamp="$(stamp_of_step "$1")" || { echo "$1: its inputs cannot be read, see above"; return 1; }
+  fi
+  if has_passed "$stamp"; then
+    echo "-- $1: passed before with the same inputs"
+    return 0
+  fi
   # a new shell, so that an error in the step ends it
   # shellcheck disable=SC2016  # that shell expands it
   "$BASH" -c 'set -euo pipefail; "step_$1"' "$1" "$1" >"$work/$1.log" 2>&1 || status=$?
   echo "-- $(cat "$work/$1.log")"
   if ((status != 0)); then
     echo "$1 failed with status $status, see above"
+    forget_passed "$stamp"
     return 1
   fi
+  [[ -z "$stamp" ]] || stamp_now="$(stamp_of_step "$1")"
+  # not if they were edited meanwhile
+  [[ "$stamp" != "$stamp_now" ]] || note_passed "$stamp"
   echo "   ($((SECONDS - began)) s)"
 }
 
 run_steps() { # run_steps <name>...
-  export JOBS=1 TMPDIR="$work/tmp" repo jobs=1 build_dir work
+  export JOBS=1 TMPDIR="$work/tmp" repo jobs=1 build_dir work stamps
+  prepare_stamps steps
+  print_system >"$work/system.inputs" || {
+    echo "what is installed on this system cannot be read, so all steps run"
+    : >"$work/system.inputs"
+  }
   # shellcheck disable=SC2046  # one name each
   export -f $(declare -F | cut -d' ' -f3)
   # shellcheck disable=SC2016  # that shell expands it
@@ -155,17 +279,14 @@ build "$build_dir"
 
 began "Tests"
 "$repo/scripts/run_tests.sh" "$build_dir"
-# the test that is no program of its own
-ctest --test-dir "$build_dir" --output-on-failure --tests-regex '^build_id_of_a_changed_header$' --no-tests=error
 
 began "The build tree, through its setup_env.sh"
 # shellcheck disable=SC1091  # generated
 (source "$build_dir/setup_env.sh" && cd "$work" && argos3 -n -z -c "$repo/experiments/diffusion_1.argos" --length 1)
 
-began "Pinned digests"
-"$repo/scripts/digests.sh" "$build_dir"
-
 if ((quick)); then
+  began "Pinned digests, build id"
+  run_steps digests build_id
   say "The quick checks passed after ${SECONDS} s"
   exit 0
 fi
@@ -174,12 +295,13 @@ began "Installation"
 cmake --install "$build_dir" --prefix "$work/installed" >"$work/install.log"
 # moved after the installation, because it must be relocatable
 mv "$work/installed" "$work/prefix"
+print_folder "$work/prefix" ! -path ./share/argos3/build.txt ! -path './share/doc/*' >"$work/installed.inputs"
 # with the installed controllers, which are found by name
 (cd "$work" && "$work/prefix/bin/argos3" -n -zc "$work/prefix/share/argos3/experiments/diffusion_10.argos" --length 1)
 
-began "Side by side: users' projects, packages, site, guide, a build for robots"
+began "Side by side: digests, users' projects, packages, site, guide, a build for robots"
 # those that take longest begin
-run_steps guide outside_projects site robot examples packages users_projects headers
+run_steps guide outside_projects digests site robot examples packages users_projects headers build_id
 
 if [[ "${CI:-}" == true ]]; then
   echo "clang-tidy follows in .ci/run"
