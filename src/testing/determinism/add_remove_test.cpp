@@ -218,7 +218,7 @@ TEST_CASE("add and remove: all entities may be removed, and others added",
 
 TEST_CASE("add and remove: a hundred robots are removed and added in each tick",
           "[determinism][devices][space][threads]") {
-  constexpr UInt32 kTicks = FewerIfSanitized(200);
+  constexpr UInt32 kTicks = FewerIfSanitized(100);
   constexpr UInt32 kEach = 100;
   const auto run = [&](UInt32 threads) {
     SExperiment experiment = Experiment(120, true);

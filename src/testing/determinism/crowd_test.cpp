@@ -99,7 +99,7 @@ TEST_CASE("crowd determinism: every tick is equal for any number of threads, als
   const std::vector<UInt64> expected = Run(alone, kTicks);
   alone.GetSimulator().Reset();
   REQUIRE(Run(alone, kTicks) == expected);
-  for (const UInt32 threads : {1U, 2U, 3U, 4U}) {
+  for (const UInt32 threads : MostIfSanitized({1U, 2U, 3U, 4U})) {
     for (const char* method : {"balance_quantity", "balance_length"}) {
       CAPTURE(threads, method);
       CTestWorld world(MakeCrowd(threads, method, withLoads));
@@ -112,10 +112,10 @@ TEST_CASE("crowd determinism: the robots press without overlapping", "[determini
   const bool withLoads = GENERATE(false, true);
   CAPTURE(withLoads);
   CTestWorld world(MakeCrowd(0, "balance_quantity", withLoads));
-  world.Step(60);
+  world.Step(FewerIfSanitized(60));
   SOverlaps overlaps;
   for (int i = 0; i < 10; ++i) {
-    world.Step(10);
+    world.Step(FewerIfSanitized(10));
     MeasureOverlaps(world.GetSpace(), overlaps);
   }
   CHECK(SOverlaps::Quantile(overlaps.WithRobots, 0.99) <= 0.02);
@@ -129,8 +129,7 @@ TEST_CASE("no allocation: a tick of a crowd that presses allocates nothing",
   const UInt32 threads = GENERATE(0U, 2U);
   CAPTURE(threads);
   CTestWorld world(MakeCrowd(threads, "balance_length", false));
-  world.Step(200);
-  CheckAllocatesNothing([&] { world.Step(100); });
+  CheckSettledTicks(world, 200, 100);
 }
 
 }  // namespace determinism_crowd_test

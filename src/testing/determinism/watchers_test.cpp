@@ -4,6 +4,7 @@
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/testing/determinism/watchers.h>
 #include <argos3/testing/support/no_allocation.h>
+#include <argos3/testing/support/sanitizers.h>
 
 #include <catch2/catch.hpp>
 
@@ -14,7 +15,7 @@ using namespace argos;
 namespace {
 
 constexpr UInt32 kRobots = 130;  // more than two runs of robots that a thread processes
-constexpr UInt32 kTicks = 60;
+constexpr UInt32 kTicks = FewerIfSanitized(60);
 
 std::vector<UInt64> Run(CTestWorld& world) {
   std::vector<UInt64> digests = {world.ComputeDigest()};
@@ -49,7 +50,7 @@ CWatcher::SSights CountSights(CTestWorld& world) {
 
 TEST_CASE("watchers: every tick is equal for any number of threads and schedule",
           "[determinism][cameras]") {
-  const UInt32 threads = GENERATE(1U, 4U);
+  const UInt32 threads = GENERATE(from_range(MostIfSanitized({1U, 4U})));
   const std::string method = GENERATE("balance_quantity", "balance_length");
   CAPTURE(threads, method);
   SExperiment experiment = Watchers(kRobots, true, true);
@@ -58,9 +59,9 @@ TEST_CASE("watchers: every tick is equal for any number of threads and schedule"
   CTestWorld world(experiment);
   CHECK(Run(world) == Reference());
   const CWatcher::SSights sights = CountSights(world);
-  CHECK(sights.LEDs > 10 * kRobots);
-  CHECK(sights.Signals > kRobots);
-  CHECK(sights.Tags > kRobots / 2);
+  CHECK(sights.LEDs > kRobots * kTicks / 6);
+  CHECK(sights.Signals > kRobots * kTicks / 60);
+  CHECK(sights.Tags > kRobots * kTicks / 120);
   world.GetSimulator().Reset();
   CHECK(Run(world) == Reference());
 }
@@ -81,12 +82,11 @@ TEST_CASE("watchers: a tick in steady state allocates nothing",
   experiment.Threads = threads;
   CTestWorld world(experiment);
   // Lists keep their largest size. The run is repeated, so that they have reached it.
-  world.Step(400);
+  world.Step(FewerIfSanitized(400));
   world.GetSimulator().Reset();
-  world.Step(300);
-  CHECK(CountSights(world).LEDs > 300);
-  CHECK(CountSights(world).Tags > 15);
-  CheckAllocatesNothing([&] { world.Step(100); });
+  CheckSettledTicks(world, 300, 100);
+  CHECK(CountSights(world).LEDs > FewerIfSanitized(300));
+  CHECK(CountSights(world).Tags > FewerIfSanitized(15));
 }
 
 }  // namespace watchers_test

@@ -18,6 +18,8 @@
 #define ARGOS_TEST_THREAD_SANITIZER 0
 #endif
 
+#include <vector>
+
 namespace argos {
 
 constexpr bool kHasAddressSanitizer = ARGOS_TEST_ADDRESS_SANITIZER == 1;
@@ -31,6 +33,15 @@ constexpr bool kCanLimitMemory = !kHasAddressSanitizer && !kHasThreadSanitizer;
  */
 constexpr unsigned FewerIfSanitized(unsigned number) {
   return kHasAddressSanitizer || kHasThreadSanitizer ? number / 5 : number;
+}
+
+/**
+ * Of numbers of threads, in ascending order: those with which a test runs. What sanitizers find
+ * with few threads they find with many.
+ */
+inline std::vector<unsigned> MostIfSanitized(const std::vector<unsigned>& threads) {
+  return kHasAddressSanitizer || kHasThreadSanitizer ? std::vector<unsigned>{threads.back()}
+                                                     : threads;
 }
 
 }  // namespace argos
