@@ -12,6 +12,7 @@
 #include <argos3/testing/support/experiment.h>
 #include <argos3/testing/support/overlap.h>
 #include <argos3/testing/support/rooms.h>
+#include <argos3/testing/benchmark/shove.h>
 
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
 #include <argos3/core/simulator/simulator.h>
@@ -129,6 +130,9 @@ std::string MakeWorld(const SOptions& options, UInt32 robots, UInt32 threads) {
   if (options.Scene == "records") {
     return MakeRecorders(options, robots, threads);
   }
+  if (options.Scene == "shove") {
+    return argos::testing::MakeShove(robots, threads, options.Engine, options.EngineAttributes);
+  }
   return MakeRooms(options, robots, threads);
 }
 
@@ -199,8 +203,9 @@ int main(int argc, char** argv) {
   CLI::App app("Measures what a robot-tick costs; prints CSV.");
   app.add_option("--scene", options.Scene,
                  "rooms: robots that keep apart; crowd: robots that press, in rooms; wall: robots "
-                 "that all press against a wall; records: robots that record a metric")
-      ->check(CLI::IsMember({"rooms", "crowd", "wall", "records"}));
+                 "that all press against a wall; records: robots that record a metric; shove: "
+                 "foot-bots that push boxes and cylinders about")
+      ->check(CLI::IsMember({"rooms", "crowd", "wall", "records", "shove"}));
   app.add_option("--robots", options.Robots, "numbers of robots")->delimiter(',');
   app.add_option("--threads", options.Threads, "numbers of threads")->delimiter(',');
   app.add_option("--ticks", options.Ticks, "ticks of 0.1 s that are measured");

@@ -44,6 +44,13 @@ void CCrowdSolver::ReserveForSolids(size_t discs, size_t solids, size_t touches)
   m_contactSearches.reserve(2 * discs);
   m_wallSearches.reserve(discs);
   m_driveSearches.reserve(discs + solids);
+  m_islandParent.reserve(discs + solids);
+  m_islandOf.reserve(discs + solids);
+  m_islands.reserve(discs + solids);
+  m_memberOrder.reserve(discs + solids);
+  m_contactOrder.reserve(2 * discs);
+  m_wallOrder.reserve(discs);
+  m_touchOrder.reserve(2 * touches);
   m_isLoaded.reserve(discs + solids);
 }
 
@@ -85,6 +92,13 @@ void CCrowdSolver::LookUpForces(CThreadPool& pool, const SCrowdMemory& memory) {
     m_wallSearches.resize(walls.size());
     m_touchSearches.resize(m_touches.size());
     m_driveSearches.resize(members.size());
+    m_islandParent.resize(members.size());
+    m_islandOf.resize(members.size());
+    m_islands.resize(members.size());
+    m_memberOrder.resize(members.size());
+    m_contactOrder.resize(pairs.size());
+    m_wallOrder.resize(walls.size());
+    m_touchOrder.resize(m_touches.size());
     m_isLoaded.assign(members.size(), 0);
   }
 }

@@ -159,6 +159,10 @@ class CCrowdSolver {
     float Normal, Tangent;
     float StepNormal, StepTangent;
   };
+  /** Bodies that press each other, and their contacts: ranges of the lists in their order. */
+  struct SIsland {
+    SCrowdRange Members, Contacts, Touches, Walls;
+  };
   /** The contacts of a patch in a substep, and how far it is solved. */
   struct SPatchState {
     UInt32 NumContacts = 0, NumBorder = 0, NumWalls = 0;
@@ -166,7 +170,6 @@ class CCrowdSolver {
     float Change = 0.0F;  // greatest change of a velocity in the last sweep, m/s
     float BorderChange = 0.0F;
     float Deepest = 0.0F, BorderDeepest = 0.0F;  // overlap, m
-    double Energy = 0.0, BorderEnergy = 0.0;  // of the changes in the last sweep, J
     bool IsDue = false;  // in the next sweep
   };
 
@@ -229,16 +232,21 @@ class CCrowdSolver {
   float PushTouchesApart(const SCrowdRange& range);
   void PushPoint(const CCrowdClusters::STouch& pair, const SSeparation& point);
 
-  // the conjugate gradient method: crowd_search.cpp
+  // islands, and the conjugate gradient method: crowd_search.cpp
   bool HasTouches(const SCrowdCluster& cluster) const;
-  void KeepImpulses(UInt32 patch);
-  void KeepBorderImpulses(UInt32 patch);
-  void MeasureChange(UInt32 patch);
-  void MeasureBorderChange(UInt32 patch);
-  void StepOn(UInt32 patch, float share);
-  void StepBorderOn(UInt32 patch, float share);
-  void IterateLarge(CThreadPool& pool, const SCrowdCluster& cluster, float tolerance);
+  template <typename VISIT>
+  void ForRanges(const SCrowdCluster& cluster, VISIT&& visit) const;
+  UInt32 FindIsland(UInt32 member);
+  void UniteIslands(UInt32 a, UInt32 b);
+  UInt32 BuildIslands(const SCrowdCluster& cluster);
+  void SortIntoIslands(const SCrowdCluster& cluster, UInt32 first, UInt32 end);
+  float SweepIsland(const SIsland& island);
+  void KeepImpulses(const SIsland& island);
+  double MeasureChange(const SIsland& island) const;
+  void StepOn(const SIsland& island, float share);
+  void IterateIsland(const SIsland& island, float tolerance);
   void IterateSmall(UInt32 patch, float tolerance);
+  void IterateLarge(CThreadPool& pool, const SCrowdCluster& cluster, float tolerance);
 
   SCrowdTick m_tick;
   float m_tolerance = 0.0F;  // m in a substep
@@ -255,7 +263,11 @@ class CCrowdSolver {
   std::vector<UInt8> m_isTouching;  // something, in this substep
   std::vector<UInt8> m_isPushed;  // in this tick
   std::vector<UInt8> m_isLoaded;  // by a contact, in this substep
-  std::vector<SDriveSearch> m_driveSearches;
+  std::vector<UInt32> m_islandParent, m_islandOf;
+  // from the number of the first member of a cluster
+  std::vector<SIsland> m_islands;
+  std::vector<UInt32> m_memberOrder;
+  std::vector<SDriveSearch> m_driveSearches;  // in that order
   std::vector<SFootprint> m_parts;  // of solids
   // by pair and by wall: N
   std::vector<SContactForce> m_pairForces;
@@ -265,6 +277,8 @@ class CCrowdSolver {
   std::vector<SContact> m_contacts;
   std::vector<SWallContact> m_wallContacts;
   std::vector<STouch> m_touches;  // from twice the number of the first touch
+  // in the order of islands
+  std::vector<UInt32> m_contactOrder, m_wallOrder, m_touchOrder;
   std::vector<SContactSearch> m_contactSearches, m_wallSearches, m_touchSearches;
   std::vector<SPatchState> m_states;  // by patch
   Real m_deepest = 0.0;  // m

@@ -94,7 +94,9 @@ constexpr Real kCrowdTolerance = 0.001;
  * tolerance a body is that friction does not hold yet.
  */
 constexpr UInt32 kMaxTouchSweeps = 500;
-constexpr float kTouchTolerance = 0.05F;
+constexpr UInt32 kMaxRounds = 20;  // of sweeps over everything
+constexpr size_t kIslandGrain = 16;  // islands that a thread solves in a run
+constexpr float kTouchTolerance = 0.1F;
 constexpr float kRestTolerance = 1.0F;
 /** No part of a solid moves farther than so many times the longest path of a body in the tick. */
 constexpr Real kSolidReach = 1.5;

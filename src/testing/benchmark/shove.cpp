@@ -1,0 +1,77 @@
+#include <argos3/testing/benchmark/shove.h>
+
+#include <argos3/testing/support/experiment.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <sstream>
+
+namespace argos::testing {
+
+void CShover::Init(TConfigurationNode&) {
+  m_wheels = GetActuator<CCI_DifferentialSteeringActuator>("differential_steering");
+  m_proximity = GetSensor<CCI_FootBotProximitySensor>("footbot_proximity");
+  m_random = CRandom::CreateRNG("argos");
+}
+
+void CShover::ControlStep() {
+  constexpr Real kSpeed = 12.0;  // cm/s
+  constexpr Real kOften = 0.1;  // where it touches something, a tick
+  constexpr Real kSeldom = 0.01;
+  if (m_turnsLeft > 0) {
+    --m_turnsLeft;
+  } else if (m_random->Uniform(CRange<Real>(0.0, 1.0)) < (IsTouching() ? kOften : kSeldom)) {
+    m_turnsLeft = m_random->Uniform(CRange<UInt32>(5, 16));
+  }
+  m_wheels->SetLinearVelocity(m_turnsLeft > 0 ? -0.5 * kSpeed : kSpeed,
+                              m_turnsLeft > 0 ? 0.5 * kSpeed : kSpeed);
+}
+
+bool CShover::IsTouching() const {
+  const auto& readings = m_proximity->GetReadings();
+  return std::any_of(readings.begin(), readings.end(),
+                     [](const auto& reading) { return reading.Value > 0.9; });
+}
+
+std::string MakeShove(UInt32 robots, UInt32 threads, const std::string& engine,
+                      const std::string& attributes) {
+  constexpr Real kRadius = 0.085;  // m
+  constexpr Real kShare = 0.2;
+  const Real half =
+      0.5 * kRadius * std::sqrt(static_cast<Real>(robots) * std::numbers::pi / kShare);
+  SExperiment experiment;
+  experiment.Threads = threads;
+  experiment.Controllers =
+      "<shover id='shover'><actuators><differential_steering implementation='default'/></actuators>"
+      "<sensors><footbot_proximity implementation='default'/></sensors></shover>";
+  experiment.Engines = "<" + engine + " id='engine' " + attributes + "/>";
+  std::ostringstream arena;
+  for (const int side : {-1, 1}) {
+    const Real at = side * (half + 0.05);
+    arena << "<box id='x" << side << "' size='0.1," << 2.0 * half << ",0.2' movable='false'><body "
+          << "position='" << at << ",0,0'/></box><box id='y" << side << "' size='" << 2.0 * half
+          << ",0.1,0.2' movable='false'><body position='0," << at << ",0'/></box>";
+  }
+  const auto distribute = [&](Real margin, UInt32 count, const std::string& entity) {
+    const Real most = half - margin;
+    arena << "<distribute><position method='uniform' min='" << -most << "," << -most << ",0' max='"
+          << most << "," << most
+          << ",0'/><orientation method='uniform' min='0,0,0' max='360,0,0'/><entity quantity='"
+          << count << "' max_trials='1000'>" << entity << "</entity></distribute>";
+  };
+  const UInt32 objects = robots / 4;
+  distribute(0.2, objects / 2,
+             "<cylinder id='c' radius='0.1' height='0.1' movable='true' mass='0.2'/>");
+  distribute(0.2, objects - objects / 2,
+             "<box id='b' size='0.3,0.2,0.1' movable='true' mass='0.3'/>");
+  distribute(0.1, robots, "<foot-bot id='r'><controller config='shover'/></foot-bot>");
+  experiment.ArenaSize =
+      std::to_string(2.0 * half + 2.0) + "," + std::to_string(2.0 * half + 2.0) + ",2";
+  experiment.Arena = arena.str();
+  return experiment.ToXml();
+}
+
+REGISTER_CONTROLLER(CShover, "shover")
+
+}  // namespace argos::testing
