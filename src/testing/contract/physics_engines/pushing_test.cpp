@@ -171,7 +171,7 @@ TEST_CASE("pushing: several robots move what their forces together move", "[cont
   const CVector3 way = scene.PlaceOf(world, "b");
   // the impact may be anywhere in a substep, of which there are 2 or more
   const Real substep = kTick / (iterations > 0 ? iterations : 2);
-  CHECK_THAT(way.GetX(), WithinAbs(exact, 0.03 * exact + 0.55 * kSpeed * substep));
+  CHECK_THAT(way.GetX(), WithinAbs(exact, 0.03 * exact + kSpeed * substep));
   CHECK_THAT(way.GetY(), WithinAbs(0.0, 2e-3));
   CHECK_THAT(scene.TurnOf(world, "b"), WithinAbs(0.0, 5e-3));
 }
