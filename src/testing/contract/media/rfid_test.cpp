@@ -291,6 +291,40 @@ TEST_CASE("rfid: programs can add tags", "[contract][media]") {
   CHECK_THROWS_WITH(carried.GetTag(1), Contains("no RFID tag 1"));
 }
 
+TEST_CASE("rfid: AddEntity() of users puts a tag into a medium once", "[contract][media]") {
+  SRobotExperiment experiment = WithRFID(Robot("foot-bot", "r", "position=\"0,0,0\"") +
+                                         Tag("known", CVector3(0.02, 0.0, 0.0)));
+  experiment.Media += "<rfid id=\"others\"/>";
+  CRobotWorld world(experiment);
+  auto& medium = world.GetSimulator().GetMedium<CRFIDMedium>("rfid");
+  auto& others = world.GetSimulator().GetMedium<CRFIDMedium>("others");
+  // one that the file has registered
+  auto& known = world.Get<CRFIDTagEntity>("known");
+  medium.AddEntity(known);
+  medium.AddEntity(known);
+  // before and after it is added to the space, as loop functions do
+  auto owned =
+      std::make_unique<CRFIDTagEntity>(nullptr, "new", CVector3(0.05, 0.0, 0.0), Bytes({1}));
+  medium.AddEntity(*owned);
+  CRFIDTagEntity& tag = world.Add(std::move(owned));
+  medium.AddEntity(tag);
+  world.Step();
+  CHECK(IdsOf(Readings(world)) == TIds{"known", "new"});
+  others.AddEntity(tag);
+  world.Step();
+  CHECK(IdsOf(Readings(world)) == TIds{"known"});
+  CHECK(&tag.GetMedium() == &others);
+  // it is not in this one
+  medium.RemoveEntity(tag);
+  CHECK(tag.HasMedium());
+  others.RemoveEntity(tag);
+  others.RemoveEntity(tag);
+  CHECK_FALSE(tag.HasMedium());
+  medium.AddEntity(tag);
+  world.Step();
+  CHECK(IdsOf(Readings(world)) == TIds{"known", "new"});
+}
+
 TEST_CASE("rfid: tags without a body are drawn", "[contract][media]") {
   CRobotWorld world(
       WithRFID(Robot("foot-bot", "r", "position=\"0,0,0\"") + Tag("t", CVector3(1.0, 0.0, 0.0))));

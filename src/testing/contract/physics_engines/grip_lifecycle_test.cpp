@@ -188,6 +188,35 @@ TEST_CASE("grip lifecycle: a reset releases all grips, and the run repeats bit b
   }
 }
 
+TEST_CASE("grip lifecycle: Reset() of one robot releases its grip and turns its turret back",
+          "[contract][engine][grip][turret]") {
+  const SEngineType engine = GENERATE(from_range(kEnginesWithGrips));
+  const bool hasLoad = GENERATE(false, true);
+  CAPTURE(engine, hasLoad);
+  CGripWorld world(
+      GripperXml("r", 0, 0, 0, "lock='true'") + (hasLoad ? LoadXml("load", kAhead, 0, 0.3) : ""),
+      In(engine.ToXml()));
+  world.Body("r").EnableAnchor("turret");
+  world.Step(3);
+  REQUIRE(world.HeldBy("r") == (hasLoad ? "load" : ""));
+  world.Driver("r").Mode = CCI_FootBotTurretActuator::MODE_SPEED_CONTROL;
+  world.Driver("r").TurretSpeed = 3;
+  world.Step(11);
+  // 3 turns a minute for 1 s; with a load the motor has to accelerate it first
+  REQUIRE_THAT(world.Turret("r").GetRotation().GetValue(), WithinAbs(0.1 * ARGOS_PI, 0.05));
+  const auto isAtStart = [&world] {
+    return world.Turret("r").GetRotation() == CRadians::ZERO &&
+           world.Body("r").GetAnchor("turret").Orientation ==
+               world.Body("r").GetOriginAnchor().Orientation;
+  };
+  world.Get<CFootBotEntity>("r").Reset();
+  CHECK(world.HeldBy("r").empty());
+  CHECK(isAtStart());
+  // also with the load, if it is gripped again
+  world.Step(5);
+  CHECK_THAT(world.Turret("r").GetRotation().GetValue(), WithinAbs(0.0, engine.Slack + 1e-3));
+}
+
 TEST_CASE("grip lifecycle: results do not depend on the number of threads",
           "[contract][engine][grip]") {
   const SEngineType engine = GENERATE(from_range(kEnginesWithGrips));

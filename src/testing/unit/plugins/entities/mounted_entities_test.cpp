@@ -204,6 +204,72 @@ TEST_CASE("tags: positions follow the file, corners surround them", "[entities]"
   CHECK(Tags(world).GetTag(1).GetPayload().empty());
 }
 
+namespace {
+
+// number of times that a medium lists entities, wherever they are
+template <typename ENTITY, typename MEDIUM>
+size_t CountListed(MEDIUM& medium) {
+  class CCount : public CPositionalIndex<ENTITY>::COperation {
+   public:
+    bool operator()(ENTITY&) override {
+      ++Number;
+      return true;
+    }
+    size_t Number = 0;
+  } count;
+  medium.Update();
+  medium.GetIndex().ForAllEntities(count);
+  return count.Number;
+}
+
+// AddEntity() of users for one that the file has registered, and for one that nothing has
+template <typename ENTITY, typename MEDIUM>
+void CheckAddedOnce(MEDIUM& medium, MEDIUM& others, ENTITY& registered, ENTITY& loose) {
+  const size_t before = CountListed<ENTITY>(medium);
+  medium.AddEntity(registered);
+  medium.AddEntity(registered);
+  CHECK(CountListed<ENTITY>(medium) == before);
+  registered.Disable();
+  CHECK(CountListed<ENTITY>(medium) == before - 1);
+  medium.AddEntity(registered);
+  CHECK(registered.IsEnabled());
+  CHECK(CountListed<ENTITY>(medium) == before);
+
+  medium.AddEntity(loose);
+  medium.AddEntity(loose);
+  CHECK(loose.IsEnabled());
+  CHECK(&loose.GetMedium() == &medium);
+  CHECK(CountListed<ENTITY>(medium) == before + 1);
+  others.AddEntity(loose);
+  CHECK(CountListed<ENTITY>(medium) == before);
+  CHECK(CountListed<ENTITY>(others) == 1);
+  // it is not in this one
+  medium.RemoveEntity(loose);
+  CHECK(CountListed<ENTITY>(others) == 1);
+  others.RemoveEntity(loose);
+  others.RemoveEntity(loose);
+  CHECK(CountListed<ENTITY>(others) == 0);
+  CHECK_FALSE(loose.HasMedium());
+}
+
+}  // namespace
+
+TEST_CASE("directional leds and tags: AddEntity() of users puts an entity into a medium once",
+          "[entities][media]") {
+  SRobotExperiment experiment = With(std::string(kLEDs) + kTags);
+  experiment.Media += "<directional_led id='more_leds'/><tag id='more_tags'/>";
+  CRobotWorld world(experiment);
+  CSimulator& simulator = world.GetSimulator();
+  CDirectionalLEDEntity led(nullptr, "led", CVector3(1.0, 0.0, 0.0), CQuaternion(), CRadians::PI,
+                            CColor::RED);
+  CheckAddedOnce(simulator.GetMedium<CDirectionalLEDMedium>("directional_leds"),
+                 simulator.GetMedium<CDirectionalLEDMedium>("more_leds"), LEDs(world).GetLED(0),
+                 led);
+  CTagEntity tag(nullptr, "tag", CVector3(1.0, 0.0, 0.0), CQuaternion(), CRadians::PI, 0.02, "");
+  CheckAddedOnce(simulator.GetMedium<CTagMedium>("tags"),
+                 simulator.GetMedium<CTagMedium>("more_tags"), Tags(world).GetTag(0), tag);
+}
+
 TEST_CASE("magnets: the field is the passive part plus the active part times the current",
           "[entities]") {
   CRobotWorld world(With(kMagnets));
