@@ -90,7 +90,7 @@ OPTIONAL XML CONFIGURATION
 
 Attributes of <povray>:
   directory      path; folder of the files, created if missing. Default: out
-  base_name      string without a slash; prefix of their names. Default: scene_
+  base_name      string without a slash; prefix of their names. POV-Ray opens names of ASCII characters only. Default: scene_
   size           WxH, pixels, each from 16 to 16384. Default: 1280x960
   width, height  the same as two attributes, pixels
   every          integer, at least 1, ticks; every n-th tick has a scene. Default: 1

@@ -44,8 +44,11 @@ CPovrayRecorder::CPovrayRecorder(const SPovrayRecording& settings, const SCamera
       return m_models.Find(type);
     });
   }
-  if (settings.Render == SPovrayRecording::ERender::Yes &&
-      FindProgram(GetPovrayProgram()).empty()) {
+  const bool isInstalled = !FindProgram(GetPovrayProgram()).empty();
+  if (settings.Render != SPovrayRecording::ERender::No && isInstalled) {
+    CheckPovrayName(settings.BaseName);
+  }
+  if (settings.Render == SPovrayRecording::ERender::Yes && !isInstalled) {
     THROW_ARGOSEXCEPTION("The program \""
                          << GetPovrayProgram()
                          << "\" is not installed, which render=\"true\" needs; install POV-Ray, "

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <sstream>
@@ -20,17 +21,35 @@ std::string GetPovrayProgram() {
 
 namespace {
 
-// POV-Ray takes an argument with a blank for several ones
-std::string QuoteFile(const std::string& name) {
-  return name.find(' ') == std::string::npos ? name : '"' + name + '"';
+// POV-Ray splits its arguments again, and takes quotes at the start of a value only
+std::string MakeFileArgument(const char* letter, const char* option, const std::string& name) {
+  constexpr char kPlain[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-+.";
+  if (name.find_first_not_of(kPlain) == std::string::npos) {
+    return letter + name;
+  }
+  const char quote = name.find('"') == std::string::npos ? '"' : '\'';
+  return option + std::string("=") + quote + name + quote;
 }
 
 }  // namespace
 
+void CheckPovrayName(const std::string& name) {
+  const bool hasBothQuotes =
+      name.find('"') != std::string::npos && name.find('\'') != std::string::npos;
+  const bool isPlain =
+      std::all_of(name.begin(), name.end(), [](unsigned char c) { return c < 0x80; });
+  if (hasBothQuotes || !isPlain) {
+    THROW_ARGOSEXCEPTION("POV-Ray cannot open files whose names begin with \""
+                         << name
+                         << "\": it accepts ASCII characters only, and one of the two quotation "
+                            "marks; write another base_name, or render=\"false\"");
+  }
+}
+
 std::vector<std::string> MakePovrayArguments(const SPovrayJob& job, const std::string& scene,
                                              const std::string& picture) {
-  std::vector<std::string> arguments = {"+I" + QuoteFile(scene),
-                                        "+O" + QuoteFile(picture),
+  std::vector<std::string> arguments = {MakeFileArgument("+I", "Input_File_Name", scene),
+                                        MakeFileArgument("+O", "Output_File_Name", picture),
                                         fmt::format("+W{}", job.Width),
                                         fmt::format("+H{}", job.Height),
                                         "-D",

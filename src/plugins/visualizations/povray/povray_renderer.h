@@ -27,6 +27,12 @@ struct SPovrayJob {
 std::string GetPovrayProgram();
 
 /**
+ * @param name  of a file without its folder.
+ * @throws CARGoSException if POV-Ray cannot open a file with such a name.
+ */
+void CheckPovrayName(const std::string& name);
+
+/**
  * The arguments of POV-Ray, which runs in the folder of the scene: distributions restrict it to its
  * working directory and a few others.
  * @param scene, picture  names of files in that folder.

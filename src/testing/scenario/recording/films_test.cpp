@@ -212,6 +212,28 @@ TEST_CASE("films: a limit of the size of files is an error", "[scenario][recordi
   CHECK(ListParts(folder).empty());
 }
 
+TEST_CASE("films: a full disk ends the run at its second picture, whatever the encoder does",
+          "[scenario][recording][films]") {
+  const CTestFolder folder;
+  // like ffmpeg, which writes nothing while its buffers have room
+  const std::string ffmpeg = folder.Write("ffmpeg", "#!/bin/sh\ncat > /dev/null\nsleep 100\n");
+  std::filesystem::permissions(ffmpeg, std::filesystem::perms::owner_all);
+  SCircumstances circumstances;
+  circumstances.Environment = {
+      "ARGOS_FFMPEG=" + ffmpeg, "ARGOS_TEST_FULL_DISK=a.mp4",
+      "LD_PRELOAD=" + InBuildTree("testing/faults/libargos3_test_failing_writes.so")};
+  const SProgramRun run =
+      RunProgramUnder(folder, Flocking({"--video", "a.mp4", "--csv", "tables"}), circumstances);
+  CHECK(run.Status == 1);
+  CHECK_THAT(run.Err,
+             Contains("The film \"a.mp4\" cannot be written: no space is left on its disk"));
+  CHECK(ListParts(folder).empty());
+  CHECK_FALSE(std::filesystem::exists(folder.Path("a.mp4")));
+  // of 20 ticks: the second picture is due in one of the first
+  const std::string table = folder.Read("tables/robots.csv");
+  CHECK_THAT(table, Contains("\n0,1,") && !Contains("\n0,6,"));
+}
+
 TEST_CASE("films: an encoder that does nothing is killed, and is an error",
           "[scenario][recording][films]") {
   const CTestFolder folder;

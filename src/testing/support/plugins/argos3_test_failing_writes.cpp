@@ -3,8 +3,10 @@
 //   ARGOS_TEST_FAIL_FILE   part of the paths of the files concerned; "stdout" and "stderr" stand
 //   for
 //                          those streams. Without it: all files but the standard error
+//   ARGOS_TEST_FULL_DISK   part of the paths whose disk has no free space, by statvfs()
 
 #include <dlfcn.h>
+#include <sys/statvfs.h>
 #include <sys/uio.h>
 #include <unistd.h>
 
@@ -94,4 +96,14 @@ extern "C" size_t fwrite(const void* data, size_t size, size_t count, FILE* stre
     done += static_cast<size_t>(part);
   }
   return count;
+}
+
+extern "C" int statvfs(const char* path, struct statvfs* disk) {
+  static const auto next = FindNext(&statvfs, "statvfs");
+  const int result = next(path, disk);
+  const char* const part = std::getenv("ARGOS_TEST_FULL_DISK");
+  if (result == 0 && part != nullptr && std::strstr(path, part) != nullptr) {
+    disk->f_bfree = disk->f_bavail = 0;
+  }
+  return result;
 }

@@ -3,6 +3,8 @@
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/plugins/factory.h>
+#include <argos3/core/utility/processes/child_process.h>
+#include <argos3/core/utility/text/string_utilities.h>
 #include <argos3/testing/support/temporary_folder.h>
 
 #include <catch2/catch.hpp>
@@ -107,6 +109,53 @@ TEST_CASE("povray: runs the program in the folder of the scenes", "[povray]") {
   CHECK(std::filesystem::equivalent(directory, folder.GetPath()));
   CHECK_THAT(arguments,
              Contains("+Iscene_0000000000.pov") && Contains("+W16 +H16 -D") && Contains("+WT1"));
+}
+
+TEST_CASE("povray: POV-Ray renders scenes whose names have blanks and quotes", "[povray]") {
+  if (FindProgram("povray").empty()) {
+    WARN("no POV-Ray: it renders nothing here");
+    return;
+  }
+  const std::string name =
+      GENERATE("a scene ", "it's", "tab\there", "a;b#c", " two  blanks ", "a\"b");
+  CAPTURE(name);
+  const CTemporaryFolder folder;
+  const CLogCapture log;
+  std::string escaped = name;
+  Replace(escaped, "'", "&apos;");
+  Replace(escaped, "\t", "&#9;");
+  CExperiment(In(folder, "ticks='0' render='true' base_name='" + escaped + "'")).Run();
+  CHECK(folder.List() ==
+        std::vector<std::string>{name + "0000000000.png", name + "0000000000.pov"});
+}
+
+TEST_CASE("povray: names that POV-Ray cannot open are errors before the run", "[povray]") {
+  const std::string name = GENERATE("\u00e9", "'&quot;");
+  CAPTURE(name);
+  const CTemporaryFolder folder;
+  const CLogCapture log;
+  const CFakePovray povray("exit 0\n");
+  std::string escaped = name;
+  Replace(escaped, "'", "&apos;");
+  const std::string attributes = "base_name='" + escaped + "' ticks='0' render=";
+  CHECK_THROWS_WITH(CExperiment(In(folder, attributes + "'auto'")),
+                    Contains("test.argos:5") && Contains("POV-Ray cannot open files"));
+  CHECK_NOTHROW(CExperiment(In(folder, attributes + "'false'")).Run());
+  CHECK(folder.List().size() == 1);
+}
+
+TEST_CASE("povray: the command for a folder and names with blanks is quoted", "[povray]") {
+  const CTemporaryFolder folder;
+  setenv("ARGOS_POVRAY", "no such povray", 1);
+  CLogCapture log;
+  CExperiment("<povray size='16x16' directory='" + folder.GetPath() +
+              "/my scenes' every='5' base_name='a scene '/>")
+      .Run();
+  CHECK_THAT(log.GetText(), Contains("Where it is: cd '" + folder.GetPath() +
+                                     "/my scenes' && 'no such povray' "
+                                     "'Input_File_Name=\"a scene 0000000000.pov\"' "
+                                     "'Output_File_Name=\"a scene 0000000000.png\"'"));
+  unsetenv("ARGOS_POVRAY");
 }
 
 TEST_CASE("povray: tells why a scene cannot be rendered", "[povray]") {
