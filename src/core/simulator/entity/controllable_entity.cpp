@@ -4,6 +4,7 @@
 #include <argos3/core/simulator/context/library_attribute.h>
 #include <argos3/core/simulator/context/simulation_context.h>
 #include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/utility/configuration/single_element.h>
 #include <argos3/core/utility/datatypes/digest.h>
 #include <argos3/core/utility/errors/exception_text.h>
 #include <argos3/core/utility/errors/running_code.h>
@@ -125,7 +126,11 @@ void MakeDevices(TConfigurationNode& controllerNode, const std::string& kind,
   TConfigurationNodeIterator it;
   for (it = it.begin(section); it != it.end(); ++it) {
     const auto make = [&] { return MakeDevice<SIMULATED, INTERFACE>(*it, kind.c_str(), robot); };
-    if (!errors.Try("", [&] { add(it->Value(), make()); })) {
+    const auto addNew = [&] {
+      CheckIsSingle(*it);
+      add(it->Value(), make());
+    };
+    if (!errors.Try("", addNew)) {
       errors.FindFurther(make);
     }
   }

@@ -12,7 +12,6 @@
 #include <argos3/core/utility/text/classic_locale.h>
 
 #include <algorithm>
-#include <map>
 
 namespace argos {
 
@@ -33,31 +32,6 @@ void CheckIds(TConfigurationNode& section, TLines& lines) {
     GetNodeAttributeOrDefault(*it, "id", id, id);
     if (id.empty()) {
       lines.push_back(it->GetLocation() + ": <" + it->Value() + ">: attribute \"id\" is empty");
-    }
-  }
-}
-
-// the controllers use the last device of a tag, as those of ARGoS 3
-void CheckDevices(TConfigurationNode& section, TLines& lines) {
-  std::map<std::string, std::string> locations;
-  TConfigurationNodeIterator it;
-  for (it = it.begin(&section); it != it.end(); ++it) {
-    const auto [other, isNew] = locations.emplace(it->Value(), it->GetLocation());
-    if (!isNew) {
-      lines.push_back(it->GetLocation() + ": <" + it->Value() +
-                      "> is given twice; it replaces the one at " + other->second);
-      other->second = it->GetLocation();
-    }
-  }
-}
-
-void CheckControllers(TConfigurationNode& controllers, TLines& lines) {
-  TConfigurationNodeIterator it;
-  for (it = it.begin(&controllers); it != it.end(); ++it) {
-    for (const char* const section : {"actuators", "sensors"}) {
-      if (NodeExists(*it, section)) {
-        CheckDevices(GetNode(*it, section), lines);
-      }
     }
   }
 }
@@ -193,9 +167,6 @@ std::vector<std::string> FindLoadWarnings(CConfigurationDocument& document,
     if (NodeExists(root, section)) {
       CheckIds(GetNode(root, section), lines);
     }
-  }
-  if (NodeExists(root, "controllers")) {
-    CheckControllers(GetNode(root, "controllers"), lines);
   }
   CheckBodies(context, lines);
   lines.insert(lines.end(), unread.begin(), unread.end());

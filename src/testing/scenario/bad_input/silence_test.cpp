@@ -2,6 +2,8 @@
 
 #include "experiment_text.h"
 
+#include <argos3/core/utility/text/string_utilities.h>
+
 #include <catch2/catch.hpp>
 
 namespace silence_test {
@@ -49,18 +51,24 @@ TEST_CASE("silence: a misspelt attribute gives the nearest name", "[bad_input][s
                  Contains("\"iteratoins\" is not used by anything; did you mean \"iterations\"?"));
 }
 
-TEST_CASE("silence: devices that are given twice are reported", "[bad_input][silence]") {
+TEST_CASE("silence: a device of a controller must not be repeated", "[bad_input][silence]") {
+  const std::string device = GENERATE("proximity", "differential_steering");
+  CAPTURE(device);
   SExperimentText experiment;
   experiment.Controllers =
       "<controllers>" +
       SExperimentText::Controller("test_idle", "<params/>",
-                                  "<sensors>\n<proximity implementation=\"default\"/>\n"
-                                  "<proximity implementation=\"default\"/></sensors>") +
+                                  "<sensors><proximity implementation=\"default\"/></sensors>") +
       "</controllers>";
-  const std::string line = At(SExperimentText::kControllersLine + 2);
-  CHECK_THAT(LoadWarnings(experiment),
-             Contains(line + " <proximity> is given twice") &&
-                 Contains(At(SExperimentText::kControllersLine + 1).substr(0, 12)));
+  const std::string element = '<' + device + " implementation=\"default\"/>";
+  Replace(experiment.Controllers, element, '\n' + element + "\n<!-- -->\n" + element);
+  const std::string error = LoadError(experiment);
+  CHECK_THAT(error, Contains(At(SExperimentText::kControllersLine + 3) + " <" + device +
+                             ">: there is already one at "));
+  const std::string first = At(SExperimentText::kControllersLine + 1);
+  CHECK_THAT(error, Contains("at " + first.substr(0, first.rfind(':')) + "; merge them"));
+  // once, whatever the number of robots
+  CHECK(error.find("already one") == error.rfind("already one"));
 }
 
 TEST_CASE("silence: a section of which only the first is read must not be repeated",
