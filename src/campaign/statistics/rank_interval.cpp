@@ -48,7 +48,7 @@ SConfidenceInterval ComputeNormalRankInterval(const CPairwisePoints& points, Rea
   const Real skipped = std::floor(centre - 0.5 - z * deviation);
   if (skipped < 0.0) {
     const Real outside = tails * ComputeNormalUpperTail((centre - 0.5) / deviation);
-    return MakeInterval(points, 0, alternative, std::max(0.0, 1.0 - outside));
+    return MakeInterval(points, 0, alternative, 1.0 - outside);
   }
   const auto last = static_cast<Real>(points.GetCount() - 1);
   return MakeInterval(points, static_cast<size_t>(std::min(skipped, last)), alternative, level);

@@ -24,7 +24,8 @@ struct SSignedRanks {
 };
 
 Real ComputeDeviation(Real n, Real tieTerm) {
-  return std::sqrt(std::max(0.0, n * (n + 1.0) * (2.0 * n + 1.0) / 24.0 - tieTerm / 48.0));
+  // the term of ties is at most n^3 - n, which leaves a positive variance
+  return std::sqrt(n * (n + 1.0) * (2.0 * n + 1.0) / 24.0 - tieTerm / 48.0);
 }
 
 SSignedRanks RankDifferences(std::span<const Real> values, Real location) {

@@ -185,12 +185,33 @@ TEST_CASE("correlation: hostile input", "[campaign][statistics]") {
   CHECK_THAT(compute(some, Negated(some)).Coefficient, WithinAbs(-1.0, 1e-15));
 }
 
+TEST_CASE("correlation: roundings leave no coefficient beyond 1", "[campaign][statistics]") {
+  // the sum of products is 1.0000000000000002 here
+  const std::vector<Real> some = {2.0, 5.0, 2.0};
+  CHECK(ComputePearsonCorrelation(some, some).Coefficient == 1.0);
+  CHECK(ComputePearsonCorrelation(some, Negated(some)).Coefficient == -1.0);
+  CHECK(ComputePearsonCorrelation(some, some).PValue == 0.0);
+}
+
+TEST_CASE("fit of a line: roundings leave no negative determination", "[campaign][statistics]") {
+  // no slope: the residuals exceed the deviations by a rounding
+  const std::vector<Real> x = {3.0, 7.0, 7.0};
+  const std::vector<Real> y = {0.8, 0.9, 0.7};
+  CHECK(FitLine(x, y).Determination == 0.0);
+}
+
 TEST_CASE("correlation: perfect ones", "[campaign][statistics]") {
   const std::vector<Real> some = {1.0, 2.0, 4.0, 5.0, 9.0};
   // 1 - r is a rounding error of 1e-16
   CHECK(ComputePearsonCorrelation(some, some).PValue < 1e-20);
   // two of 5! orders
   CHECK_THAT(ComputeSpearmanCorrelation(some, some).PValue, WithinRel(2.0 / 120.0, 1e-14));
+  CHECK_THAT(ComputeSpearmanCorrelation(some, Negated(some)).PValue, WithinRel(2.0 / 120.0, 1e-14));
+  // in the middle of the distribution both tails are above 1/2
+  const SCorrelation none = ComputeSpearmanCorrelation(std::vector<Real>{1.0, 2.0, 3.0, 4.0},
+                                                       std::vector<Real>{2.0, 4.0, 1.0, 3.0});
+  CHECK_THAT(none.Coefficient, WithinAbs(0.0, 1e-15));
+  CHECK(none.PValue == 1.0);
 }
 
 }  // namespace fits_test

@@ -138,6 +138,11 @@ TEST_CASE("dunn's test: hostile input", "[campaign][statistics]") {
       CompareByDunn(std::vector<std::vector<Real>>{{2.0, 2.0}, {2.0}})[0];
   CHECK(equal.Z == 0.0);
   CHECK(equal.AdjustedPValue == 1.0);
+  // so many that the variance is a negative rounding error
+  const SGroupComparison many =
+      CompareByDunn(std::vector<std::vector<Real>>{std::vector<Real>(330291, 2.0), {2.0}})[0];
+  CHECK(many.Z == 0.0);
+  CHECK(many.PValue == 1.0);
 }
 
 TEST_CASE("adjustment of p values: as R's p.adjust", "[campaign][statistics]") {

@@ -1,5 +1,7 @@
 #include <argos3/campaign/statistics/pairwise_points.h>
 #include <argos3/campaign/statistics/rank_distribution.h>
+#include <argos3/campaign/statistics/rank_interval.h>
+#include <argos3/campaign/statistics/rank_p_value.h>
 #include <argos3/campaign/statistics/ranks.h>
 #include <argos3/campaign/statistics/spearman_distribution.h>
 
@@ -8,6 +10,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace rank_distribution_test {
@@ -92,6 +95,40 @@ TEST_CASE("rank distributions: numbers of R", "[campaign][statistics]") {
   CHECK(CRankDistribution::SignedRank(2).ComputeQuantile(0.25) == 0);
   CHECK(CRankDistribution::SignedRank(2).ComputeQuantile(0.26) == 1);
   CHECK(CRankDistribution::SignedRank(2).ComputeQuantile(1.0) == 3);
+  // beyond all of it
+  CHECK(CRankDistribution::SignedRank(2).ComputeQuantile(1.1) == 3);
+  CHECK(CRankDistribution::SignedRank(2).ComputeLowerTail(4) == 1.0);
+}
+
+TEST_CASE("p values of ranks: at most 1 in the middle of the distribution",
+          "[campaign][statistics]") {
+  // P(V <= 3) = P(V >= 3) = 5/8 for three values
+  const CRankDistribution three = CRankDistribution::SignedRank(3);
+  CHECK(ComputeExactPValue(3, three, EAlternative::TwoSided) == 1.0);
+  CHECK(ComputeExactPValue(3, three, EAlternative::Less) == 0.625);
+  CHECK(ComputeExactPValue(2, three, EAlternative::TwoSided) == 0.75);
+  // the correction for continuity goes beyond the mean
+  CHECK(ComputeNormalPValue(0.25, 1.0, EAlternative::TwoSided) == 1.0);
+  CHECK(ComputeNormalPValue(0.0, 1.0, EAlternative::TwoSided) == 1.0);
+}
+
+TEST_CASE("intervals of ranks: levels near 0 give the last point at most",
+          "[campaign][statistics]") {
+  // the averages of pairs of 1 and 2 are 1, 1.5 and 2
+  const CPairwisePoints points = CPairwisePoints::WalshAverages(std::vector<Real>{1.0, 2.0});
+  const Real deviation = std::sqrt(5.0 / 4.0);
+  const SConfidenceInterval above =
+      ComputeNormalRankInterval(points, deviation, EAlternative::Greater, 0.001);
+  CHECK(above.Lower == 2.0);
+  CHECK(above.Level == 0.001);
+  CHECK(ComputeNormalRankInterval(points, deviation, EAlternative::Less, 0.001).Upper == 1.0);
+  // one point: no interval has any level
+  const CPairwisePoints one = CPairwisePoints::WalshAverages(std::vector<Real>{3.0});
+  const SConfidenceInterval none =
+      ComputeNormalRankInterval(one, 0.5, EAlternative::TwoSided, 0.95);
+  CHECK(none.Lower == 3.0);
+  CHECK(none.Upper == 3.0);
+  CHECK(none.Level == 0.0);
 }
 
 TEST_CASE("rank distributions: equal to the enumeration of all cases", "[campaign][statistics]") {
@@ -196,6 +233,9 @@ TEST_CASE("spearman's distribution: the series of R", "[campaign][statistics]") 
   CHECK_THAT(ComputeSpearmanUpperTail(260.0, 10), WithinRel(0.0438840216306821, 1e-12));
   CHECK_THAT(ComputeSpearmanUpperTail(100.0, 10), WithinRel(0.876314606194034, 1e-12));
   CHECK_THAT(ComputeSpearmanUpperTail(36000.0, 50), WithinRel(5.12803428120666e-9, 1e-10));
+  // far in the tails the series leaves [0,1]
+  CHECK(ComputeSpearmanUpperTail(320.0, 10) == 0.0);
+  CHECK(ComputeSpearmanUpperTail(4.0, 10) == 1.0);
 }
 
 }  // namespace rank_distribution_test

@@ -336,6 +336,10 @@ TEST_CASE("rank-sum test: hostile input", "[campaign][statistics]") {
   CHECK(equal.Interval.Lower == 0.0);
   CHECK(equal.Interval.Upper == 0.0);
   CHECK(ComputeSuperiority(std::vector<Real>(4, 2.0), std::vector<Real>(3, 2.0)) == 0.5);
+  // so many that the variance is a negative rounding error
+  const SRankTestResult many = TestRankSum(std::vector<Real>(330291, 2.0), std::vector<Real>{2.0});
+  CHECK(many.PValue == 1.0);
+  CHECK(many.Interval.Lower == 0.0);
   // one value each; R 4.2: p = 1
   const SRankTestResult ones = TestRankSum(std::vector<Real>{5.0}, std::vector<Real>{3.0});
   CHECK(ones.Statistic == 1.0);
