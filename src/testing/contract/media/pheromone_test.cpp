@@ -249,6 +249,13 @@ TEST_CASE("pheromone: by default the region is the arena, divided into whole cel
   CHECK_THAT(grid.CellX, WithinRel(10.0 / 34.0, kRounding));
   CHECK(grid.MinX == -5.0);
   CHECK(grid.MinY == -5.0);
+  // at least one cell, also if the region is smaller
+  setup.Medium = "cell_size=\"30\"";
+  CRobotWorld coarse(WithPheromones(RobotInCell(), setup));
+  const auto& one = Medium(coarse).GetField(0).GetGrid();
+  CHECK(one.NumX == 1);
+  CHECK(one.NumY == 1);
+  CHECK(one.CellX == 10.0);
 }
 
 TEST_CASE("pheromone: programs can read and change the field", "[contract][media]") {

@@ -116,6 +116,19 @@ TEST_CASE("rfid: a tag exactly at the range is read", "[contract][media]") {
   CHECK(IdsOf(Readings(world)) == TIds{"at"});
 }
 
+TEST_CASE("rfid: robots with different ranges read different tags", "[contract][media]") {
+  // the shorter range first or last
+  const std::string first = GENERATE("0.1", "2");
+  CAPTURE(first);
+  SRobotExperiment experiment =
+      WithSensor("<foot-bot id='a'><body position='0,0,0'/><controller config='c'/></foot-bot>" +
+                     Tag("near", CVector3(0.05, 0.0, 0.0)) + Tag("far", CVector3(1.5, 0.0, 0.0)),
+                 "range=\"" + first + "\"");
+  CRobotWorld world(experiment);
+  world.Step();
+  CHECK(IdsOf(Readings(world, "a")) == (first == "2" ? TIds{"near", "far"} : TIds{"near"}));
+}
+
 TEST_CASE("rfid: tags are listed in the order of their addition to the space",
           "[contract][media]") {
   std::string arena;

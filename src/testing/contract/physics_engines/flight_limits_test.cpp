@@ -76,6 +76,23 @@ TEST_CASE("flight limits: the borders of the arena stop the surface of a robot",
   }
 }
 
+TEST_CASE("flight limits: borders stop a robot with the motion of ARGoS 3, too",
+          "[contract][flight]") {
+  SFlightExperiment experiment = InBox("quadrotor_speed");
+  experiment.Engines = "<pointmass3d id='e' motion='argos3'/>";
+  CFlightWorld world(experiment);
+  const UInt32 axis = GENERATE(0U, 1U, 2U);
+  const Real speed = GENERATE(2.0, -2.0);
+  CAPTURE(axis, speed);
+  const Real lowest[3] = {-2.0 + kRadius, -2.0 + kRadius, 0.0};
+  const Real highest[3] = {4.0 - kRadius, 2.0 - kRadius, 3.0 - kHeight};
+  CVector3 velocity;
+  velocity[axis] = speed;
+  world.Speeds().SetLinearVelocity(velocity);
+  world.Step(200);
+  CHECK(world.Position()[axis] == (speed > 0.0 ? highest[axis] : lowest[axis]));
+}
+
 TEST_CASE("flight limits: a robot leaves a border at once, because its speed there is zero",
           "[contract][flight]") {
   // the second implementation of the specification, bounded by the wall

@@ -242,6 +242,11 @@ TEST_CASE("pheromone field: readings are bilinear, and 0 outside", "[media]") {
   CHECK_THAT(field.GetCell(0, 0), WithinAbs(2.0, 1e-14));
   CHECK_THAT(field.GetConcentration(0.0, 0.0), WithinAbs(2.0, 1e-14));
   CHECK_THAT(field.GetConcentration(0.04, 0.03), WithinAbs(2.0, 1e-14));
+  // on the far border, the outermost centres are the last ones
+  field.Deposit(0.4, 0.3, 0.03);
+  CHECK_THAT(field.GetCell(3, 2), WithinAbs(3.0, 1e-14));
+  CHECK_THAT(field.GetConcentration(0.4, 0.3), WithinAbs(3.0, 1e-14));
+  CHECK_THAT(field.GetConcentration(0.38, 0.26), WithinAbs(3.0, 1e-13));
   const Real total = field.ComputeTotal();
   for (const Real outside : {-1e-9, 0.4001, std::nan(""), HUGE_VAL}) {
     CHECK(field.GetConcentration(outside, 0.1) == 0.0);

@@ -111,6 +111,8 @@ TEST_CASE("index choice: cells of a metre, as many as the user wants, and at mos
   CHECK(own.MakeCells(CVector3(10.7, 0.5, 0.0)).Extent == CVector3(10.7, 0.5, 1.0));
   CHECK(count(MakeOptions(SIndexChoice::EKind::Grid, 7), CVector3(10.7, 0.5, 0.0)) ==
         std::vector<SInt32>{7, 7, 7});
+  // 2^18 along one axis
+  CHECK(count(own, CVector3(0.5, 3e5, 1.0)) == std::vector<SInt32>{1, 1 << 18, 1});
   CHECK(count(own, CVector3(64.0, 64.0, 64.0)) == std::vector<SInt32>{64, 64, 64});
   // each axis shrinks alike, but one with a single cell
   for (const CVector3& extent : {CVector3(128.0, 128.0, 128.0), CVector3(1e7, 1e7, 1.0)}) {

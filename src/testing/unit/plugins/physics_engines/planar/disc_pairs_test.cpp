@@ -159,4 +159,22 @@ TEST_CASE("disc pairs: a circle meets the discs within its radius and their reac
   CHECK(list(-2.0, 0.65) == std::vector<UInt32>{3});
 }
 
+TEST_CASE("disc pairs: the widest disc is found in any run of discs", "[planar]") {
+  // a run is 1024 discs; all but the widest are far from each other
+  const UInt32 widest = GENERATE(0U, 1500U, 2999U);
+  CAPTURE(widest);
+  TDiscs discs;
+  for (int i = 0; i < 3000; ++i) {
+    discs.push_back({0.5 * (i % 60), 0.5 * (i / 60), 0.05});
+  }
+  discs[widest].Radius = 2.0;
+  CThreadPool pool(0, std::make_unique<CBalanceQuantitySchedule>());
+  CDiscPairs found;
+  Place(found, discs);
+  found.Find(pool, 0.01);
+  const TPairs pairs = Sorted(ListPairs(found));
+  CHECK(pairs.size() > 10);
+  CHECK(pairs == PairEachWithEach(discs, 0.01));
+}
+
 }  // namespace argos::disc_pairs_test

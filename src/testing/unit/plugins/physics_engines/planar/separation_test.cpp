@@ -2,8 +2,10 @@
 
 #include <argos3/plugins/simulator/physics_engines/planar/separation.h>
 
+#include <argos3/core/simulator/geometry/body_description.h>
 #include <argos3/core/simulator/geometry/convex_polygon.h>
 #include <argos3/core/utility/math/random_stream.h>
+#include <argos3/plugins/simulator/physics_engines/planar/footprints.h>
 #include <argos3/testing/support/polygons.h>
 
 #include <catch2/catch.hpp>
@@ -11,6 +13,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <tuple>
+#include <vector>
 
 namespace argos::separation_test {
 
@@ -288,6 +292,29 @@ TEST_CASE("separation: the gap of two polygons is below their distance, and thei
   }
   CHECK(apart > 500);
   CHECK(overlapping > 500);
+}
+
+TEST_CASE("footprints: half of the narrowest side seen from above", "[unit][kinematics2d]") {
+  SBodyDescription description;
+  const auto narrowest = [&description](const std::vector<SShapeDescription>& shapes) {
+    description.Shapes = shapes;
+    return ComputeNarrowestHalf(description);
+  };
+  const auto disc = SShapeDescription::Cylinder(0.05, 0.01);
+  const auto wide = SShapeDescription::Box(CVector3(0.4, 0.3, 0.01));
+  const auto slim = SShapeDescription::Box(CVector3(0.06, 0.3, 1.0));
+  // the height of a solid that lies is one of its sides
+  auto lying = SShapeDescription::Box(CVector3(0.4, 0.3, 0.02));
+  lying.Orientation = CQuaternion(CRadians::PI_OVER_TWO, CVector3::Y);
+  CHECK(narrowest({disc}) == 0.05);
+  CHECK(narrowest({wide}) == 0.15);
+  CHECK(narrowest({lying}) == 0.01);
+  for (const auto& [a, b, expected] :
+       {std::tuple(disc, wide, 0.05), std::tuple(disc, slim, 0.03), std::tuple(lying, disc, 0.01),
+        std::tuple(wide, slim, 0.03), std::tuple(lying, slim, 0.01)}) {
+    CHECK(narrowest({a, b}) == expected);
+    CHECK(narrowest({b, a}) == expected);
+  }
 }
 
 }  // namespace argos::separation_test

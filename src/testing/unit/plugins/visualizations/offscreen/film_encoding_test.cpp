@@ -44,6 +44,8 @@ TEST_CASE("film encoding: the frame rate is speed * ticks per second / every, ex
   const SFrameRate rate = ComputeFrameRate(4000000000u, 9999.9999, 3);
   CHECK(rate.Numerator <= 1000000);
   CHECK(rate.Denominator >= 1);
+  // 10^-4 of a tick a second, a picture in 3 * 10^9 ticks: the denominator is rounded as well
+  CHECK(RateText(1, 0.0001, 3000000000u) == "1/1000000");
 }
 
 TEST_CASE("film encoding: at most 30 frames a second are drawn without a wish",
@@ -53,6 +55,13 @@ TEST_CASE("film encoding: at most 30 frames a second are drawn without a wish",
   CHECK(ChooseEvery(Film(10, 3.1)) == 2);
   CHECK(ChooseEvery(Film(100, 1.0)) == 4);
   CHECK(ChooseEvery(Film(10, 0.1)) == 1);
+  // at least every tick, at most every 4 * 10^9
+  SFilmSettings rare = Film(1000000000u, 10000.0);
+  rare.FramesPerSecond = 1.0;
+  CHECK(ChooseEvery(rare) == 4000000000u);
+  SFilmSettings slow = Film(1, 0.1);
+  slow.FramesPerSecond = 60.0;
+  CHECK(ChooseEvery(slow) == 1);
   SFilmSettings settings = Film(100, 1.0);
   settings.FramesPerSecond = 25.0;
   CHECK(ChooseEvery(settings) == 4);

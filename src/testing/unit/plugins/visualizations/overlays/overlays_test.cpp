@@ -12,7 +12,9 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace overlays_test {
@@ -290,6 +292,51 @@ TEST_CASE("overlays: errors give the place in the file", "[overlays]") {
   CHECK_THAT(ErrorOf("<trails duration='-1'/>"), Contains("\"duration\""));
   CHECK_THAT(ErrorOf("<headings width='-2'/>"), Contains("\"width\""));
   CHECK_THAT(ErrorOf("<ids of=' '/>"), Contains("names no type"));
+}
+
+TEST_CASE("overlays: bar, axes and their marks have the scale of arenas of any shape",
+          "[overlays]") {
+  const bool isWide = GENERATE(false, true);
+  CAPTURE(isWide);
+  CTestWorld world(SExperiment{
+      .Engines = "<kinematics2d id='e'/>", .ArenaSize = isWide ? "16,2,2" : "2,16,2", .Arena = ""});
+  COverlaysOf axes(world, "<axes/>");
+  // at most 8 numbers along 16 m: every 2 m; -8 ... 8 and 0 (-1 to 1 m), and two names
+  CHECK(axes.DrawAll(EKind::Text).size() == 9 + 1 + 2);
+  // marks of 1.5 % of the shorter side, after the line of the axis
+  CHECK(axes.DrawAll(EKind::Line)[1].Size.Length() == Approx(0.03));
+  COverlaysOf bar(world, "<scale_bar/>");
+  const std::vector<SDrawnShape> lines = bar.DrawAll(EKind::Line);
+  // 5 % of the shorter side from the corner
+  const CVector3 corner = isWide ? CVector3(-8.0, -1.0, 0.0) : CVector3(-1.0, -8.0, 0.0);
+  CHECK(IsAt(lines[0].Position, corner + CVector3(0.1, 0.1, 0.0)));
+  CHECK(lines[0].Size.Length() == Approx(isWide ? 2.0 : 0.5));
+}
+
+TEST_CASE("overlays: texts without a size have 12 pixels at least", "[overlays]") {
+  CTestWorld world = MakeWorld();
+  const CSimulator::CScope scope(world.GetSimulator());
+  CConfigurationDocument document;
+  document.Parse("<view><overlays><clock/></overlays></view>", "test.argos");
+  CViewDrawing view;
+  view.Init(document.GetRoot());
+  view.Observe(world.GetSimulator());
+  for (const auto& [height, size] :
+       {std::pair(100U, 12.0), std::pair(480U, 12.0), std::pair(1000U, 25.0)}) {
+    const CDrawing& drawing = view.Draw(world.GetSimulator(), 640, height);
+    CHECK(drawing.GetStyles()[drawing.GetShapes()[0].Style].Size == Approx(size));
+  }
+}
+
+TEST_CASE("overlays: an arrow without a length ends a radius in front of its robot", "[overlays]") {
+  CTestWorld world = MakeWorld();
+  COverlaysOf view(world, "<headings of='e-puck'/>");
+  const std::vector<SDrawnShape> lines = view.DrawAll(EKind::Line);
+  REQUIRE(lines.size() == 2);
+  const SBoundingBox box = world.Get<CEPuckEntity>("right").GetEmbodiedEntity().GetBoundingBox();
+  const CVector3 size = box.MaxCorner - box.MinCorner;
+  // without its tip, which is 35 % of it
+  CHECK(lines[0].Size.Length() == Approx(0.65 * std::max(size.GetX(), size.GetY())));
 }
 
 }  // namespace overlays_test

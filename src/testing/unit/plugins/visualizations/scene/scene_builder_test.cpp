@@ -138,6 +138,24 @@ TEST_CASE("scene builder: bodies on the ground have contact shadows",
   CHECK_THAT(static_cast<double>(shadow.CornerRadius), WithinAbs(0.15, kFloatRounding));
 }
 
+TEST_CASE("scene builder: a contact shadow reaches as far as its solid is high or wide, in bounds",
+          "[visualizations][offscreen][scene]") {
+  struct SCase {
+    CVector3 Size;  // m
+    Real Blur;  // m: 0.6 of the least side, from 0.01 m to 0.1 m
+  };
+  const SCase c =
+      GENERATE(SCase{CVector3(0.1, 0.2, 0.3), 0.06}, SCase{CVector3(0.2, 0.1, 0.3), 0.06},
+               SCase{CVector3(0.2, 0.3, 0.05), 0.03}, SCase{CVector3(1, 1, 1), 0.1},
+               SCase{CVector3(0.01, 0.2, 0.3), 0.01});
+  CAPTURE(c.Size);
+  CWorld world;
+  world.Add(new CBoxEntity("b", CVector3(), CQuaternion(), false, c.Size));
+  const SScene& scene = world.Build();
+  REQUIRE(scene.ContactShadows.size() == 1);
+  CHECK_THAT(scene.ContactShadows[0].Blur, WithinAbs(c.Blur, kFloatRounding));
+}
+
 TEST_CASE("scene builder: LEDs have the colours of the component, black ones are dark",
           "[visualizations][offscreen][scene]") {
   CWorld world;
