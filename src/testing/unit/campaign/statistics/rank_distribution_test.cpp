@@ -122,6 +122,8 @@ TEST_CASE("intervals of ranks: levels near 0 give the last point at most",
   CHECK(above.Lower == 2.0);
   CHECK(above.Level == 0.001);
   CHECK(ComputeNormalRankInterval(points, deviation, EAlternative::Less, 0.001).Upper == 1.0);
+  // level 1/2 on one side: the point in the middle
+  CHECK(ComputeNormalRankInterval(points, deviation, EAlternative::Greater, 0.5).Lower == 1.5);
   // one point: no interval has any level
   const CPairwisePoints one = CPairwisePoints::WalshAverages(std::vector<Real>{3.0});
   const SConfidenceInterval none =

@@ -329,6 +329,7 @@ TEST_CASE("rank-sum test: hostile input", "[campaign][statistics]") {
   CHECK_THROWS_WITH(TestRankSum(some, some, {EAlternative::Less, 0.0, kNaN}), Contains("level"));
   CheckRefusesHostileValues(some, [&](const std::vector<Real>& x) { TestRankSum(x, some); });
   CheckRefusesHostileValues(some, [&](const std::vector<Real>& y) { TestRankSum(some, y); });
+  CHECK(ComputeSuperiority(some, std::vector<Real>{2.0}) == 0.5);
   // all values equal
   const SRankTestResult equal = TestRankSum(std::vector<Real>(4, 2.0), std::vector<Real>(3, 2.0));
   CHECK(equal.PValue == 1.0);

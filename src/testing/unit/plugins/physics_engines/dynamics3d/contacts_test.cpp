@@ -2,9 +2,11 @@
 
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/broad_phase.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/cylinder_contacts.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/hull_geom.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/ode_session.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/prism_geom.h>
 
+#include <argos3/core/simulator/geometry/convex_solid.h>
 #include <argos3/core/simulator/geometry/solid_overlap.h>
 #include <argos3/core/utility/math/angles.h>
 #include <argos3/core/utility/math/random_stream.h>
@@ -15,8 +17,11 @@
 #include <dlfcn.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <memory>
 #include <set>
+#include <vector>
 
 namespace contacts_test {
 
@@ -364,6 +369,62 @@ TEST_CASE("prism contacts: a prism and a cylinder side by side touch along a lin
     CHECK_THAT(contacts[i].pos[2], WithinAbs(i == 0 ? 0.0 : 0.3, 1e-12));
   }
   dGeomDestroy(cylinder);
+}
+
+TEST_CASE("hull contacts: a hull that sinks into an upright solid has the depth of its overlap",
+          "[dynamics3d]") {
+  UseODEInThisThread();
+  std::vector<CVector3> corners;
+  for (const Real x : {-0.1, 0.1}) {
+    for (const Real y : {-0.05, 0.05}) {
+      for (const Real z : {-0.03, 0.03}) {
+        corners.emplace_back(x, y, z);
+      }
+    }
+  }
+  const CConvexSolid solid(corners);
+  SHullArrays arrays;
+  const dGeomID hull = MakeHullGeom(solid, arrays);
+  const bool isPrism = GENERATE(true, false);
+  CAPTURE(isPrism);
+  // 0.4 m wide and 0.2 m high, with its middle at (1,2,3); the geom refers to its base
+  const std::vector<CVector2> base = RectanglePolygon(0.4, 0.4);
+  const dGeomID upright = isPrism ? CreatePrism(base, 0.2) : dCreateCylinder(nullptr, 0.2, 0.2);
+  dGeomSetPosition(upright, 1.0, 2.0, 3.0);
+  constexpr Real kDepth = 0.004;  // m
+  struct SCase {
+    CVector3 Normal;  // from the upright solid to the hull
+    Real Distance;  // of the middles, m
+  };
+  for (const SCase& c : {SCase{CVector3::Z, 0.13}, SCase{-CVector3::Z, 0.13},
+                         SCase{CVector3::X, 0.3}, SCase{-CVector3::X, 0.3}}) {
+    CAPTURE(c.Normal);
+    const CVector3 place = CVector3(1.0, 2.0, 3.0) + c.Normal * (c.Distance - kDepth);
+    dGeomSetPosition(hull, place.GetX(), place.GetY(), place.GetZ());
+    std::array<dContactGeom, 32> contacts;
+    const int count = FindHullContacts(hull, upright, 32, contacts.data(), sizeof(dContactGeom));
+    REQUIRE(count > 0);
+    Real deepest = 0.0;
+    for (int i = 0; i < count; ++i) {
+      const dContactGeom& contact = contacts[static_cast<size_t>(i)];
+      deepest = std::max<Real>(deepest, contact.depth);
+      CHECK((contact.g1 == upright || contact.g2 == upright));
+      // along the axis of the overlap
+      const CVector3 normal(contact.normal[0], contact.normal[1], contact.normal[2]);
+      CHECK_THAT(std::abs(normal.DotProduct(c.Normal)), WithinAbs(1.0, 1e-9));
+      const CVector3 at = CVector3(contact.pos[0], contact.pos[1], contact.pos[2]) - place;
+      CHECK(std::abs(at.GetX()) <= 0.1 + kDepth);
+      CHECK(std::abs(at.GetY()) <= 0.05 + kDepth);
+      CHECK(std::abs(at.GetZ()) <= 0.03 + kDepth);
+    }
+    // a side of the cylinder's polygon lies across x, so that both are exact
+    CHECK_THAT(deepest, WithinAbs(kDepth, isPrism || c.Normal.GetX() == 0.0 ? 1e-9 : 0.002));
+  }
+  dGeomSetPosition(hull, 1.0, 2.0, 3.14);
+  std::array<dContactGeom, 32> contacts;
+  CHECK(FindHullContacts(hull, upright, 32, contacts.data(), sizeof(dContactGeom)) == 0);
+  dGeomDestroy(hull);
+  dGeomDestroy(upright);
 }
 
 }  // namespace contacts_test

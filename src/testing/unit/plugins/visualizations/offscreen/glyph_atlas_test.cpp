@@ -121,4 +121,31 @@ TEST_CASE("glyph atlas: bright text has a dark contour", "[visualizations][offsc
   CHECK(Set(atlas, label)[0].Color.R > 200);
 }
 
+TEST_CASE("glyph atlas: sizes beyond all use are those of the smallest and the largest letters",
+          "[visualizations][offscreen][text]") {
+  CGlyphAtlas atlas;
+  const auto areaOf = [&atlas](double size) {
+    STextStyle style;
+    style.Size = size;
+    const std::vector<SGlyphInstance> instances = Set(atlas, MakeLabel("M", style));
+    REQUIRE(instances.size() == 2);
+    return instances[1].Area;
+  };
+  CHECK(areaOf(0.6) == areaOf(1.4));
+  CHECK(areaOf(0.1) == areaOf(0.4));
+  CHECK(areaOf(0.1)[2] > 0.0f);
+  CHECK(areaOf(3000.0) == areaOf(2000.0));
+  CHECK(areaOf(3000.0)[3] > 50.0f);
+}
+
+TEST_CASE("glyph atlas: characters of one to four bytes are one letter each",
+          "[visualizations][offscreen][text]") {
+  CGlyphAtlas atlas;
+  // two instances for each letter: its contour and itself
+  CHECK(Set(atlas, MakeLabel("A")).size() == 2);
+  CHECK(Set(atlas, MakeLabel("\u00e4x")).size() == 4);
+  CHECK(Set(atlas, MakeLabel("\u20acx")).size() == 4);
+  CHECK(Set(atlas, MakeLabel("\U0001d11ex")).size() == 4);
+}
+
 }  // namespace glyph_atlas_test

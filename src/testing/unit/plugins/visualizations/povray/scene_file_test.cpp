@@ -12,6 +12,8 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <string>
+#include <utility>
 
 namespace scene_file_test {
 
@@ -254,6 +256,52 @@ TEST_CASE("povray scene: finds the lines that tell the error", "[povray]") {
                          "Parse Error: Undeclared\nFatal error in parser\nCPU time") ==
         "File 'a.pov' line 3: Parse Error: Undeclared\nFatal error in parser");
   CHECK(FindPovrayErrors("something else") == "something else");
+}
+
+TEST_CASE("povray scene: lamps reach 0.8 of their height, at least 0.3 m", "[povray]") {
+  for (const auto& [height, reach] :
+       {std::pair(0.125f, "0.3"), std::pair(0.5f, "0.4"), std::pair(2.0f, "1.6")}) {
+    SScene scene = MakeEmptyScene();
+    SGlow lamp{{0.0f, 0.0f, height}, 0.03f, kGreen, 4.5f};
+    lamp.IsLamp = true;
+    scene.Glows = {lamp};
+    std::size_t numSkipped = 0;
+    CHECK_THAT(MakeSceneFile(scene, ObliqueView(), Small(), {}, numSkipped),
+               Catch::Contains(std::string("fade_distance ") + reach + " "));
+  }
+}
+
+TEST_CASE("povray scene: small LEDs are drawn with 0.75 pixels, signals with 4.4 of 960",
+          "[povray]") {
+  // 120 pixels of 1/64 m
+  SCameraPlacement view = ObliqueView();
+  view.OrthographicHeight = 1.875;
+  struct SCase {
+    float Radius;  // m
+    float IsSignal;
+    const char* Drawn;  // m
+  };
+  for (const SCase& c : {SCase{0.03125f, 0.0f, "0.03125"}, SCase{0.0078125f, 0.0f, "0.01171875"},
+                         SCase{0.0078125f, 1.0f, "0.0078125"}, SCase{0.001f, 1.0f, "0.00429687"}}) {
+    CAPTURE(c.Radius, c.IsSignal);
+    SScene scene = MakeEmptyScene();
+    scene.Glows = {SGlow{{0.0f, -0.5f, 0.125f}, c.Radius, kRed, 0.0f, 0.0f, c.IsSignal}};
+    std::size_t numSkipped = 0;
+    CHECK_THAT(MakeSceneFile(scene, view, Small(), {}, numSkipped),
+               Catch::Contains(std::string("sphere { <0,-0.5,0.125>, ") + c.Drawn));
+  }
+}
+
+TEST_CASE("povray scene: edges are rounded by 2 mm, or by 0.12 of a small solid", "[povray]") {
+  for (const auto& [size, edge] : {std::pair(0.5, "0.002"), std::pair(0.0078125, "0.0009375")}) {
+    SScene scene = MakeEmptyScene();
+    scene.OfKind(EMeshKind::Box).push_back(MakeInstance({0, 0, 0}, {size, size, size}, kRed));
+    SPovraySettings settings = Small();
+    settings.Quality = EPovrayQuality::Best;
+    std::size_t numSkipped = 0;
+    CHECK_THAT(MakeSceneFile(scene, ObliqueView(), settings, {}, numSkipped),
+               Catch::Contains(std::string(edge)));
+  }
 }
 
 }  // namespace scene_file_test

@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -213,6 +214,18 @@ TEST_CASE("camera framing: the eye is not inside of what it shows",
   SCameraPlacement placement = row.ComputePlacement();
   CheckVector(placement.Position, {1.0, 1.95, 0.5});
   CheckVector(placement.LookAt, {1.0, 16.0, 0.5});
+  // in any order, with a point between them
+  for (const std::array<double, 3>& order : {std::array<double, 3>{30.0, 2.0, 9.0},
+                                             {30.0, 9.0, 2.0},
+                                             {9.0, 30.0, 2.0},
+                                             {2.0, 30.0, 9.0}}) {
+    CCameraFraming other(SView::FromName("side"), 1.0, 0.0);
+    for (const double y : order) {
+      other.Extend({1.0, y, 0.5});
+    }
+    CheckVector(other.ComputePlacement().Position, {1.0, 1.95, 0.5});
+    CheckVector(other.ComputePlacement().LookAt, {1.0, 16.0, 0.5});
+  }
   // a single point
   CCameraFraming point(SView::FromName("top"), 1.0, 0.0);
   point.Extend({1.0, 2.0, 0.5});
