@@ -92,6 +92,13 @@ TEST_CASE("fit of a power law to means: values of 0 count", "[campaign][statisti
   // qt(0.975, 1) = 12.706204736174694
   CHECK_THAT(fit.ExponentInterval.Upper,
              WithinRel(2.0 + 12.706204736174694 * 0.43429448190325182, 1e-12));
+  // a constant without any variance
+  const SPowerLawFit constant =
+      FitPowerLawOfMeans(std::vector<SPowerLawSample>{{1.0, {3.0, 3.0}}, {10.0, {3.0, 3.0}}});
+  CHECK(constant.Exponent == 0.0);
+  CHECK(constant.Determination == 1.0);
+  CHECK(constant.ExponentInterval.Lower == 0.0);
+  CHECK(constant.ExponentInterval.Upper == 0.0);
   CHECK_THROWS_WITH(FitPowerLawOfMeans(std::vector<SPowerLawSample>{{1.0, {0, 0}}, {2.0, {1, 1}}}),
                     Contains("means: value 1 is 0; positive"));
   CHECK_THROWS_WITH(FitPowerLawOfMeans(std::vector<SPowerLawSample>{{1.0, {1, 2}}}),

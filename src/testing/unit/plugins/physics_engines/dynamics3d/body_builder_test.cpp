@@ -4,6 +4,7 @@
 #include <argos3/core/simulator/geometry/articulation.h>
 #include <argos3/core/simulator/geometry/body_description.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/articulated_body.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/body_builder.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/ode_session.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_ghosts.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_settings.h>
@@ -14,6 +15,7 @@
 
 #include <array>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -271,6 +273,78 @@ TEST_CASE("joints: limits of hinges beyond half a turn are a flaw", "[dynamics3d
   CHECK(flawOf(-ARGOS_PI, ARGOS_PI).empty());
   CHECK_THAT(flawOf(-3.2, 3.0), Catch::Contains("joint \"j\" must be within"));
   CHECK_THAT(flawOf(-3.0, 3.2), Catch::Contains("joint \"j\" must be within"));
+}
+
+TEST_CASE("body builder: descriptions that no rigid body can have are refused with the reason",
+          "[dynamics3d]") {
+  using TChange = std::function<void(SBodyDescription&)>;
+  struct SCase {
+    TChange Change;
+    const char* Reason;
+  };
+  const Real bad = GENERATE(0.0, -1.0, HUGE_VAL, std::nan(""));
+  CAPTURE(bad);
+  const auto make = [] {
+    SBodyDescription description;
+    description.Shapes.push_back(SShapeDescription::Box(CVector3(0.1, 0.1, 0.1)));
+    description.Mass = 1.0;
+    return description;
+  };
+  const auto flawOf = [&](const TChange& change) {
+    SBodyDescription description = make();
+    change(description);
+    return FindFlaw(description, true);
+  };
+  const SDifferentialDriveDescription wheels{0.08, 0.02, 1.0, 1.0};
+  const SPlanarDriveDescription planar{1.0, 1.0};
+  SPropellersDescription propellers;
+  propellers.Position = propellers.Yaw = {1.0, 1.0};
+  propellers.Velocity = propellers.YawRate = {1.0, 0.0};
+  propellers.MaxForce = propellers.MaxTorque = 1.0;
+  CHECK(flawOf([](SBodyDescription&) {}).empty());
+  CHECK(flawOf([&](SBodyDescription& d) { d.Drive = wheels; }).empty());
+  CHECK(flawOf([&](SBodyDescription& d) { d.PlanarDrive = planar; }).empty());
+  CHECK(flawOf([&](SBodyDescription& d) { d.Propellers = propellers; }).empty());
+  const SCase cases[] = {
+      {[&](SBodyDescription& d) { d.Mass = bad; }, "the mass must be"},
+      {[&](SBodyDescription& d) { d.PlanarInertia = bad; }, "the moment of inertia must be"},
+      {[&](SBodyDescription& d) { d.Shapes[0].Size.SetZ(bad); }, "the sizes of its solids"},
+      {[&](SBodyDescription& d) { (d.Drive = wheels)->InterwheelDistance = bad; },
+       "the distance between the wheels and their radius"},
+      {[&](SBodyDescription& d) { (d.Drive = wheels)->WheelRadius = bad; },
+       "the distance between the wheels and their radius"},
+      {[&](SBodyDescription& d) { (d.Drive = wheels)->MaxForce = bad; }, "of the drive must be"},
+      {[&](SBodyDescription& d) { (d.Drive = wheels)->MaxTorque = bad; }, "of the drive must be"},
+      {[&](SBodyDescription& d) { (d.PlanarDrive = planar)->MaxForce = bad; },
+       "of the drive must be"},
+      {[&](SBodyDescription& d) { (d.PlanarDrive = planar)->MaxTorque = bad; },
+       "of the drive must be"},
+      {[&](SBodyDescription& d) { (d.Propellers = propellers)->Position.Derivative = bad; },
+       "the gains on position and yaw"},
+      {[&](SBodyDescription& d) { (d.Propellers = propellers)->Yaw.Proportional = bad; },
+       "the gains on position and yaw"},
+      {[&](SBodyDescription& d) { (d.Propellers = propellers)->Velocity.Proportional = bad; },
+       "of the gains on velocity and yaw rate"},
+      {[&](SBodyDescription& d) { (d.Propellers = propellers)->MaxForce = bad; },
+       "of the propellers must be"},
+      {[&](SBodyDescription& d) { (d.Propellers = propellers)->MaxTorque = bad; },
+       "of the propellers must be"}};
+  for (const SCase& c : cases) {
+    CHECK_THAT(flawOf(c.Change), Catch::Contains(c.Reason));
+  }
+  CHECK_THAT(
+      flawOf([&](SBodyDescription& d) { (d.Propellers = propellers)->YawRate.Derivative = -1.0; }),
+      Catch::Contains("of the gains on velocity and yaw rate"));
+  // casters of a fifth of a wheel's radius or so have no place in a solid that is beside the origin
+  CHECK_THAT(flawOf([&](SBodyDescription& d) {
+               d.Drive = wheels;
+               d.Shapes[0].Offset.SetX(0.05);
+             }),
+             Catch::Contains("to all four sides, where its casters are"));
+  // an immovable body has no mass
+  SBodyDescription wall = make();
+  wall.Mass = bad;
+  CHECK(FindFlaw(wall, false).empty());
 }
 
 }  // namespace body_builder_test

@@ -404,6 +404,12 @@ TEST_CASE("hull contacts: a hull that sinks into an upright solid has the depth 
     std::array<dContactGeom, 32> contacts;
     const int count = FindHullContacts(hull, upright, 32, contacts.data(), sizeof(dContactGeom));
     REQUIRE(count > 0);
+    // as for any pair of geoms, in any order
+    std::array<dContactGeom, 32> same;
+    CHECK(FindContacts(hull, upright, 32, same.data(), sizeof(dContactGeom)) == count);
+    CHECK(same[0].depth == contacts[0].depth);
+    CHECK(FindContacts(upright, hull, 32, same.data(), sizeof(dContactGeom)) == count);
+    CHECK(same[0].depth == contacts[0].depth);
     Real deepest = 0.0;
     for (int i = 0; i < count; ++i) {
       const dContactGeom& contact = contacts[static_cast<size_t>(i)];
@@ -425,6 +431,21 @@ TEST_CASE("hull contacts: a hull that sinks into an upright solid has the depth 
   CHECK(FindHullContacts(hull, upright, 32, contacts.data(), sizeof(dContactGeom)) == 0);
   dGeomDestroy(hull);
   dGeomDestroy(upright);
+}
+
+TEST_CASE(
+    "cylinder contacts: parallel cylinders that do not reach each other's height do not touch",
+    "[dynamics3d]") {
+  UseODEInThisThread();
+  const dGeomID low = Cylinder(0.1, 0.2, CVector3());
+  const Real lift = GENERATE(0.199, 0.201);  // m
+  CAPTURE(lift);
+  const dGeomID high = Cylinder(0.1, 0.2, CVector3(0.199, 0.0, lift));
+  std::array<dContactGeom, 8> contacts;
+  const int count = FindContacts(low, high, 8, contacts.data(), sizeof(dContactGeom));
+  CHECK((count > 0) == (lift < 0.2));
+  dGeomDestroy(low);
+  dGeomDestroy(high);
 }
 
 }  // namespace contacts_test

@@ -1,6 +1,7 @@
 // Handles, slots and numbers whose body has left; see ARGOS_CHECK_INVARIANTS.
 
 #include <argos3/core/simulator/geometry/body_description.h>
+#include <argos3/core/simulator/physics_engine/drive_source.h>
 #include <argos3/core/utility/threads/thread_pool.h>
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/kinematic_world.h>
 #include <argos3/testing/support/invariants.h>
@@ -8,6 +9,7 @@
 #include <catch2/catch.hpp>
 
 #include <array>
+#include <cmath>
 #include <deque>
 
 namespace kinematics2d_stale_handles_test {
@@ -141,6 +143,27 @@ TEST_CASE("cell lists: numbers from before Clear() are noticed", "[kinematics2d]
   CheckCaught([&] { static_cast<void>(lists.GetFootprint(1)); }, "no footprint with the number 1");
   lists.Clear();
   CheckCaught([&] { static_cast<void>(lists.Get(0)); }, "no key 0");
+}
+
+TEST_CASE("kinematic world: a command that is not finite is refused", "[kinematics2d]") {
+  const Real bad = GENERATE(std::nan(""), HUGE_VAL, -HUGE_VAL);
+  const size_t wheel = GENERATE(0U, 1U);
+  const bool isDisc = GENERATE(false, true);
+  CAPTURE(bad, wheel, isDisc);
+  SScene scene;
+  SBodyDescription description;
+  description.Mass = 1.0;
+  description.Shapes.push_back(isDisc ? SShapeDescription::Cylinder(0.05, 0.1)
+                                      : SShapeDescription::Box(CVector3(0.1, 0.1, 0.1)));
+  description.Drive = SDifferentialDriveDescription{0.08, 0.02, 1.0, 1.0};
+  std::array<Real, 2> wheels{};
+  SKinematicOwner owner;
+  owner.Handle = &scene.Handles.emplace_back();
+  scene.World.AddMovable(owner, description, SPlanarPose(), CDriveSource(wheels.data(), 0.08),
+                         {0.0, 0.0});
+  scene.World.Advance(scene.Pool, {0.1, 0.0, true});
+  wheels[wheel] = bad;
+  CHECK_THROWS_AS(scene.World.Advance(scene.Pool, {0.1, 0.0, true}), SBadDriveCommand);
 }
 
 }  // namespace kinematics2d_stale_handles_test
