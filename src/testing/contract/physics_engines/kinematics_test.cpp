@@ -16,6 +16,7 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <utility>
 #include <iomanip>
 #include <numbers>
 #include <sstream>
@@ -529,8 +530,11 @@ TEST_CASE("kinematics: bodies and orders that it does not support are refused wi
   CHECK_THROWS_WITH(CDriveWorld(kKinematics2D.ToXml("ground"), box),
                     Contains("\"ground\" has its plane at z = 0 m") &&
                         Contains("body is at z = 0.5 m") && Contains("elevation=\"0.5\""));
-  CHECK_THROWS_WITH(CDriveWorld(kEngine, DriverXml("e-puck", "r", 1e8, 0, 0, 0, 0)),
-                    Contains("\"r\" is too large or too far away"));
+  for (const auto& [x, y] :
+       {std::pair(1e8, 0.0), std::pair(0.0, 1e8), std::pair(-1e8, 3.0), std::pair(3.0, -1e8)}) {
+    CHECK_THROWS_WITH(CDriveWorld(kEngine, DriverXml("e-puck", "r", x, y, 0, 0, 0)),
+                      Contains("\"r\" is too large or too far away"));
+  }
   CHECK_THROWS_WITH(CDriveWorld(WithFriction("box_linear_friction='-1'"), ""),
                     Contains("\"box_linear_friction\" must be a number >= 0, found -1"));
   CDriveWorld world(kEngine, DriverXml("foot-bot", "holder", 0, 0, 0, 0, 0));

@@ -1,5 +1,6 @@
 // Models of users in the engine pointmass3d: bodies with their own laws of motion.
 
+#include <argos3/core/simulator/space/line_of_sight.h>
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/loop_functions.h>
 #include <argos3/plugins/simulator/physics_engines/pointmass3d/pointmass3d_engine.h>
@@ -94,6 +95,16 @@ REGISTER_ENTITY(CBallEntity, "ball", "a test", "1.0", "A ball.", "Thrown.", "Usa
 REGISTER_STANDARD_SPACE_OPERATIONS_ON_COMPOSABLE(CBallEntity)
 REGISTER_STANDARD_POINTMASS3D_OPERATIONS_ON_ENTITY(CBallEntity, CBallModel)
 
+/** Has neither a description nor a model. */
+class CLumpEntity : public CBallEntity {
+ public:
+  ENABLE_VTABLE();
+  std::string GetTypeDescription() const override { return "lump"; }
+};
+
+REGISTER_ENTITY(CLumpEntity, "lump", "a test", "1.0", "A lump.", "No engine accepts it.", "Usable")
+REGISTER_STANDARD_SPACE_OPERATIONS_ON_COMPOSABLE(CLumpEntity)
+
 namespace {
 
 class CBallWorld : public CTestWorld {
@@ -176,6 +187,36 @@ TEST_CASE("users' models: can be added, collide, be moved and be removed", "[con
   CHECK_THROWS_WITH(world.GetEngine().RemovePhysicsModel("b"),
                     Contains("the physics engine \"e\" has no model of \"b\""));
   world.Step();
+}
+
+TEST_CASE("users' models: an entity with neither description nor model is refused with the reason",
+          "[contract][engine]") {
+  CHECK_THROWS_WITH(CBallWorld("<lump id='l'><body position='0,0,1'/></lump>"),
+                    Catch::Contains("accepts only bodies with an SBodyDescription") &&
+                        Catch::Contains("<lump> has neither"));
+}
+
+TEST_CASE("users' models: they occlude lines of sight, but for those behind the end",
+          "[contract][engine]") {
+  const auto ball = [](const std::string& id, Real x) {
+    return "<ball id='" + id + "'><body position='" + std::to_string(x) + ",0,1'/></ball>";
+  };
+  CBallWorld world(ball("eye", -3.0) + ball("between", 0.0) + ball("seen", 2.0) +
+                   ball("behind", 2.3));
+  const CLineOfSight sight(world.GetSpace());
+  const auto isClear = [&](const std::string& from, const std::string& to, Real start, Real end,
+                           Real height) {
+    return sight.IsClear(CRay3(CVector3(start, 0, height), CVector3(end, 0, height)),
+                         world.Body(from), world.Body(to));
+  };
+  CHECK_FALSE(isClear("eye", "seen", -3.0, 2.0, 1.0));
+  CHECK(isClear("eye", "between", -3.0, 0.0, 1.0));
+  CHECK(isClear("between", "seen", 0.0, 2.0, 1.0));
+  // a line that ends inside of the next ball has entered the one at its end before
+  CHECK(isClear("between", "seen", 0.0, 2.5, 1.0));
+  CHECK_FALSE(isClear("between", "behind", 0.0, 2.5, 1.0));
+  // above them
+  CHECK(isClear("eye", "seen", -3.0, 2.0, 1.11));
 }
 
 }  // namespace argos::point_mass_models_test

@@ -347,4 +347,47 @@ TEST_CASE("body builder: descriptions that no rigid body can have are refused wi
   CHECK(FindFlaw(wall, false).empty());
 }
 
+TEST_CASE("rigid world: a body at rest on a fixed one sleeps after half a second, if it may",
+          "[dynamics3d]") {
+  UseODEInThisThread();
+  SRigidSettings settings;
+  settings.Sleep = GENERATE(true, false);
+  CAPTURE(settings.Sleep);
+  CRigidWorld world(settings, [] {});
+  world.SetGravity(CVector3(0.0, 0.0, -9.81));
+  const auto add = [&world](const SBodyDescription& description, Real z, bool movable) {
+    SRigidSource source;
+    source.Description = &description;
+    source.Movable = movable;
+    SRigidPose pose;
+    pose.Position.SetZ(z);
+    return &world.Add(source, pose);
+  };
+  SBodyDescription table;
+  table.Shapes.push_back(SShapeDescription::Box(CVector3(1.0, 1.0, 0.2)));
+  SBodyDescription cube;
+  cube.Shapes.push_back(SShapeDescription::Box(CVector3(0.1, 0.1, 0.1)));
+  cube.Mass = 1.0;
+  add(table, -0.2, false);
+  const SRigidBody* const resting = add(cube, 0.0, true);
+  for (int tick = 0; tick < 4; ++tick) {
+    world.Advance(nullptr);
+    CHECK_FALSE(resting->Asleep);
+  }
+  for (int tick = 0; tick < 20; ++tick) {
+    world.Advance(nullptr);
+  }
+  CHECK(resting->Asleep == settings.Sleep);
+  CHECK_THAT(FromODE(dBodyGetPosition(resting->Body)).GetZ(), WithinAbs(0.05, 1e-4));
+}
+
+TEST_CASE("rigid world: a body without support never sleeps", "[dynamics3d]") {
+  SScene scene;
+  const SRigidBody& body = scene.Add();
+  for (int tick = 0; tick < 20; ++tick) {
+    scene.World.Advance(nullptr);
+  }
+  CHECK_FALSE(body.Asleep);
+}
+
 }  // namespace body_builder_test

@@ -267,4 +267,22 @@ TEST_CASE("drawing: equal drawings give equal pictures, and an empty one changes
   CHECK(with.Pixels == without.Pixels);
 }
 
+TEST_CASE("drawing renderer: each shape is before those drawn earlier, up to a limit",
+          "[visualizations][offscreen][drawing]") {
+  CDrawing drawing;
+  drawing.Begin(64, 64);
+  constexpr std::size_t kShapes = 1500;
+  for (std::size_t i = 0; i < kShapes; ++i) {
+    drawing.DrawTriangle(CVector3(), CQuaternion(), 0.1, 0.1, CColor::RED);
+  }
+  SScene scene;
+  AddDrawing(drawing, scene);
+  REQUIRE(scene.Flats.size() == 3 * kShapes);
+  // 2e-6 more for each, from 5e-4 to 2.5e-3 of the distance
+  CHECK(scene.Flats.front().Nearer == Approx(5.02e-4));
+  CHECK(scene.Flats[3 * 499].Nearer == Approx(1.5e-3));
+  CHECK(scene.Flats[3 * 998].Nearer == Approx(2.498e-3));
+  CHECK(scene.Flats.back().Nearer == Approx(2.5e-3));
+}
+
 }  // namespace drawing_renderer_test

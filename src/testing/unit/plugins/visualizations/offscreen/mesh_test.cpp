@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 
+#include <cmath>
 #include <numbers>
 
 namespace mesh_test {
@@ -103,6 +104,15 @@ TEST_CASE("mesh: boxes and cylinders stand on their base, spheres are centred",
   }
   CHECK((bounds(EMeshKind::Sphere).min() - Eigen::Vector3d(-0.5, -0.5, -0.5)).norm() < 1e-6);
   CHECK((bounds(EMeshKind::Sphere).max() - Eigen::Vector3d(0.5, 0.5, 0.5)).norm() < 1e-6);
+}
+
+TEST_CASE("mesh: few segments leave solids with a volume", "[visualizations][offscreen][mesh]") {
+  // three meridians with the poles and the equator: two pyramids over a triangle in the circle
+  const double triangle = 3.0 * std::sqrt(3.0) / 4.0 * 0.25;
+  CHECK_THAT(ComputeVolume(MakeMesh(EMeshKind::Sphere, 3)),
+             WithinRel(2.0 * triangle * 0.5 / 3.0, 1e-5));
+  // at least four sides of the tube
+  CHECK(ComputeVolume(WithTube(MakeMesh(EMeshKind::Ring, 6), 0.2f)) > 0.0);
 }
 
 }  // namespace mesh_test

@@ -9,11 +9,14 @@
 
 #include <FreeImage.h>
 
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace scene_file_test {
 
@@ -301,6 +304,52 @@ TEST_CASE("povray scene: edges are rounded by 2 mm, or by 0.12 of a small solid"
     std::size_t numSkipped = 0;
     CHECK_THAT(MakeSceneFile(scene, ObliqueView(), settings, {}, numSkipped),
                Catch::Contains(std::string(edge)));
+  }
+}
+
+TEST_CASE("povray scene: lines of blanks are no text", "[povray]") {
+  SScene scene = MakeEmptyScene();
+  scene.OverlayLabels.push_back({{5.0f, 20.0f, 0.0f}, {0, 0, 0, 255}, "one\n \t\n\ntwo", {}});
+  std::size_t numSkipped = 0;
+  const std::string file = MakeSceneFile(scene, ObliqueView(), Small(), {}, numSkipped);
+  std::size_t count = 0;
+  const std::string text = "#declare Argos_Line";
+  for (std::size_t at = file.find(text); at != std::string::npos; at = file.find(text, at + 1)) {
+    ++count;
+  }
+  CHECK(count == 2);
+}
+
+TEST_CASE("povray scene: the boundary is four strips across the edges of the arena", "[povray]") {
+  SScene scene = MakeEmptyScene();
+  scene.ShowBoundary = true;
+  scene.ArenaMin = Eigen::Vector2d(-2.0, -1.0);
+  scene.ArenaMax = Eigen::Vector2d(4.0, 3.0);
+  // pixels of 1/64 m
+  SCameraPlacement view = ObliqueView();
+  view.OrthographicHeight = 1.875;
+  std::size_t numSkipped = 0;
+  const std::string file = MakeSceneFile(scene, view, Small(), {}, numSkipped);
+  std::vector<std::array<double, 4>> strips;
+  for (std::size_t at = file.find("box { <"); at != std::string::npos;
+       at = file.find("box { <", at + 1)) {
+    std::array<double, 4> strip{};
+    if (std::sscanf(file.c_str() + at, "box { <%lf,%lf,0>, <%lf,%lf,0.0002>", &strip[0], &strip[1],
+                    &strip[2], &strip[3]) == 4) {
+      strips.push_back(strip);
+    }
+  }
+  REQUIRE(strips.size() == 4);
+  const double half = -2.0 - strips[0][0];
+  CHECK(half > 0.5 / 64.0);
+  CHECK(half < 4.0 / 64.0);
+  const std::array<std::array<double, 4>, 4> edges = {
+      {{-2, -1, 4, -1}, {-2, 3, 4, 3}, {-2, -1, -2, 3}, {4, -1, 4, 3}}};
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t k = 0; k < 4; ++k) {
+      CAPTURE(i, k);
+      CHECK(strips[i][k] == Approx(edges[i][k] + (k < 2 ? -half : half)));
+    }
   }
 }
 
