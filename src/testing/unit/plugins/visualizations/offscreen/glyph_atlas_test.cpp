@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace glyph_atlas_test {
 
@@ -146,6 +148,71 @@ TEST_CASE("glyph atlas: characters of one to four bytes are one letter each",
   CHECK(Set(atlas, MakeLabel("\u00e4x")).size() == 4);
   CHECK(Set(atlas, MakeLabel("\u20acx")).size() == 4);
   CHECK(Set(atlas, MakeLabel("\U0001d11ex")).size() == 4);
+}
+
+TEST_CASE("glyph atlas: a contour covers its letter and the pixels around it",
+          "[visualizations][offscreen][text]") {
+  CGlyphAtlas atlas;
+  STextStyle style;
+  style.Size = GENERATE(6.0, 16.0, 40.0);
+  CAPTURE(style.Size);
+  const std::vector<SGlyphInstance> instances = Set(atlas, MakeLabel("g", style));
+  REQUIRE(instances.size() == 2);
+  const SGlyphInstance& contour = instances[0];
+  const SGlyphInstance& letter = instances[1];
+  const auto pixelOf = [&atlas](const SGlyphInstance& instance, int x, int y) {
+    const int column = static_cast<int>(instance.Texel[0]) + x;
+    const int row = static_cast<int>(instance.Texel[1]) + y;
+    return int(atlas.GetPixels()[static_cast<std::size_t>(row * atlas.GetWidth() + column)]);
+  };
+  const int width = static_cast<int>(letter.Area[2]);
+  const int height = static_cast<int>(letter.Area[3]);
+  const int margin = (static_cast<int>(contour.Area[2]) - width) / 2;
+  REQUIRE(margin >= 1);
+  CHECK(contour.Area[0] == letter.Area[0] - static_cast<float>(margin));
+  CHECK(contour.Area[1] == letter.Area[1] - static_cast<float>(margin));
+  int darkest = 0;
+  bool isCovered = true;
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      darkest = std::max(darkest, pixelOf(letter, x, y));
+      isCovered = isCovered && pixelOf(contour, x + margin, y + margin) >= pixelOf(letter, x, y);
+    }
+  }
+  CHECK(isCovered);
+  CHECK(darkest > 150);
+  // beside the outermost pixels of the letter
+  int darkestBeside = 0;
+  for (int y = 0; y < height; ++y) {
+    darkestBeside = std::max(darkestBeside, pixelOf(contour, margin - 1, y + margin));
+  }
+  CHECK(darkestBeside > 20);
+}
+
+TEST_CASE("glyph atlas: letters of all sizes have places of their own",
+          "[visualizations][offscreen][text]") {
+  CGlyphAtlas atlas;
+  std::vector<SGlyphInstance> all;
+  for (const double size : {40.0, 9.0, 120.0, 23.0, 200.0, 12.0}) {
+    STextStyle style;
+    style.Size = size;
+    for (const SGlyphInstance& instance : Set(atlas, MakeLabel("aW.jM|", style))) {
+      all.push_back(instance);
+    }
+  }
+  REQUIRE(all.size() == 6 * 12);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const auto& [texel, area] = std::pair(all[i].Texel, all[i].Area);
+    CHECK(texel[0] + area[2] <= static_cast<float>(atlas.GetWidth()));
+    CHECK(texel[1] + area[3] <= static_cast<float>(atlas.GetHeight()));
+    for (std::size_t k = 0; k < i; ++k) {
+      const SGlyphInstance& other = all[k];
+      const bool areApart =
+          texel[0] >= other.Texel[0] + other.Area[2] || other.Texel[0] >= texel[0] + area[2] ||
+          texel[1] >= other.Texel[1] + other.Area[3] || other.Texel[1] >= texel[1] + area[3];
+      CHECK(areApart);
+    }
+  }
 }
 
 }  // namespace glyph_atlas_test

@@ -219,6 +219,20 @@ TEST_CASE("overlays: a trail is the path of the robot", "[overlays]") {
     }
     CHECK(lines.size() == 2 * 61 - 1);
   }
+  SECTION("half a metre in a tick is still a path") {
+    const Real step = GENERATE(0.4, 0.6);
+    const CSimulator::CScope scope(world.GetSimulator());
+    CEmbodiedEntity& body = world.Get<CEPuckEntity>("right").GetEmbodiedEntity();
+    const CVector3 place = body.GetOriginAnchor().Position;
+    REQUIRE(body.MoveTo(place + CVector3(step, 0.0, 0.0), CQuaternion()));
+    view.Step(1);
+    Real longest = 0.0;
+    for (const SDrawnShape& line : view.DrawAll(EKind::Line)) {
+      longest = std::max(longest, line.Size.Length());
+    }
+    // and 1 cm of its own
+    CHECK(longest == Approx(step == 0.4 ? 0.41 : 0.01).margin(1e-5));
+  }
   SECTION("it begins again after a reset") {
     world.GetSimulator().Reset();
     view.Step(0);

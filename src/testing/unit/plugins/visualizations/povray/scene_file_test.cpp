@@ -353,4 +353,49 @@ TEST_CASE("povray scene: the boundary is four strips across the edges of the are
   }
 }
 
+TEST_CASE("povray scene: the sun is as far away as the arena is large, but 3 m at least",
+          "[povray]") {
+  // of an arena with this middle and side, m
+  const auto sunOf = [](const Eigen::Vector2d& middle, double side) {
+    SScene scene = MakeEmptyScene();
+    scene.ArenaMin = middle - Eigen::Vector2d(0.5 * side, 0.5 * side);
+    scene.ArenaMax = middle + Eigen::Vector2d(0.5 * side, 0.5 * side);
+    std::size_t numSkipped = 0;
+    const std::string file = MakeSceneFile(scene, ObliqueView(), Small(), {}, numSkipped);
+    const std::size_t at = file.find("light_source { <");
+    REQUIRE(at != std::string::npos);
+    Eigen::Vector3d sun;
+    REQUIRE(std::sscanf(file.c_str() + at, "light_source { <%lf,%lf,%lf>", &sun.x(), &sun.y(),
+                        &sun.z()) == 3);
+    return Eigen::Vector3d(sun - Eigen::Vector3d(middle.x(), middle.y(), 0.0));
+  };
+  const Eigen::Vector3d sun = sunOf({0.0, 0.0}, 10.0);
+  CHECK(sun.z() > 0.0);
+  CHECK(sun.norm() == Approx(3.0 * std::sqrt(200.0)));
+  CHECK((sunOf({20.0, -30.0}, 10.0) - sun).norm() < 1e-9);
+  CHECK((sunOf({0.0, 0.0}, 20.0) - 2.0 * sun).norm() < 1e-9);
+  CHECK(sunOf({0.0, 0.0}, 0.1).norm() == Approx(3.0));
+}
+
+TEST_CASE("povray scene: an image of the floor covers the arena", "[povray]") {
+  SScene scene = MakeEmptyScene();
+  scene.ArenaMin = Eigen::Vector2d(-2.0, -1.0);
+  scene.ArenaMax = Eigen::Vector2d(4.0, 3.0);
+  std::size_t numSkipped = 0;
+  const auto write = [&](const std::string& floor) {
+    SSceneExtras extras;
+    extras.FloorFile = floor;
+    return MakeSceneFile(scene, ObliqueView(), Small(), extras, numSkipped);
+  };
+  CHECK_THAT(write("floor.ppm"),
+             Catch::Contains("image_map { ppm \"floor.ppm\" gamma srgb once } scale <6,4,1> "
+                             "translate <-2,-1,0>"));
+  CHECK_THAT(write(""), !Catch::Contains("image_map"));
+  scene.Floor.TileSize = {0.5f, 0.25f};
+  scene.Floor.IsSmooth = true;
+  CHECK_THAT(write("floor.ppm"),
+             Catch::Contains("image_map { ppm \"floor.ppm\" gamma srgb interpolate 2 } scale "
+                             "<0.5,0.25,1> translate <-2,-1,0>"));
+}
+
 }  // namespace scene_file_test
