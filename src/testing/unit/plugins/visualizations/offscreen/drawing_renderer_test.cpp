@@ -1,5 +1,6 @@
 // From what users' code draws to the pixels of a picture.
 #include <argos3/core/simulator/visualization/drawing.h>
+#include <argos3/plugins/simulator/visualizations/qt-opengl/qt_types.h>
 #include <argos3/plugins/simulator/visualizations/scene/drawing_to_scene.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/gl_program.h>
 #include <argos3/testing/support/pictures.h>
@@ -283,6 +284,21 @@ TEST_CASE("drawing renderer: each shape is before those drawn earlier, up to a l
   CHECK(scene.Flats[3 * 499].Nearer == Approx(1.5e-3));
   CHECK(scene.Flats[3 * 998].Nearer == Approx(2.498e-3));
   CHECK(scene.Flats.back().Nearer == Approx(2.5e-3));
+}
+
+TEST_CASE("painter: colours of Qt beyond 0 to 255 are those at the ends",
+          "[visualizations][offscreen][drawing]") {
+  CDrawing drawing;
+  drawing.Begin(64, 64);
+  drawing.SetOverlay();
+  QPainter painter(drawing);
+  painter.setPen(QColor(300, -5, 256, 255));
+  painter.drawLine(0, 0, 10, 10);
+  painter.setPen(QColor(255, 0, 1, -1));
+  painter.drawLine(0, 0, 10, 10);
+  REQUIRE(drawing.GetShapes().size() == 2);
+  CHECK(drawing.GetShapes()[0].Color == CColor(255, 0, 255, 255));
+  CHECK(drawing.GetShapes()[1].Color == CColor(255, 0, 1, 0));
 }
 
 }  // namespace drawing_renderer_test

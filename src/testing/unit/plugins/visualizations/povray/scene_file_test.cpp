@@ -398,4 +398,24 @@ TEST_CASE("povray scene: an image of the floor covers the arena", "[povray]") {
                              "<0.5,0.25,1> translate <-2,-1,0>"));
 }
 
+TEST_CASE("povray scene: triangles that are not finite are left out and counted", "[povray]") {
+  const float bad = std::numeric_limits<float>::quiet_NaN();
+  for (std::size_t corner = 0; corner < 3; ++corner) {
+    CAPTURE(corner);
+    SScene scene = MakeEmptyScene();
+    for (const std::array<float, 3>& place :
+         {std::array<float, 3>{0.0f, 0.0f, 0.0f}, {0.5f, 0.0f, 0.0f}, {0.0f, 0.5f, 0.0f}}) {
+      scene.Flats.push_back({place, kRed, 1e-3f});
+    }
+    std::size_t numSkipped = 0;
+    const std::string whole = MakeSceneFile(scene, ObliqueView(), Small(), {}, numSkipped);
+    CHECK(numSkipped == 0);
+    scene.Flats[corner].Position[1] = bad;
+    const std::string rest = MakeSceneFile(scene, ObliqueView(), Small(), {}, numSkipped);
+    CHECK(numSkipped == 1);
+    CHECK(rest.size() < whole.size());
+    CHECK_THAT(rest, !Catch::Contains("nan"));
+  }
+}
+
 }  // namespace scene_file_test

@@ -24,14 +24,16 @@ constexpr double kRounding = 1e-9;  // m
 // an arena of 4 m x 2 m with a crate of 0.2 m at (1, 0.5), and more entities
 class CWorld {
  public:
-  explicit CWorld(const std::string& more = "") : m_scope(m_simulator) {
+  explicit CWorld(const std::string& more = "", const std::string& center = "0,0,0.5")
+      : m_scope(m_simulator) {
     m_document.Parse(R"(<argos-configuration>
       <framework><experiment length="1" ticks_per_second="10" random_seed="1"/></framework>
-      <controllers/><arena size="4,2,1" center="0,0,0.5">
+      <controllers/><arena size="4,2,1" center=")" +
+                     center + R"(">
         <floor id="floor" source="loop_functions" pixels_per_meter="5"/>
         <box id="crate" size="0.2,0.2,0.2" movable="false"><body position="1,0.5,0"/></box>)" +
                      more + R"(
-      </arena><physics_engines><dynamics2d id="d"/></physics_engines><media/>
+      </arena><physics_engines><dynamics2d id="d"/></physics_engines><media><led id="leds"/></media>
       </argos-configuration>)");
     m_simulator.Load(m_document);
   }
@@ -106,6 +108,25 @@ TEST_CASE("camera plan: a view of the contents leaves out empty ground, and only
   CHECK_THAT(plan.ComputeAt(world.GetSpace(), 2).OrthographicHeight, WithinAbs(1.2, kRounding));
   plan.Reset();
   CHECK_THAT(plan.ComputeAt(world.GetSpace(), 0).OrthographicHeight, WithinAbs(0.2, kRounding));
+}
+
+TEST_CASE("camera plan: a view of the contents shows lamps above the arena, wherever it is",
+          "[visualizations][offscreen][camera]") {
+  // the arena reaches from (8,4) to (12,6)
+  const CVector3 place = GENERATE(CVector3(11.5, 5.0, 0.0), CVector3(8.5, 5.0, 0.0));
+  CAPTURE(place);
+  const auto light = [](const std::string& id, const CVector3& at) {
+    return "<light id='" + id + "' position='" + std::to_string(at.GetX()) + ',' +
+           std::to_string(at.GetY()) + ",0' color='red' intensity='1' medium='leds'/>";
+  };
+  // those outside of it stand for the sun
+  CWorld world(light("in", place) + light("x", {12.5, 5.0, 0.0}) + light("y", {10.0, 6.5, 0.0}),
+               "10,5,0.5");
+  world.MoveCrate(CVector3(10.0, 5.0, 0.0));
+  CCameraPlan plan = world.Plan("view='top' projection='orthographic' fit='contents' margin='0'");
+  // from the far side of the crate, at 0.1 m, to the lamp, at 1.5 m
+  CHECK_THAT(plan.ComputeAt(world.GetSpace(), 0).OrthographicHeight,
+             WithinAbs(1.6 / kAspectRatio, kRounding));
 }
 
 TEST_CASE("camera plan: a camera that follows keeps the entity at the same place of the picture",
