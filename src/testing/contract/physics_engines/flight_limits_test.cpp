@@ -261,6 +261,14 @@ TEST_CASE("flight limits: a body that could not be controlled is refused",
              Contains("\"r\": greatest force of the propellers (N) must be a number > 0"));
   CHECK_THAT(ErrorWithBody([](SBodyDescription& body) { body.Propellers->MaxTorque = 0.0; }),
              Contains("greatest torque of the propellers (N m) must be a number > 0"));
+  // an eye-bot needs 3 substeps in a tick of 0.1 s; at most 10,000 are possible
+  const auto withSubsteps = [](Real substeps) {
+    return ErrorWithBody([substeps](SBodyDescription& body) {
+      body.Propellers->Velocity.Proportional *= substeps / 3.0;
+    });
+  };
+  CHECK(withSubsteps(9999.5) == "");
+  CHECK_THAT(withSubsteps(10000.5), Contains("would take more than 10000"));
   // its time constant is 1e-6 s: 150,000 substeps in a tick
   CHECK_THAT(
       ErrorWithBody([](SBodyDescription& body) { body.Propellers->Position.Derivative = 1e6; }),

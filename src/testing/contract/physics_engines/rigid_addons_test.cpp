@@ -157,6 +157,10 @@ TEST_CASE("rigid errors: invalid elements are reported with their place",
                     Contains("must be \"mixed\", \"direct\" or \"iterative\", found \"quick\""));
   CHECK_THROWS_WITH(load("", "<solver iterations='0'/>"), Contains("[1,1000], found 0"));
   CHECK_THROWS_WITH(load("", "<solver erp='1.5'/>"), Contains("\"erp\"") && Contains("found 1.5"));
+  CHECK_THROWS_WITH(load("", "<solver erp='0.009'/>"),
+                    Contains("\"erp\"") && Contains("found 0.009"));
+  CHECK_NOTHROW(load("", "<solver erp='0.01'/>"));
+  CHECK_NOTHROW(load("", "<solver erp='1'/>"));
   CHECK_THROWS_WITH(load("", "<solver cfm='0'/>"), Contains("\"cfm\""));
   CHECK_THROWS_WITH(load("", "<contacts restitution='2'/>"), Contains("\"restitution\""));
   CHECK_THROWS_WITH(load("", "", DriverXml("e-puck", "r", 1e7, 0, 0, 0, 0)),

@@ -106,6 +106,23 @@ TEST_CASE("film encoding: ffmpeg repeats or drops pictures only if the rates dif
   CHECK_THAT(filters({1000, 1}), Contains("fps=60,"));
 }
 
+TEST_CASE("film encoding: films have the colours of HD video, GIFs a palette for each frame",
+          "[visualizations][offscreen][films]") {
+  for (const EFilmFormat format : {EFilmFormat::Mp4, EFilmFormat::Webm, EFilmFormat::Gif}) {
+    SFilmSettings settings;
+    settings.Format = format;
+    const bool isGif = format == EFilmFormat::Gif;
+    bool hasVideoColors = false;
+    bool hasPalette = false;
+    for (const std::string& word : MakeFilmArguments(settings, {25, 1}, 640, 480, "f")) {
+      hasVideoColors = hasVideoColors || word.find("out_color_matrix=bt709") != std::string::npos;
+      hasPalette = hasPalette || word.find("palettegen") != std::string::npos;
+    }
+    CHECK(hasVideoColors == !isGif);
+    CHECK(hasPalette == isGif);
+  }
+}
+
 TEST_CASE("film encoding: the command for a shell quotes what a shell would change",
           "[visualizations][offscreen][films]") {
   const std::string command =

@@ -102,6 +102,19 @@ TEST_CASE("offscreen settings: a file, or the format of one, means a film",
   CHECK(given.Every == 7);
 }
 
+TEST_CASE("offscreen settings: samples are powers of 2 up to 16",
+          "[visualizations][offscreen][xml]") {
+  for (int samples = 1; samples <= 32; ++samples) {
+    CAPTURE(samples);
+    const std::string attributes = "samples='" + std::to_string(samples) + "'";
+    if (samples <= 16 && (samples & (samples - 1)) == 0) {
+      CHECK(ReadOffscreen(attributes).Render.Samples == samples);
+    } else {
+      CHECK_THROWS_WITH(ReadOffscreen(attributes), Contains("is not 1, 2, 4, 8 or 16"));
+    }
+  }
+}
+
 TEST_CASE("offscreen settings: values out of range are errors with their place",
           "[visualizations][offscreen][xml]") {
   const auto [attributes, complaint] = GENERATE(table<std::string, std::string>({

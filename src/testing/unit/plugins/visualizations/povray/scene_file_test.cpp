@@ -398,6 +398,31 @@ TEST_CASE("povray scene: an image of the floor covers the arena", "[povray]") {
                              "<0.5,0.25,1> translate <-2,-1,0>"));
 }
 
+TEST_CASE("povray scene: triangles have their corners, and none without an area", "[povray]") {
+  SScene scene = MakeEmptyScene();
+  const std::array<std::array<float, 3>, 9> corners = {{{0.0f, 0.0f, 0.0f},
+                                                        {0.5f, 0.0f, 0.0f},
+                                                        {0.0f, 0.5f, 0.0f},
+                                                        {0.125f, 0.0f, 0.25f},
+                                                        {0.25f, 0.75f, 0.25f},
+                                                        {0.0f, 0.625f, 0.25f},
+                                                        // on a line
+                                                        {0.0f, 0.0f, 0.375f},
+                                                        {0.5f, 0.0f, 0.375f},
+                                                        {0.875f, 0.0f, 0.375f}}};
+  for (const std::array<float, 3>& corner : corners) {
+    scene.Flats.push_back({corner, kRed, 0.0f});
+  }
+  std::size_t numSkipped = 0;
+  const std::string file = MakeSceneFile(scene, ObliqueView(), Small(), {}, numSkipped);
+  CHECK(numSkipped == 0);
+  for (const char* const corner : {"<0,0,0>", "<0.5,0,0>", "<0,0.5,0>", "<0.125,0,0.25>",
+                                   "<0.25,0.75,0.25>", "<0,0.625,0.25>"}) {
+    CHECK_THAT(file, Catch::Contains(corner));
+  }
+  CHECK_THAT(file, !Catch::Contains("0.375>"));
+}
+
 TEST_CASE("povray scene: triangles that are not finite are left out and counted", "[povray]") {
   const float bad = std::numeric_limits<float>::quiet_NaN();
   for (std::size_t corner = 0; corner < 3; ++corner) {
