@@ -93,7 +93,7 @@ constexpr Real kCrowdTolerance = 0.001;
  * The same with solids: sweeps at most, the share of kCrowdTolerance, and how much faster than that
  * tolerance a body is that friction does not hold yet.
  */
-constexpr UInt32 kMaxTouchSweeps = 500;
+constexpr UInt32 kMaxTouchSweeps = 150;
 constexpr UInt32 kMaxRounds = 20;  // of sweeps over everything
 constexpr size_t kIslandGrain = 16;  // islands that a thread solves in a run
 constexpr float kTouchTolerance = 0.1F;
