@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 namespace argos {
 
@@ -34,6 +36,46 @@ SUpright Describe(dGeomID geom) {
   return cylinder;
 }
 
+// sine of the least angle from upright at which the lowest point of a rim is computed; below it,
+// four points that are fixed to the cylinder, so that it does not rattle from one to the next
+constexpr Real kFlat = 0.01;
+
+// Contacts at four points of each rim, of which one is the lowest where the cylinder leans. The
+// normal points to the cylinder.
+int FindContactsWithFace(dGeomID geom, dGeomID other, const CVector3& normal, Real height, int most,
+                         dContactGeom* contacts, int skip) {
+  const SUpright cylinder = Describe(geom);
+  const dReal* const rotation = dGeomGetRotation(geom);
+  CVector3 across(rotation[0], rotation[4], rotation[8]);
+  const CVector3 downhill = cylinder.Axis * normal.DotProduct(cylinder.Axis) - normal;
+  if (const Real slope = downhill.Length(); slope > kFlat) {
+    across = downhill / slope;
+  }
+  const CVector3 aside = Cross(cylinder.Axis, across);
+  std::array<dContactGeom, 8> all{};
+  int count = 0;
+  for (const Real end : {-1.0, 1.0}) {
+    const CVector3 middle = cylinder.Centre + cylinder.Axis * (end * cylinder.HalfLength);
+    for (const CVector3& direction : {across, -across, aside, -aside}) {
+      const CVector3 point = middle + direction * cylinder.Radius;
+      const Real depth = height - normal.DotProduct(point);
+      if (depth < 0.0) {
+        continue;
+      }
+      dContactGeom& contact = all[count++];
+      for (UInt32 i = 0; i < 3; ++i) {
+        contact.pos[i] = point[i];
+        contact.normal[i] = normal[i];
+      }
+      contact.depth = depth;
+      contact.g1 = geom;
+      contact.g2 = other;
+      contact.side1 = contact.side2 = -1;
+    }
+  }
+  return KeepSpread(all.data(), count, most, contacts, skip);
+}
+
 // the part of the first cylinder's axis that is beside the second, m from the first one's centre
 struct SBeside {
   Real Low;
@@ -44,6 +86,32 @@ SBeside FindBeside(const SUpright& first, const SUpright& second) {
   const Real along = (second.Centre - first.Centre).DotProduct(first.Axis);
   return {std::max(-first.HalfLength, along - second.HalfLength),
           std::min(first.HalfLength, along + second.HalfLength)};
+}
+
+// cosine of the greatest angle between the axes of cylinders that lean and stand side by side: 15
+// degrees; within it, the distance at the ends is nearly that of the surfaces
+constexpr Real kBeside = 0.966;
+
+// Heights on the first axis at which cylinders side by side may touch: both ends and, of axes that
+// are not parallel, the place between at which these are nearest.
+struct SHeights {
+  std::array<Real, 3> Values{};
+  int Count = 0;
+};
+
+SHeights ChooseHeights(const SUpright& first, const SUpright& second, const SBeside& beside) {
+  SHeights heights{{beside.Low, beside.High, 0.0}, 2};
+  const Real cosine = first.Axis.DotProduct(second.Axis);
+  if (std::abs(cosine) > kParallel) {
+    return heights;
+  }
+  const CVector3 apart = first.Centre - second.Centre;
+  const Real nearest = (cosine * apart.DotProduct(second.Axis) - apart.DotProduct(first.Axis)) /
+                       (1.0 - cosine * cosine);
+  if (nearest > beside.Low && nearest < beside.High) {
+    heights.Values[heights.Count++] = nearest;
+  }
+  return heights;
 }
 
 // the depth of the overlap at that height, m, below 0 if they are apart; the direction from the
@@ -65,13 +133,107 @@ Real MeasureDepth(const SUpright& first, const SUpright& second, Real height, CV
   return first.Radius + second.Radius - distance;
 }
 
+// Exchanges the two solids.
+void Exchange(dContactGeom* contacts, int count, int skip) {
+  for (int i = 0; i < count; ++i) {
+    dContactGeom& contact = ContactAt(contacts, i, skip);
+    std::swap(contact.g1, contact.g2);
+    for (UInt32 axis = 0; axis < 3; ++axis) {
+      contact.normal[axis] = -contact.normal[axis];
+    }
+  }
+}
+
+int FindContactsWithPlane(dGeomID cylinder, dGeomID plane, int most, dContactGeom* contacts,
+                          int skip) {
+  dVector4 parameters;
+  dGeomPlaneGetParams(plane, parameters);
+  return FindContactsWithFace(cylinder, plane, FromODE(parameters), parameters[3], most, contacts,
+                              skip);
+}
+
+// The face of a box on which a cylinder stands with a whole end.
+struct SStand {
+  CVector3 Normal;  // outwards, world frame
+  Real Height;  // m: points on it have this product with the normal
+};
+
+std::optional<SStand> FindFaceBelow(const SUpright& cylinder, dGeomID box) {
+  dVector3 size;
+  dGeomBoxGetLengths(box, size);
+  const dReal* const rotation = dGeomGetRotation(box);
+  const CVector3 centre = FromODE(dGeomGetPosition(box));
+  std::optional<SStand> face;
+  for (UInt32 axis = 0; axis < 3; ++axis) {
+    const CVector3 along(rotation[axis], rotation[4 + axis], rotation[8 + axis]);
+    const Real place = along.DotProduct(cylinder.Centre - centre);
+    const Real half = 0.5 * size[axis];
+    if (std::abs(along.DotProduct(cylinder.Axis)) > kParallel && std::abs(place) > half) {
+      const CVector3 normal = place > 0.0 ? along : -along;
+      face = SStand{normal, half + normal.DotProduct(centre)};
+    } else if (std::abs(place) + cylinder.Radius > half) {
+      return std::nullopt;
+    }
+  }
+  return face;
+}
+
 // For a cylinder on a box, ODE returns points all around its rim, as many as the array can store.
 constexpr int kMostOfBox = 16;
 
 int FindContactsWithBox(dGeomID first, dGeomID second, int most, dContactGeom* contacts, int skip) {
+  const bool isFirst = dGeomGetClass(first) == dCylinderClass;
+  const dGeomID cylinder = isFirst ? first : second;
+  const dGeomID box = isFirst ? second : first;
+  if (const auto face = FindFaceBelow(Describe(cylinder), box)) {
+    const int count =
+        FindContactsWithFace(cylinder, box, face->Normal, face->Height, most, contacts, skip);
+    if (!isFirst) {
+      Exchange(contacts, count, skip);
+    }
+    return count;
+  }
   std::array<dContactGeom, kMostOfBox> all;
   const int count = dCollide(first, second, kMostOfBox, all.data(), sizeof(dContactGeom));
   return KeepSpread(all.data(), count, most, contacts, skip);
+}
+
+int FindContactsOfCylinders(dGeomID first, dGeomID second, int most, dContactGeom* contacts,
+                            int skip, Real reach) {
+  const SUpright a = Describe(first);
+  const SUpright b = Describe(second);
+  const SBeside beside = FindBeside(a, b);
+  CVector3 direction;
+  const Real depth = MeasureDepth(a, b, 0.5 * (beside.Low + beside.High), direction);
+  const bool isParallel = std::abs(a.Axis.DotProduct(b.Axis)) > kBeside;
+  if (!isParallel || (depth > 0.0 && beside.High - beside.Low < depth)) {
+    // skew, or one on top of the other
+    return dCollide(first, second, most, contacts, skip);
+  }
+  if (beside.High < beside.Low) {
+    return 0;
+  }
+  int count = 0;
+  const SHeights heights = ChooseHeights(a, b, beside);
+  for (int i = 0; i < heights.Count; ++i) {
+    const Real height = heights.Values[i];
+    const Real inside = MeasureDepth(a, b, height, direction);
+    if (inside < -reach || count == most) {
+      continue;
+    }
+    dContactGeom& contact = ContactAt(contacts, count, skip);
+    const CVector3 point = a.Centre + a.Axis * height - direction * (a.Radius - 0.5 * inside);
+    for (UInt32 axis = 0; axis < 3; ++axis) {
+      contact.pos[axis] = point[axis];
+      contact.normal[axis] = direction[axis];
+    }
+    contact.depth = inside;
+    contact.g1 = first;
+    contact.g2 = second;
+    contact.side1 = contact.side2 = -1;
+    ++count;
+  }
+  return count;
 }
 
 }  // namespace
@@ -96,41 +258,18 @@ int FindContacts(dGeomID first, dGeomID second, int most, dContactGeom* contacts
   if (areA(dCylinderClass, dBoxClass) || areA(dBoxClass, dCylinderClass)) {
     return FindContactsWithBox(first, second, most, contacts, skip);
   }
+  if (areA(dCylinderClass, dPlaneClass)) {
+    return FindContactsWithPlane(first, second, most, contacts, skip);
+  }
+  if (areA(dPlaneClass, dCylinderClass)) {
+    const int count = FindContactsWithPlane(second, first, most, contacts, skip);
+    Exchange(contacts, count, skip);
+    return count;
+  }
   if (dGeomGetClass(first) != dCylinderClass || dGeomGetClass(second) != dCylinderClass) {
     return dCollide(first, second, most, contacts, skip);
   }
-  const SUpright a = Describe(first);
-  const SUpright b = Describe(second);
-  const SBeside beside = FindBeside(a, b);
-  CVector3 direction;
-  const Real depth = MeasureDepth(a, b, 0.5 * (beside.Low + beside.High), direction);
-  const bool isParallel = std::abs(a.Axis.DotProduct(b.Axis)) > kParallel;
-  if (!isParallel || (depth > 0.0 && beside.High - beside.Low < depth)) {
-    // skew, or one on top of the other
-    return dCollide(first, second, most, contacts, skip);
-  }
-  if (beside.High < beside.Low) {
-    return 0;
-  }
-  int count = 0;
-  for (const Real height : {beside.Low, beside.High}) {
-    const Real inside = MeasureDepth(a, b, height, direction);
-    if (inside < -reach || count == most) {
-      continue;
-    }
-    dContactGeom& contact = ContactAt(contacts, count, skip);
-    const CVector3 point = a.Centre + a.Axis * height - direction * (a.Radius - 0.5 * inside);
-    for (UInt32 i = 0; i < 3; ++i) {
-      contact.pos[i] = point[i];
-      contact.normal[i] = direction[i];
-    }
-    contact.depth = inside;
-    contact.g1 = first;
-    contact.g2 = second;
-    contact.side1 = contact.side2 = -1;
-    ++count;
-  }
-  return count;
+  return FindContactsOfCylinders(first, second, most, contacts, skip, reach);
 }
 
 }  // namespace argos

@@ -10,8 +10,10 @@ constexpr dReal kParallel = 0.9994;
 
 /**
  * dCollide(), except for two upright cylinders side by side, the most frequent contact of robots:
- * exact contacts at both ends of the line on which they touch. For a cylinder and a box, at most
- * four contacts, which are far apart. For prisms, FindPrismContacts().
+ * contacts at both ends of the line on which they touch, also where they lean by up to 15 degrees
+ * against each other. For a cylinder and a box, at most
+ * four contacts, which are far apart. For a cylinder on a plane, up to four points of its rims. For
+ * prisms, FindPrismContacts().
  * @param skip   bytes from one contact to the next.
  * @param reach  m: cylinders side by side, and prisms, at up to this distance have a contact, too,
  *               with a depth below 0.

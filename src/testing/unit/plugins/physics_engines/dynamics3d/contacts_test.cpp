@@ -212,6 +212,56 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("cylinder contacts: cylinders that lean against each other touch where they are nearest",
+          "[dynamics3d]") {
+  UseODEInThisThread();
+  // beside each other along y, and the second one is tilted along x: nearest in the middle
+  const Real tilt = GENERATE(0.05, 0.1, 0.2);
+  const Real depth = GENERATE(1e-3, -5e-4);
+  CAPTURE(tilt, depth);
+  const dGeomID a = Cylinder(0.1, 0.4, CVector3(0, 0, 0));
+  const dGeomID b = Cylinder(0.1, 0.4, CVector3(0, 0.2 - depth, 0), tilt);
+  dContactGeom contacts[4];
+  const int count = FindContacts(a, b, 4, contacts, sizeof(dContactGeom), 1e-3);
+  REQUIRE(count >= 1);
+  const dContactGeom& deepest =
+      *std::max_element(contacts, contacts + count,
+                        [](const auto& one, const auto& next) { return one.depth < next.depth; });
+  CHECK_THAT(deepest.depth, WithinAbs(depth, 1e-9));
+  CHECK_THAT(deepest.pos[2], WithinAbs(0.0, 1e-9));
+  CHECK_THAT(deepest.normal[1], WithinAbs(-1.0, 1e-9));
+  dGeomDestroy(a);
+  dGeomDestroy(b);
+}
+
+TEST_CASE("cylinder contacts: one that leans slightly on a plane or a box touches at four points",
+          "[dynamics3d]") {
+  UseODEInThisThread();
+  const Real tilt = GENERATE(0.0, 1e-3, 9e-3);
+  CAPTURE(tilt);
+  const dGeomID cylinder = Cylinder(0.1, 0.3, CVector3(0.2, 0.1, 0.149), tilt);
+  const dGeomID plane = dCreatePlane(nullptr, 0.0, 0.0, 1.0, 0.0);
+  const dGeomID box = dCreateBox(nullptr, 1.0, 1.0, 0.5);
+  dGeomSetPosition(box, 0.0, 0.0, -0.25);
+  for (const dGeomID ground : {plane, box}) {
+    dContactGeom contacts[4];
+    REQUIRE(FindContacts(cylinder, ground, 4, contacts, sizeof(dContactGeom)) == 4);
+    for (const dContactGeom& contact : contacts) {
+      // 0.1 m from the middle of its base, and below the ground
+      CHECK_THAT(std::hypot(contact.pos[0] - 0.2, contact.pos[1] - 0.1), WithinAbs(0.1, 2e-3));
+      CHECK_THAT(contact.depth, WithinAbs(-contact.pos[2], 1e-12));
+      CHECK_THAT(contact.depth, WithinAbs(1e-3, 0.11 * tilt + 1e-12));
+      CHECK(contact.normal[2] == 1.0);
+    }
+    REQUIRE(FindContacts(ground, cylinder, 4, contacts, sizeof(dContactGeom)) == 4);
+    CHECK(contacts[0].g1 == ground);
+    CHECK(contacts[0].normal[2] == -1.0);
+  }
+  for (const dGeomID geom : {cylinder, plane, box}) {
+    dGeomDestroy(geom);
+  }
+}
+
 TEST_CASE("ODE session: the random numbers of a sequence are those that ODE would draw",
           "[dynamics3d]") {
   UseODEInThisThread();
