@@ -10,6 +10,7 @@
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/prism_geom.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_mass.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_settings.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/skin.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/rolling.h>
 #include <argos3/core/utility/text/classic_locale.h>
 
@@ -116,11 +117,13 @@ SShapeDescription Lift(SShapeDescription shape, Real clearance) {
 
 // in no ODE space: CBroadPhase finds the pairs that may touch
 dGeomID MakeGeom(SRigidBody& body, const SShapeDescription& shape) {
+  const Real skin = body.Margin;
+  const CVector3 size = shape.Size + CVector3(2.0, 2.0, 2.0) * skin;
   switch (shape.Kind) {
     case EKind::Box:
-      return dCreateBox(nullptr, shape.Size.GetX(), shape.Size.GetY(), shape.Size.GetZ());
+      return dCreateBox(nullptr, size.GetX(), size.GetY(), size.GetZ());
     case EKind::Cylinder:
-      return dCreateCylinder(nullptr, shape.Radius, shape.Size.GetZ());
+      return dCreateCylinder(nullptr, shape.Radius + skin, size.GetZ());
     case EKind::Hull:
       body.Hulls.push_back(std::make_shared<SHullArrays>());
       return MakeHullGeom(*shape.Solid, *body.Hulls.back());
@@ -129,7 +132,7 @@ dGeomID MakeGeom(SRigidBody& body, const SShapeDescription& shape) {
     case EKind::Sphere:
       break;
   }
-  return dCreateSphere(nullptr, shape.Radius);
+  return dCreateSphere(nullptr, shape.Radius + skin);
 }
 
 // the origin of a geom, in the frame of the body
@@ -382,6 +385,7 @@ void DescribeRigidBody(SRigidBody& body, const SRigidSettings& settings) {
   for (const SShapeDescription& shape : description.Shapes) {
     body.Narrowest = std::min(body.Narrowest, NarrowestSide(shape));
   }
+  body.Margin = ComputeSkin(body, settings);
   if (body.HasDrive()) {
     body.WheelRadius =
         body.HasWheels() ? description.Drive->WheelRadius : description.AssumeWheelRadius();

@@ -1,6 +1,7 @@
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/broad_phase.h>
 
 #include <argos3/core/utility/configuration/argos_exception.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_settings.h>
 
 #include <algorithm>
 
@@ -31,7 +32,9 @@ bool Overlap(const SRigidBody& a, const SRigidBody& b, UInt32 axis) {
 }  // namespace
 
 void UpdateBounds(SRigidBody& body) {
-  const CVector3 margin(body.RollerMargin, body.RollerMargin, body.RollerMargin);
+  // bodies at rest touch within their skins
+  const Real reach = body.RollerMargin + kSkin;
+  const CVector3 margin(reach, reach, reach);
   for (size_t i = 0; i < body.Solids.size(); ++i) {
     dReal bounds[6];  // m: least and greatest x, y and z
     dGeomGetAABB(body.Solids[i], bounds);

@@ -17,6 +17,10 @@ namespace {
 constexpr int kMaxContacts = 4;
 // m/s; below this speed, the direction of sliding is ignored
 constexpr Real kSlidingSpeed = 1e-4;
+// cosine of the greatest angle between normals that are taken for one
+constexpr Real kSameNormal = 1.0 - 1e-9;
+// cosine of the greatest angle between two grounds under a wheel of which only one bears it
+constexpr Real kSameGround = 0.9;
 // a contact is anticipated if it will occur within that many substeps at the present speed
 constexpr Real kForesight = 1.5;
 // rows of the two hinges with motors of a robot
@@ -27,6 +31,28 @@ constexpr UInt32 kPlanarDriveRows = 3;
 constexpr UInt32 kJointRows = 6;
 // rows of a turret's pivot with its motor, and of the ball joint on its arm
 constexpr UInt32 kGripRows = 9;
+
+// numbers of pairs of solids, and of rollers with solids
+constexpr UInt64 kMaxSolids = 1U << 12;
+constexpr UInt64 kRollerKeys = kMaxSolids * kMaxSolids;
+
+// @return a number that is hardly ever that of other solids.
+UInt64 ComputeKey(UInt64 first, UInt64 second, UInt64 solids) {
+  UInt64 key = solids;
+  for (const UInt64 part : {first, second}) {
+    key = (key ^ part) * 0x9E3779B97F4A7C15U;
+    key ^= key >> 29;
+  }
+  return key;
+}
+
+CVector3 InFrameOf(dBodyID part, const CVector3& point) {
+  const dReal* const r = dBodyGetRotation(part);
+  const CVector3 arm = point - FromODE(dBodyGetPosition(part));
+  return CVector3(r[0] * arm.GetX() + r[4] * arm.GetY() + r[8] * arm.GetZ(),
+                  r[1] * arm.GetX() + r[5] * arm.GetY() + r[9] * arm.GetZ(),
+                  r[2] * arm.GetX() + r[6] * arm.GetY() + r[10] * arm.GetZ());
+}
 
 // @return true if the body is movable and awake.
 bool IsActive(const SRigidBody& body) {
@@ -42,8 +68,7 @@ bool DoBoundsOverlap(dGeomID first, dGeomID second, Real reach) {
          b[2] <= a[3] + reach && a[4] <= b[5] + reach && b[4] <= a[5] + reach;
 }
 
-CVector3 VelocityAt(dGeomID geom, const CVector3& point) {
-  const dBodyID part = dGeomGetBody(geom);
+CVector3 VelocityAt(dBodyID part, const CVector3& point) {
   if (part == nullptr) {
     return CVector3();
   }
@@ -56,6 +81,29 @@ void SetDirection(dContact& contact, const CVector3& direction) {
   contact.fdir1[0] = direction.GetX();
   contact.fdir1[1] = direction.GetY();
   contact.fdir1[2] = direction.GetZ();
+}
+
+// Moves contacts with one normal along it, into a plane. The bodies can then rock on each other
+// without sliding at any of them, which friction would have to prevent with great forces between
+// the contacts. The lever of the normal force is the same.
+void Level(dContact* contacts, int count) {
+  if (count == 0) {
+    return;
+  }
+  const CVector3 normal = FromODE(contacts[0].geom.normal);
+  Real sum = 0.0;
+  for (int i = 0; i < count; ++i) {
+    if (normal.DotProduct(FromODE(contacts[i].geom.normal)) < kSameNormal) {
+      return;
+    }
+    sum += normal.DotProduct(FromODE(contacts[i].geom.pos));
+  }
+  for (int i = 0; i < count; ++i) {
+    const Real up = sum / count - normal.DotProduct(FromODE(contacts[i].geom.pos));
+    for (UInt32 axis = 0; axis < 3; ++axis) {
+      contacts[i].geom.pos[axis] += up * normal[axis];
+    }
+  }
 }
 
 CVector3 AlongSurface(const CVector3& vector, const CVector3& normal) {
@@ -91,7 +139,7 @@ void CContactFinder::Find(const std::vector<SRigidBody*>& movables,
                           const CRigidGhosts& ghosts, const CVector3& gravity, Real substep) {
   m_gravity = gravity;
   m_substep = substep;
-  m_numContacts = 0;
+  m_list.StartSubstep();
   m_parents.resize(movables.size());
   for (UInt32 i = 0; i < m_parents.size(); ++i) {
     m_parents[i] = i;
@@ -101,6 +149,7 @@ void CContactFinder::Find(const std::vector<SRigidBody*>& movables,
   WakeNeighbours(pairs, grips);
   for (SRigidBody* body : movables) {
     body->HasGroundContact = false;
+    body->Supports = {};
     if (!body->Asleep) {
       TouchItself(*body);
     }
@@ -127,6 +176,7 @@ void CContactFinder::Find(const std::vector<SRigidBody*>& movables,
     IslandOf(holder.ActiveNumber).Rows += kGripRows;
   });
   CountRows(movables);
+  m_list.InheritForces();
 }
 
 // Awake bodies wake their neighbours, which wake theirs.
@@ -156,7 +206,7 @@ void CContactFinder::Unite(const SRigidBody& first, const SRigidBody& second) {
 }
 
 void CContactFinder::Touch(SRigidBody& first, SRigidBody& second) {
-  const UInt32 before = m_numContacts;
+  const UInt32 before = GetNumContacts();
   TouchSolids(first, second);
   if (first.HasDrive()) {
     Roll(first, second);
@@ -164,7 +214,7 @@ void CContactFinder::Touch(SRigidBody& first, SRigidBody& second) {
   if (second.HasDrive()) {
     Roll(second, first);
   }
-  if (m_numContacts == before) {
+  if (GetNumContacts() == before) {
     return;
   }
   if (first.IsMovable() && second.IsMovable()) {
@@ -174,43 +224,51 @@ void CContactFinder::Touch(SRigidBody& first, SRigidBody& second) {
   }
 }
 
-// the distance below which two robots may touch in the substep, m
+// the distance below which two bodies may touch in the substep, m; at rest that of the skin, also
+// of solids that have none
 Real CContactFinder::ComputeReach(const SRigidBody& first, const SRigidBody& second) const {
+  const Real rest = m_settings.Stepper == SRigidSettings::EStepper::Direct ? 0.0 : kSkin;
   if (!first.HasDrive() || !second.HasDrive()) {
-    return 0.0;
+    return rest;
   }
   const CVector3 speed =
       FromODE(dBodyGetLinearVel(first.Body)) - FromODE(dBodyGetLinearVel(second.Body));
-  return kForesight * speed.Length() * m_substep;
+  return std::max(rest, kForesight * speed.Length() * m_substep);
 }
 
 void CContactFinder::TouchSolids(const SRigidBody& first, const SRigidBody& second) {
   const Real reach = ComputeReach(first, second);
-  for (const dGeomID a : first.Solids) {
-    for (const dGeomID b : second.Solids) {
+  for (size_t a = 0; a < first.Solids.size(); ++a) {
+    for (size_t b = 0; b < second.Solids.size(); ++b) {
       TouchPair(first, a, second, b, reach);
     }
   }
 }
 
-void CContactFinder::TouchPair(const SRigidBody& first, dGeomID a, const SRigidBody& second,
-                               dGeomID b, Real reach) {
+void CContactFinder::TouchPair(const SRigidBody& first, size_t a, const SRigidBody& second,
+                               size_t b, Real reach) {
+  const dGeomID one = first.Solids[a];
+  const dGeomID other = second.Solids[b];
   // the base of an articulated body may be fixed
-  const bool isFixed = dGeomGetBody(a) == nullptr && dGeomGetBody(b) == nullptr;
-  if (isFixed || !DoBoundsOverlap(a, b, reach)) {
+  const bool isFixed = dGeomGetBody(one) == nullptr && dGeomGetBody(other) == nullptr;
+  if (isFixed || !DoBoundsOverlap(one, other, reach)) {
     return;
   }
   dContact contacts[kMaxContacts];
-  const int count = FindContacts(a, b, kMaxContacts, &contacts[0].geom, sizeof(dContact), reach);
+  const int count =
+      FindContacts(one, other, kMaxContacts, &contacts[0].geom, sizeof(dContact), reach);
+  if (m_settings.Stepper != SRigidSettings::EStepper::Direct) {
+    Level(contacts, count);
+  }
   for (int i = 0; i < count; ++i) {
-    AddSolidContact(contacts[i], first, second);
+    AddSolidContact(contacts[i], first, a, second, b);
   }
 }
 
 // the links of an articulated body
 void CContactFinder::TouchItself(const SRigidBody& body) {
   for (const auto& [first, second] : body.SelfPairs) {
-    TouchPair(body, body.Solids[first], body, body.Solids[second], 0.0);
+    TouchPair(body, first, body, second, 0.0);
   }
 }
 
@@ -223,11 +281,12 @@ void CContactFinder::Roll(SRigidBody& robot, const SRigidBody& ground) {
       continue;
     }
     const CVector3 centre = LocateRoller(robot, i);
-    for (const dGeomID solid : ground.Solids) {
+    for (size_t j = 0; j < ground.Solids.size(); ++j) {
       dContact contact;
-      if (FindRollerContact(robot.Rollers[i], centre, ground, solid, contact.geom) &&
+      if (FindRollerContact(robot.Rollers[i], centre, ground, ground.Solids[j], contact.geom) &&
+          (i >= robot.Wheels.size() || contact.geom.depth >= 0.0) &&
           up.DotProduct(FromODE(contact.geom.normal)) >= kRollerSupport) {
-        AddRollerContact(contact, robot, i, ground);
+        AddRollerContact(contact, robot, i, ground, j);
         robot.HasGroundContact = true;
       }
     }
@@ -248,64 +307,96 @@ bool CContactFinder::FindRollerContact(const SRoller& roller, const CVector3& ce
     contact.pos[0] = centre.GetX();
     contact.pos[1] = centre.GetY();
     contact.pos[2] = centre.GetZ() - roller.Radius;
-    return contact.depth >= 0.0;
+    return contact.depth >= -kSkin;
   }
+  const Real reach = roller.Radius + kSkin;
   dReal bounds[6];  // m: least and greatest x, y and z
   dGeomGetAABB(solid, bounds);
   for (UInt32 axis = 0; axis < 3; ++axis) {
-    if (centre[axis] + roller.Radius < bounds[2 * axis] ||
-        centre[axis] - roller.Radius > bounds[2 * axis + 1]) {
+    if (centre[axis] + reach < bounds[2 * axis] || centre[axis] - reach > bounds[2 * axis + 1]) {
       return false;
     }
   }
-  dGeomSphereSetRadius(m_probe, roller.Radius);
+  dGeomSphereSetRadius(m_probe, reach);
   dGeomSetPosition(m_probe, centre.GetX(), centre.GetY(), centre.GetZ());
-  return FindContacts(m_probe, solid, 1, &contact, sizeof(dContact)) > 0;
+  if (FindContacts(m_probe, solid, 1, &contact, sizeof(dContact)) == 0) {
+    return false;
+  }
+  contact.depth -= ground.Margin + kSkin;
+  return contact.depth >= -kSkin;
 }
 
-// Casters slide without friction. A wheel has friction along its axle, and rolls across it. Its
-// spring is compressed by its travel, which puts its contact where that of a rigid rim would be.
-void CContactFinder::AddRollerContact(dContact& contact, const SRigidBody& robot, size_t roller,
-                                      const SRigidBody& ground) {
+// Casters slide without friction. A wheel's spring is compressed by its travel, which puts its
+// contact where that of a rigid rim would be.
+void CContactFinder::AddRollerContact(dContact& contact, SRigidBody& robot, size_t roller,
+                                      const SRigidBody& ground, size_t solid) {
   contact.surface = {};
   contact.surface.mode = dContactApprox1;
+  const UInt64 solids = kRollerKeys + roller * kMaxSolids + solid;
+  if (contact.geom.depth < 0.0) {
+    // it may come down in the substep, but not farther
+    contact.surface.mode |= dContactMotionN;
+    contact.surface.motionN = contact.geom.depth / m_substep;
+    contact.geom.depth = 0.0;
+  }
   if (roller >= robot.Wheels.size()) {
-    Join(contact, robot.Body, ground.Body, 1, robot);
+    Join(contact, robot, ground, 1, solids);
     return;
   }
   contact.surface.mode |= dContactSoftERP | dContactSoftCFM;
   contact.surface.mu = robot.Friction * ground.Friction;
   contact.surface.soft_erp = robot.WheelErp;
   contact.surface.soft_cfm = robot.WheelCfm;
-  const CVector3 normal = FromODE(contact.geom.normal);
-  const CVector3 rim = LocateRoller(robot, roller) - normal * robot.WheelRadius;
+  const CVector3 rim =
+      LocateRoller(robot, roller) - FromODE(contact.geom.normal) * robot.WheelRadius;
   for (UInt32 i = 0; i < 3; ++i) {
     contact.geom.pos[i] = rim[i];
   }
-  const dReal* const rotation = dBodyGetRotation(robot.Body);
-  const CVector3 axle(rotation[1], rotation[5], rotation[9]);
-  const CVector3 ahead = Cross(axle, normal);
-  const Real length = ahead.Length();
-  if (length > 0.1) {
-    SetDirection(contact, ahead / length);
+  SRigidContact& added = Join(contact, robot, ground, contact.surface.mu > 0.0 ? 3 : 1, solids);
+  added.Wheel = static_cast<UInt32>(roller);
+  added.FirstPart = robot.Wheels[roller];
+  BearOnce(robot, roller);
+}
+
+// The last contact is one of a wheel. Of two grounds on each other, such as a floor and a plate,
+// only the upper one bears it: two would compress its spring twice.
+void CContactFinder::BearOnce(SRigidBody& robot, size_t wheel) {
+  std::vector<SRigidContact>& contacts = m_list.Get();
+  SRigidContact& added = contacts.back();
+  UInt32& support = robot.Supports[wheel];
+  if (support == 0) {
+    support = static_cast<UInt32>(contacts.size());
+    return;
   }
-  Join(contact, robot.Wheels[roller], ground.Body, contact.surface.mu > 0.0 ? 3 : 1, robot);
+  SRigidContact& other = contacts[support - 1];
+  const Real cosine =
+      FromODE(added.Contact.geom.normal).DotProduct(FromODE(other.Contact.geom.normal));
+  if (cosine < kSameGround) {
+    return;
+  }
+  if (added.Contact.geom.depth <= other.Contact.geom.depth) {
+    added.IsVoid = true;
+  } else {
+    other.IsVoid = true;
+    support = static_cast<UInt32>(contacts.size());
+  }
 }
 
 // Bodies that will touch within the substep get a contact that stops them at its surface: without
 // it, they would overlap by their path in a substep before ODE finds a contact.
-void CContactFinder::AddSolidContact(dContact& contact, const SRigidBody& first,
-                                     const SRigidBody& second) {
+void CContactFinder::AddSolidContact(dContact& contact, const SRigidBody& first, size_t a,
+                                     const SRigidBody& second, size_t b) {
   dSurfaceParameters& surface = contact.surface;
   surface = {};
   contact.geom.depth -= first.Margin + second.Margin;
   if (contact.geom.depth < 0.0) {
     const Real gap = -contact.geom.depth;
     const CVector3 point = FromODE(contact.geom.pos);
-    const CVector3 velocity =
-        VelocityAt(contact.geom.g1, point) - VelocityAt(contact.geom.g2, point);
+    const CVector3 velocity = VelocityAt(dGeomGetBody(contact.geom.g1), point) -
+                              VelocityAt(dGeomGetBody(contact.geom.g2), point);
     const Real approach = -velocity.DotProduct(FromODE(contact.geom.normal));
-    if (gap > kForesight * approach * m_substep || m_settings.Restitution > 0.0) {
+    if (gap > std::max(kForesight * approach * m_substep, 2.0 * kSkin) ||
+        m_settings.Restitution > 0.0) {
       return;
     }
     contact.geom.depth = 0.0;
@@ -319,25 +410,79 @@ void CContactFinder::AddSolidContact(dContact& contact, const SRigidBody& first,
     surface.bounce = m_settings.Restitution;
     surface.bounce_vel = m_settings.BounceSpeed;
   }
-  SetSlidingDirection(contact);
-  Join(contact, dGeomGetBody(contact.geom.g1), dGeomGetBody(contact.geom.g2),
-       surface.mu > 0.0 ? 3 : 1, first.IsMovable() ? first : second);
+  SRigidContact& added = Join(contact, first, second, surface.mu > 0.0 ? 3 : 1, a * kMaxSolids + b);
+  added.FirstPart = dGeomGetBody(contact.geom.g1);
+  added.SecondPart = dGeomGetBody(contact.geom.g2);
 }
 
-void CContactFinder::Join(const dContact& contact, dBodyID first, dBodyID second, UInt32 rows,
-                          const SRigidBody& counted) {
-  dJointAttach(dJointCreateContact(m_world, m_contacts, &contact), first, second);
+// @param solids  number of the two solids among those of both bodies.
+SRigidContact& CContactFinder::Join(const dContact& contact, const SRigidBody& first,
+                                    const SRigidBody& second, UInt32 rows, UInt64 solids) {
+  const SRigidBody& counted = first.IsMovable() ? first : second;
   IslandOf(counted.ActiveNumber).Rows += rows;
-  ++m_numContacts;
+  SRigidContact& added = m_list.Add();
+  added.Contact = contact;
+  added.First = &first;
+  added.Second = &second;
+  added.FirstPart = first.Body;
+  added.SecondPart = second.Body;
+  added.Counted = counted.ActiveNumber;
+  added.Key = ComputeKey(first.Serial, second.Serial, solids);
+  added.Place = InFrameOf(counted.Body, FromODE(contact.geom.pos));
+  return added;
+}
+
+void CContactFinder::CreateInODE(bool ofAll) {
+  for (SRigidContact& contact : m_list.Get()) {
+    if (!contact.IsVoid && (ofAll || IslandOf(FindRoot(contact.Counted)).HasJoints)) {
+      SetDirectionInODE(contact);
+      SoftenInODE(contact);
+      dJointAttach(dJointCreateContact(m_world, m_contacts, &contact.Contact), contact.FirstPart,
+                   contact.SecondPart);
+    }
+  }
+}
+
+// The world's softness of constraints, in m/s per N, is that of its joints: contacts of heavy
+// bodies are harder, others as soft as the settings say.
+void CContactFinder::SoftenInODE(SRigidContact& added) const {
+  Real mass = HUGE_VAL;
+  for (const dBodyID part : {added.FirstPart, added.SecondPart}) {
+    if (part != nullptr && dBodyIsKinematic(part) == 0) {
+      dMass own;
+      dBodyGetMass(part, &own);
+      mass = std::min<Real>(mass, own.mass);
+    }
+  }
+  dSurfaceParameters& surface = added.Contact.surface;
+  const Real softness =
+      m_settings.ConstraintForceMixing / (mass < HUGE_VAL ? std::max<Real>(1.0, mass) : 1.0);
+  surface.mode |= dContactSlip1 | dContactSlip2;
+  surface.slip1 = surface.slip2 = softness;
+  if (added.Wheel == SRigidContact::kNoWheel) {
+    surface.mode |= dContactSoftCFM;
+    surface.soft_cfm = softness;
+  }
 }
 
 // ODE limits friction separately along two directions, so by a square. If one direction is that of
-// the motion, or of gravity without motion, the limit is the same as that of Coulomb's circle.
-void CContactFinder::SetSlidingDirection(dContact& contact) const {
+// the motion, or of gravity without motion, the limit is the same as that of Coulomb's circle. A
+// wheel has friction along its axle, and rolls across it.
+void CContactFinder::SetDirectionInODE(SRigidContact& added) const {
+  dContact& contact = added.Contact;
   const CVector3 normal = FromODE(contact.geom.normal);
+  if (added.Wheel != SRigidContact::kNoWheel) {
+    const dReal* const rotation = dBodyGetRotation(added.First->Body);
+    const CVector3 ahead = Cross(CVector3(rotation[1], rotation[5], rotation[9]), normal);
+    const Real length = ahead.Length();
+    if (length > 0.1) {
+      SetDirection(contact, ahead / length);
+    }
+    return;
+  }
   const CVector3 point = FromODE(contact.geom.pos);
-  const CVector3 sliding =
-      AlongSurface(VelocityAt(contact.geom.g1, point) - VelocityAt(contact.geom.g2, point), normal);
+  const CVector3 sliding = AlongSurface(
+      VelocityAt(added.FirstPart, point) - VelocityAt(added.SecondPart, point), normal);
   const Real speed = sliding.Length();
   if (speed > kSlidingSpeed) {
     SetDirection(contact, sliding / speed);
@@ -366,11 +511,13 @@ void CContactFinder::CountRows(const std::vector<SRigidBody*>& movables) {
     own.Rows += movables[i]->HasWheels() ? kAxleRows : 0;
     own.Rows += movables[i]->HasPlanarDrive() ? kPlanarDriveRows : 0;
     own.Rows += static_cast<UInt32>(kJointRows * movables[i]->Links.size());
+    own.HasJoints = movables[i]->IsArticulated();
     own.Supported = own.Supported || dBodyIsKinematic(movables[i]->Body) != 0;
     const UInt32 root = FindRoot(i);
     if (root != i) {
       m_islands[root].Rows += own.Rows;
       m_islands[root].Supported = m_islands[root].Supported || own.Supported;
+      m_islands[root].HasJoints = m_islands[root].HasJoints || own.HasJoints;
     }
   }
   // the rows of all roots are complete now

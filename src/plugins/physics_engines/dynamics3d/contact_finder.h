@@ -4,6 +4,7 @@
 #include <argos3/core/utility/configuration/argos_exception.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/broad_phase.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_body.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_contacts.h>
 
 #include <vector>
 
@@ -13,7 +14,8 @@ class CRigidGhosts;
 class CRigidGrips;
 
 /**
- * Finds contacts, creates contact joints for them, and finds the islands of connected bodies.
+ * Finds contacts and the islands of connected bodies, and creates contact joints in ODE for those
+ * islands that ODE steps.
  *
  * An island is a set of awake movable bodies that are connected by contacts or grips, directly or
  * through each other. Fixed bodies do not connect others.
@@ -25,6 +27,7 @@ class CContactFinder {
     UInt32 Rows = 0;  // of the constraints among its bodies
     bool Supported = false;  // true if a fixed body touches it
     bool Quiet = true;  // used by the world
+    bool HasJoints = false;  // true if a body has joints that only ODE solves
   };
 
   /** The contacts are allocated from a pool, which Clear() empties without freeing its memory. */
@@ -38,7 +41,7 @@ class CContactFinder {
   /** To be called after bodies were added, removed or placed. */
   void MarkChanged() { m_broadPhase.MarkChanged(); }
   /**
-   * Wakes bodies near awake ones, and creates the contacts of the next substep.
+   * Wakes bodies near awake ones, and finds the contacts of the next substep.
    * @param movables  the active ones, by SRigidBody::ActiveNumber. @param fixed  by
    * SRigidBody::Number. @param planes  that bound everything.
    * @param grips    of the world. @param ghosts  of other engines.
@@ -48,13 +51,26 @@ class CContactFinder {
   void Find(const std::vector<SRigidBody*>& movables, const std::vector<SRigidBody*>& fixed,
             const std::vector<SRigidBody*>& planes, const CRigidGrips& grips,
             const CRigidGhosts& ghosts, const CVector3& gravity, Real substep);
+  /**
+   * Creates the contacts in ODE, of all islands or of those that have joints. They limit friction
+   * separately along two directions.
+   */
+  void CreateInODE(bool ofAll);
+  /** Destroys the contacts in ODE. */
   void Clear();
+  /** The next contacts do not start with the forces of the last ones. */
+  void ForgetForces() { m_list.Forget(); }
 
+  /** After Find(): the contacts; the world sets their forces. */
+  std::vector<SRigidContact>& GetContacts() { return m_list.Get(); }
+  /** After Find(): the number of the island of an awake body, below that of active bodies. */
+  UInt32 GetIslandNumber(UInt32 activeNumber) { return FindRoot(activeNumber); }
+  SIsland& GetIslandByNumber(UInt32 number) { return IslandOf(number); }
   /** After Find(): the island of an awake body. */
   SIsland& GetIsland(const SRigidBody& body) { return IslandOf(FindRoot(body.ActiveNumber)); }
   /** After Find(): the greatest number of rows of an island. */
   UInt32 GetMostRows() const { return m_mostRows; }
-  UInt32 GetNumContacts() const { return m_numContacts; }
+  UInt32 GetNumContacts() const { return static_cast<UInt32>(m_list.Get().size()); }
 
  private:
   SIsland& IslandOf(UInt32 body) {
@@ -65,19 +81,21 @@ class CContactFinder {
   void Unite(const SRigidBody& first, const SRigidBody& second);
   void Touch(SRigidBody& first, SRigidBody& second);
   void TouchSolids(const SRigidBody& first, const SRigidBody& second);
-  void TouchPair(const SRigidBody& first, dGeomID a, const SRigidBody& second, dGeomID b,
-                 Real reach);
+  void TouchPair(const SRigidBody& first, size_t a, const SRigidBody& second, size_t b, Real reach);
   void TouchItself(const SRigidBody& body);
   void Roll(SRigidBody& robot, const SRigidBody& ground);
   bool FindRollerContact(const SRoller& roller, const CVector3& centre, const SRigidBody& ground,
                          dGeomID solid, dContactGeom& contact) const;
-  void AddRollerContact(dContact& contact, const SRigidBody& robot, size_t roller,
-                        const SRigidBody& ground);
-  void AddSolidContact(dContact& contact, const SRigidBody& first, const SRigidBody& second);
+  void BearOnce(SRigidBody& robot, size_t wheel);
+  void AddRollerContact(dContact& contact, SRigidBody& robot, size_t roller,
+                        const SRigidBody& ground, size_t solid);
+  void AddSolidContact(dContact& contact, const SRigidBody& first, size_t a,
+                       const SRigidBody& second, size_t b);
   Real ComputeReach(const SRigidBody& first, const SRigidBody& second) const;
-  void Join(const dContact& contact, dBodyID first, dBodyID second, UInt32 rows,
-            const SRigidBody& counted);
-  void SetSlidingDirection(dContact& contact) const;
+  SRigidContact& Join(const dContact& contact, const SRigidBody& first, const SRigidBody& second,
+                      UInt32 rows, UInt64 solids);
+  void SetDirectionInODE(SRigidContact& contact) const;
+  void SoftenInODE(SRigidContact& contact) const;
   UInt32 FindRoot(UInt32 body);
   void CountRows(const std::vector<SRigidBody*>& movables);
 
@@ -86,7 +104,7 @@ class CContactFinder {
   dJointGroupID m_contacts;
   dGeomID m_probe;  // a sphere, moved to one roller after the other
   CBroadPhase m_broadPhase;
-  UInt32 m_numContacts = 0;
+  CRigidContacts m_list;
   UInt32 m_mostRows = 0;
   CVector3 m_gravity;
   Real m_substep = 0.0;

@@ -451,7 +451,7 @@ ATTRIBUTES
 
   id                    text, required: unique among the engines.
   iterations            integer in [1,10000]: least number of substeps of a tick. Not given: so many that none is
-                        longer than 0.01 s. In any case more, up to 16 times as many, while a body would move by
+                        longer than 0.01 s. In any case more, up to 1000 or 16 times as many, while a body would move by
                         more than half its narrowest side in a substep.
   default_friction      in [0,1000], default 1: Coulomb's coefficient of every body. That of a contact is the product
                         of both.
@@ -465,15 +465,18 @@ ATTRIBUTES
   gravity               g: m/s^2, default 9.81, downward. Or vector: "x,y,z", m/s^2.
   magnetism             forces between the magnets of robots (<magnets>), see its own description: force_constant,
                         default 7.0500949e-13; max_distance: m, default infinite.
-  solver@stepper        "direct": ODE's dWorldStep, exact, for few bodies that touch. "iterative": dWorldQuickStep,
-                        approximate, for crowds. "mixed" (default): direct for islands with few constraints,
-                        iterative for the rest.
-  solver@iterations     integer in [1,1000], default 32: sweeps of the iterative stepper over the constraints in a
-                        substep.
-  solver@max_direct_rows  integer, default 100: greatest number of constraints of an island of connected bodies that
-                        "mixed" solves directly. A robot on the floor has 22, a box 12.
+  solver@stepper        "mixed" (default): impulses with Coulomb's cone of friction, by sweeps over the contacts
+                        until they converge; large islands of bodies that touch as often as their size allows.
+                        "iterative": at most solver@iterations sweeps, for crowds. "direct": ODE's dWorldStep, exact
+                        but with a pyramid of friction, for few bodies that touch.
+  solver@iterations     integer in [1,1000], default 32: sweeps in a substep, at least ("mixed", if they do not converge
+                        before) or at most ("iterative").
+  solver@max_direct_rows  integer, default 100: greatest number of constraints of an island of connected bodies over
+                        which "mixed" sweeps until they converge, up to 400 times. Islands with joints of more than
+                        that are solved approximately. A robot on the floor has 22, a box 12.
   solver@erp            in [0.01,1], default 0.2: the share of an error of position that is corrected in a substep.
-  solver@cfm            m/s per N, in [1e-10,1], default 1e-5: how soft constraints are.
+  solver@cfm            m/s per N, in [1e-10,1], default 1e-5: how soft joints are, and contacts with "direct" of
+                        bodies of up to 1 kg; those of heavier ones are harder in proportion.
   contacts@restitution  in [0,1], default 0: the speed after an impact over that before it; not of wheels.
   contacts@bounce_speed m/s, >= 0, default 0.02: slower impacts do not bounce.
   contacts@surface_layer  m, >= 0, default 1e-5: overlap of bodies at rest.

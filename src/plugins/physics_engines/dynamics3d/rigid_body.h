@@ -120,6 +120,8 @@ struct SRigidBody : SRigidParts {
   std::vector<SRigidLink> Links;  // from link 1 on
   std::vector<std::pair<UInt32, UInt32>> SelfPairs;  // solids that collide with each other
   bool AreMotorsSet = false;  // false: the joints in ODE have no commands yet
+  // by wheel: 1 + number of the contact in this substep that bears it; 0: none
+  std::array<UInt32, 2> Supports{};
   std::array<SRoller, 6> Rollers;  // the wheels, then four casters; see GetFirstRoller()
 
   CVector3 Low;  // m, world frame; bounds of all parts
@@ -138,9 +140,18 @@ struct SRigidBody : SRigidParts {
   CVector3
       TiltGains;  // N m/rad, N m s/rad, N m; of the controller that keeps a flying body upright
 
+  // forces of motors in the last substep, from which the next one starts: of wheels, N m; of a
+  // planar drive: torque, then forces, N m and N
+  std::array<Real, 2> AxleTorques{};
+  std::array<Real, 3> DriveForces{};
+
+  UInt64 Serial = 0;  // of no other body that ever was in the world
   UInt32 Owned = 0;  // its number among all bodies of the world
   UInt32 Number = 0;  // in the world's list of movable or of fixed bodies
   UInt32 ActiveNumber = 0;  // of a movable body with parts: in the world's list of these
+  // of the present substep, see CRigidStepper
+  UInt32 SolverBody = 0;
+  UInt32 SolverRotor = 0;  // the first of its rotors
   bool Asleep = false;  // of a free robot: it has not moved in the last tick
   Real QuietTime = 0.0;  // s; since it was last faster than kQuietSpeed or kQuietTurn
 

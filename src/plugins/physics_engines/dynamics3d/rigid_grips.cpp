@@ -197,6 +197,8 @@ void CRigidGrips::Grip(SRigidBody& holder, SRigidBody& held, const CVector3& arm
   }
   const SRigidPose pose = GetRigidPose(holder);
   const CVector3 end = pose.Position + Rotated(arm, GetArmOrientation(*manipulator, pose));
+  manipulator->Force = CVector3();
+  manipulator->Torque = 0.0;
   manipulator->Hold = dJointCreateBall(m_world, nullptr);
   dJointAttach(manipulator->Hold, holder.TurretBody != nullptr ? holder.TurretBody : holder.Body,
                held.Body);

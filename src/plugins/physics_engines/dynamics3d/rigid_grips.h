@@ -18,6 +18,17 @@ namespace argos {
  */
 class CRigidGrips {
  public:
+  /** The joints of a grip. */
+  struct SHold {
+    SRigidBody* Robot = nullptr;
+    SRigidBody* Held = nullptr;  // null: the rest is unset
+    dJointID Pivot = nullptr;  // null without a turret
+    dJointID Hold = nullptr;
+    dJointFeedback Pull{};  // force of the arm in the last substep
+    CVector3 Force;  // N, of the joint on the robot; torque of the motor, N m: in the last substep
+    Real Torque = 0.0;
+  };
+
   explicit CRigidGrips(dWorldID world);
   ~CRigidGrips();
   CRigidGrips(const CRigidGrips&) = delete;
@@ -47,6 +58,15 @@ class CRigidGrips {
       }
     }
   }
+  /** Calls visit(SHold&) for every grip. */
+  template <typename VISIT>
+  void ForEachHold(VISIT&& visit) {
+    for (const auto& each : m_manipulators) {
+      if (each->Held != nullptr) {
+        visit(static_cast<SHold&>(*each));
+      }
+    }
+  }
   /** Sets @p cluster to all bodies that are connected to a body by grips, itself included. */
   void FindCluster(CEmbodiedEntity& body, std::vector<CEmbodiedEntity*>& cluster) const;
   /** Sets @p grips to those whose holder is in @p cluster. */
@@ -60,16 +80,11 @@ class CRigidGrips {
   void Grip(SRigidBody& holder, SRigidBody& held, const CVector3& arm);
 
  private:
-  struct SManipulator {
-    SRigidBody* Robot = nullptr;
+  struct SManipulator : SHold {
     Real Rate = 0.0;  // rad/s, of the turret's motor in this tick
     // while it holds a body
-    SRigidBody* Held = nullptr;
     CVector3 Arm;  // see Grip()
-    dJointID Pivot = nullptr;  // null without a turret
-    dJointID Hold = nullptr;
     Real RotationAtGrip = 0.0;  // rad
-    dJointFeedback Pull{};  // force of the arm in the last substep
     dMass Mass{};  // of the robot's body, without a turret of its own
   };
 

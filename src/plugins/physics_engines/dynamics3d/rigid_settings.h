@@ -11,20 +11,21 @@ constexpr Real kStandardGravity = 9.81;
 /** Parameters of a rigid world, and all of its tuned numbers. */
 struct SRigidSettings {
   enum class EStepper {
-    Mixed, /**< Direct for islands of up to MaxDirectRows rows, Iterative for larger ones */
+    Mixed, /**< CRigidStepper, until islands of up to MaxDirectRows rows converge */
     Direct, /**< dWorldStep: exact, time and memory grow with the square or cube of an island */
-    Iterative /**< dWorldQuickStep: approximate, in proportion to an island */
+    Iterative /**< CRigidStepper with SolverIterations sweeps at most */
   };
 
   Real Tick = 0.1;  // s, > 0
   UInt32 Substeps = 10;  // of a tick, >= 1; more while a body is too fast for its size
   EStepper Stepper = EStepper::Mixed;
-  UInt32 SolverIterations = 32;  // sweeps of the iterative stepper over the constraints, >= 1
-  // of an island that is solved directly; a robot on the floor has 22, a box 12
+  UInt32 SolverIterations = 32;  // sweeps over the contacts of a large island at least, >= 1
+  // of an island that is swept until it converges, or of joints that ODE solves directly; a robot
+  // on the floor has 22, a box 12
   UInt32 MaxDirectRows = 100;
 
-  // ODE's constraints: the share of an error that is corrected in a substep, and the softness that
-  // keeps redundant contacts solvable, m/s per N
+  // constraints: the share of an error that is corrected in a substep, and of ODE's the softness
+  // that keeps redundant contacts solvable, m/s per N
   Real ErrorReduction = 0.2;
   Real ConstraintForceMixing = 1e-5;
 
@@ -73,6 +74,11 @@ constexpr Real kRollerSupport = 0.5;
 // approaching bodies
 constexpr Real kFaceMargin = 0.01;
 
+// m, and share of the narrowest side: the geoms of movable objects are larger by the lesser of
+// both, so that bodies which rest on each other keep their contacts when they rock
+constexpr Real kSkin = 1e-4;
+constexpr Real kSkinShare = 0.01;
+
 // a body moves in a substep by at most this share of its narrowest side, and of the narrowest side
 // of fixed bodies
 constexpr Real kMaxStride = 0.5;
@@ -80,7 +86,13 @@ constexpr Real kMaxStride = 0.5;
 constexpr UInt32 kSimpleRows = 24;
 // for fast bodies, a tick has at most kMaxRefinement times the requested substeps, or kMaxRefined
 constexpr UInt32 kMaxRefinement = 16;
-constexpr UInt32 kMaxRefined = 160;
+constexpr UInt32 kMaxRefined = 1000;
+
+// sweeps over an island at most, and sweeps times contacts over one of more than MaxDirectRows
+// rows; the change of speeds with which sweeps end, m/s
+constexpr UInt32 kMaxSweeps = 400;
+constexpr size_t kMaxBlockSweeps = 30000;
+constexpr Real kSweepTolerance = 1e-6;
 
 // an island is at rest if all its bodies were slower than this for this time
 constexpr Real kQuietTime = 0.5;  // s

@@ -75,6 +75,7 @@ CRigidWorld::CRigidWorld(const SRigidSettings& settings, std::function<void()> b
       m_beforeSubstep(std::move(beforeSubstep)),
       m_world(dWorldCreate()),
       m_threading(dThreadingAllocateSelfThreadedImplementation()),
+      m_stepper(m_settings),
       m_free(m_settings) {
   dWorldSetStepThreadingImplementation(m_world, dThreadingImplementationGetFunctions(m_threading),
                                        m_threading);
@@ -147,6 +148,7 @@ void CRigidWorld::AddWall(const SBodyDescription& wall, SRigidPose pose) {
 SRigidBody& CRigidWorld::MakeBody() {
   m_owned.push_back(std::make_unique<SRigidBody>());
   m_owned.back()->Owned = static_cast<UInt32>(m_owned.size() - 1);
+  m_owned.back()->Serial = ++m_numMade;
   return *m_owned.back();
 }
 
@@ -183,14 +185,26 @@ SRigidBody& CRigidWorld::Add(const SRigidSource& source, const SRigidPose& pose)
   }
   if (body.IsArticulated()) {
     m_articulated.push_back(&body);
+    HardenJoints(body);
   }
   return body;
+}
+
+// ODE's softness of joints, in m/s per N, would let heavy links come off.
+void CRigidWorld::HardenJoints(const SRigidBody& body) {
+  ForEachPart(body, [this](dBodyID part) {
+    dMass mass;
+    dBodyGetMass(part, &mass);
+    m_heaviestLink = std::max<Real>(m_heaviestLink, mass.mass);
+  });
+  dWorldSetCFM(m_world, m_settings.ConstraintForceMixing / std::max<Real>(1.0, m_heaviestLink));
 }
 
 // Any number of the robots may be active in a tick.
 void CRigidWorld::Reserve() {
   m_active.reserve(m_movables.capacity());
   m_large.reserve(m_movables.capacity());
+  m_stepper.Reserve(m_movables.capacity());
   m_struck.reserve(m_movables.capacity());
   m_free.Reserve(m_movables.capacity());
   m_contacts->Reserve(m_movables.capacity(), m_fixed.capacity());
@@ -241,6 +255,7 @@ void CRigidWorld::Place(SRigidBody& body, const SRigidPose& pose, const SRigidMo
   if (!body.Source.Movable) {
     m_free.MarkFixedChanged();
   }
+  m_contacts->ForgetForces();
   PlaceRigidBody(body, pose, motion);
   UpdateBounds(body);
 }
@@ -267,7 +282,7 @@ void CRigidWorld::Advance(CThreadPool* pool) {
     if (!m_active.empty()) {
       m_contacts->Find(m_active, m_fixed, m_planes, *m_grips, m_ghosts, m_gravity, m_substep);
       SetPlanarMotors();
-      Step();
+      Step(pool);
       m_contacts->Clear();
       m_grips->BreakOverloadedGrips();
       if (i + 1 < m_numSubsteps) {
@@ -391,14 +406,34 @@ void CRigidWorld::SetSubstep(Real substep) {
   }
 }
 
-void CRigidWorld::Step() {
-  using enum SRigidSettings::EStepper;
-  if (m_settings.Stepper == Iterative) {
-    StepIteratively();
-  } else if (m_settings.Stepper == Direct || m_contacts->GetMostRows() <= m_mostDirectRows) {
+void CRigidWorld::Step(CThreadPool* pool) {
+  if (m_settings.Stepper == SRigidSettings::EStepper::Direct) {
+    m_contacts->CreateInODE(true);
     StepDirectly();
-  } else {
-    StepByIslands();
+    return;
+  }
+  m_stepper.Step({m_active, *m_contacts, *m_grips, m_gravity, m_substep}, pool);
+  if (!m_articulated.empty()) {
+    StepJoints();
+  }
+}
+
+// ODE steps the islands with its joints.
+void CRigidWorld::StepJoints() {
+  const auto isOfODE = [this](const SRigidBody& body) {
+    return m_contacts->GetIsland(body).HasJoints;
+  };
+  m_contacts->CreateInODE(false);
+  for (SRigidBody* body : m_active) {
+    if (!body->Asleep && !isOfODE(*body)) {
+      ForEachPart(*body, &dBodyDisable);
+    }
+  }
+  StepByIslands();
+  for (SRigidBody* body : m_active) {
+    if (!body->Asleep) {
+      ForEachPart(*body, &dBodyEnable);
+    }
   }
 }
 
@@ -416,33 +451,29 @@ void CRigidWorld::StepDirectly() {
 
 // ODE steps every island that has an enabled body: first the small ones, then the large ones.
 void CRigidWorld::StepByIslands() {
-  const auto enable = [](dBodyID part) { dBodyEnable(part); };
-  const auto disable = [](dBodyID part) { dBodyDisable(part); };
-  const auto isLarge = [this](const SRigidBody& body) {
-    return m_contacts->GetIsland(body).Rows > m_mostDirectRows;
-  };
+  using enum SRigidSettings::EStepper;
+  const UInt32 most = m_settings.Stepper == Iterative ? 0 : m_mostDirectRows;
   m_large.clear();
   for (SRigidBody* body : m_active) {
-    if (!body->Asleep && isLarge(*body)) {
+    const CContactFinder::SIsland& island = m_contacts->GetIsland(*body);
+    if (!body->Asleep && island.HasJoints && island.Rows > most) {
       m_large.push_back(body);
-      ForEachPart(*body, disable);
+      ForEachPart(*body, &dBodyDisable);
     }
   }
   StepDirectly();
+  if (m_large.empty()) {
+    return;
+  }
   for (SRigidBody* body : m_active) {
     if (!body->Asleep) {
-      ForEachPart(*body, disable);
+      ForEachPart(*body, &dBodyDisable);
     }
   }
   for (SRigidBody* body : m_large) {
-    ForEachPart(*body, enable);
+    ForEachPart(*body, &dBodyEnable);
   }
   StepIteratively();
-  for (SRigidBody* body : m_active) {
-    if (!body->Asleep) {
-      ForEachPart(*body, enable);
-    }
-  }
 }
 
 void CRigidWorld::StepIteratively() {

@@ -8,6 +8,7 @@
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_ghosts.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_grips.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_settings.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_stepper.h>
 
 #include <functional>
 #include <memory>
@@ -86,6 +87,7 @@ class CRigidWorld {
   SRigidBody& MakePlane(const SGroundPlane& plane);
   void WakeAll();
   void Reserve();
+  void HardenJoints(const SRigidBody& body);
   void SetGround();
   void StartTick(CThreadPool* pool);
   void StartRobotTick(SRigidBody& body);
@@ -100,7 +102,8 @@ class CRigidWorld {
   Real ComputeLongestPath(Real fastest) const;
   UInt32 CountSubsteps() const;
   void SetSubstep(Real substep);
-  void Step();
+  void Step(CThreadPool* pool);
+  void StepJoints();
   void StepDirectly();
   void StepByIslands();
   void StepIteratively();
@@ -113,6 +116,7 @@ class CRigidWorld {
   // of this world only: worlds without one share one that is not thread-safe
   dThreadingImplementationID m_threading;
   std::unique_ptr<CContactFinder> m_contacts;
+  CRigidStepper m_stepper;
   std::unique_ptr<CRigidGrips> m_grips;
   CRigidGhosts m_ghosts;
   CFreeRobots m_free;
@@ -125,13 +129,15 @@ class CRigidWorld {
   std::vector<UInt32> m_struck;  // numbers of movable bodies
   std::vector<SRigidBody*> m_flying;
   std::vector<SRigidBody*> m_articulated;
-  std::vector<SRigidBody*> m_large;  // in islands that are solved iteratively
+  std::vector<SRigidBody*> m_large;  // in islands that ODE solves iteratively
   Real m_widest = 0.0;  // m; greatest bounding radius of all movable bodies that ever were here
   Real m_substep = 0.0;  // s
   UInt32 m_numSubsteps = 0;  // of this tick
+  Real m_heaviestLink = 0.0;  // kg; of all that ever were here
   UInt32 m_numIterativeSteps = 0;  // so far
   UInt32 m_mostDirectRows = 0;  // of an island that is solved directly, in this tick
   UInt64 m_numGivenUp = 0;
+  UInt64 m_numMade = 0;  // bodies so far
 };
 
 }  // namespace argos

@@ -51,6 +51,12 @@ CEmbodiedEntity& CDriveWorld::Body(const std::string& id) {
   return Get<CComposableEntity>(id).GetComponent<CEmbodiedEntity>("body");
 }
 
+CVector3 CDriveWorld::Foot(const std::string& id) {
+  const SAnchor& origin = Body(id).GetOriginAnchor();
+  CVector3 up(0.0, 0.0, 0.015);
+  return origin.Position + up.Rotate(origin.Orientation);
+}
+
 Real CDriveWorld::Yaw(const std::string& id) {
   CRadians z;
   CRadians y;

@@ -37,6 +37,11 @@ class CDriveWorld : public CTestWorld {
 
   CEmbodiedEntity& Body(const std::string& id);
   CVector3 Position(const std::string& id) { return Body(id).GetOriginAnchor().Position; }
+  /**
+   * The point of a robot's axis 1.5 cm above its base, m, where the solids of foot-bots and e-pucks
+   * in dynamics3d begin: of robots that lean, only what is above can overlap.
+   */
+  CVector3 Foot(const std::string& id);
   /** Heading, rad. */
   Real Yaw(const std::string& id);
   CContractDriver& Driver(const std::string& id);

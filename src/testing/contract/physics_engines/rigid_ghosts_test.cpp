@@ -60,7 +60,7 @@ TEST_CASE("rigid ghosts: robots that drive head-on at a border do not overlap",
   // runs until one has pushed the other across the border, so that both are in one engine
   for (int tick = 0; tick < 200 && world.EngineOf("a") != world.EngineOf("b"); ++tick) {
     world.Step();
-    deepest = std::max(deepest, radii - Distance(world.Position("a"), world.Position("b")));
+    deepest = std::max(deepest, radii - Distance(world.Foot("a"), world.Foot("b")));
   }
   // they have met, and overlap within the limit of engines only
   CHECK(deepest > -0.005);
@@ -203,8 +203,8 @@ TEST_CASE("rigid ghosts: a tick in steady state allocates nothing",
               DriverXml("foot-bot", "b" + id, 0.4, 0.3 * i, 180, 10, 10);
   }
   CRigidScene world(SSides{kDynamics3D, kDynamics3D}.ToXml(), robots);
-  // both stand and press against each other
-  world.Step(200);
+  // both press against each other; later, because their wheels slip, they slide past each other
+  world.Step(60);
   CheckAllocatesNothing([&] { world.Step(20); });
 }
 
