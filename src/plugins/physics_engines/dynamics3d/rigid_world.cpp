@@ -279,7 +279,9 @@ void CRigidWorld::Advance(CThreadPool* pool) {
     for (const SRigidBody* body : m_articulated) {
       DriveJoints(*body, m_substep);
     }
-    if (!m_active.empty()) {
+    // what sleeps is woken by others that are awake
+    if (std::any_of(m_active.begin(), m_active.end(),
+                    [](const auto* body) { return !body->Asleep; })) {
       m_contacts->Find(m_active, m_fixed, m_planes, *m_grips, m_ghosts, m_gravity, m_substep);
       SetPlanarMotors();
       Step(pool);
