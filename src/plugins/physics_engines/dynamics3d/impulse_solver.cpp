@@ -9,8 +9,8 @@ namespace {
 
 using TTriple = std::array<Real, 3>;
 
-// greatest number of blocks between whose sweeps it pays to extrapolate: it takes as long as a sweep,
-// and of large islands there are few sweeps
+// greatest number of blocks between whose sweeps it pays to extrapolate: it takes as long as a
+// sweep, and of large islands there are few sweeps
 constexpr size_t kMaxMixed = 256;
 // sweeps from which on the tolerance grows
 constexpr Real kManySweeps = 25.0;
@@ -291,7 +291,8 @@ UInt32 CImpulseSolver::Solve(UInt32 maxSweeps, Real tolerance) {
     if (change <= tolerance * (1.0 + late * late * late)) {
       return sweep;
     }
-    if (mixes) {
+    // the last sweeps, if they do not converge, must not be left with an extrapolation that fails
+    if (mixes && 4 * sweep < 3 * maxSweeps) {
       Extrapolate();
     }
   }
