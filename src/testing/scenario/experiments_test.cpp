@@ -129,6 +129,34 @@ TEST_CASE("experiments: foraging robots deliver food according to the data file"
   CHECK(delivered >= 5);
 }
 
+TEST_CASE("experiments: fifteen robots carry the load to the light, thirteen are too weak",
+          "[experiments]") {
+  // 225 N and 195 N against a friction of 210 N
+  const auto [robots, least, most] =
+      GENERATE(table<std::string, double, double>({{"15", 0.0, 4.0}, {"13", -2.5, -1.7}}));
+  CAPTURE(robots);
+  const CTestFolder folder;
+  Prepare(folder);
+  REQUIRE(folder
+              .Run({"-z", "-c", "experiments/transport.argos", "--length", "50", "--csv", "out",
+                    "--set", "//distribute/entity/@quantity=" + robots})
+              .Status == 0);
+  std::istringstream data(folder.Read("out/robots.csv"));
+  std::string line;
+  int count = 0;
+  while (std::getline(data, line)) {
+    // run, tick, time, id, x, ...
+    std::smatch match;
+    if (std::regex_search(line, match, std::regex("^0,500,50,fb[0-9]+,([^,]+),"))) {
+      const double x = std::stod(match[1].str());
+      CHECK(x > least);
+      CHECK(x < most);
+      ++count;
+    }
+  }
+  CHECK(std::to_string(count) == robots);
+}
+
 TEST_CASE("experiments: robots that lay trails deliver at least twice the food", "[experiments]") {
   const auto [name, controller] = GENERATE(table<std::string, std::string>(
       {{"pheromone", "epuck_trails_controller"}, {"pheromone_lua", "lua_controller"}}));
