@@ -1,6 +1,7 @@
 // Adding, moving, removing, resetting and transferring rigid bodies; threads.
 
 #include <argos3/testing/contract/physics_engines/rigid_scene.h>
+#include <argos3/testing/support/captured_logs.h>
 #include <argos3/testing/support/no_allocation.h>
 
 #include <argos3/core/simulator/loop_functions.h>
@@ -126,6 +127,10 @@ TEST_CASE("rigid lifecycle: after a reset the run repeats bit by bit",
   for (int repetition = 0; repetition < 2; ++repetition) {
     world.GetSimulator().Reset();
     REQUIRE(Run(world, 100) == first);
+  }
+  if (stepper == "direct") {
+    // warns once of contacts that ODE has left unsolved
+    TakeLogErr();
   }
 }
 
