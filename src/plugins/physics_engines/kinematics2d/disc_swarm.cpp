@@ -195,6 +195,26 @@ Real CDiscSwarm::GetMaxForce(UInt32 slot) const {
   return GetOwner(slot).Body->GetBodyDescription()->GetDriveLimits().MaxForce;
 }
 
+// It does not leave the circle in which others expect it, nor come near a robot of another engine.
+Real CDiscSwarm::GetRoomBack(UInt32 slot) const {
+  CheckPlaces();
+  CheckSlot(slot);
+  const SPlace& disc = m_places[m_sort.GetPlace(slot)];
+  return m_ghostLines.Has(slot)
+             ? 0.0
+             : std::max(0.0, static_cast<Real>(disc.Reach) - m_radius[slot] - kMaxRounding);
+}
+
+void CDiscSwarm::PushBack(UInt32 slot, const SStep& step) {
+  CheckPlaces();
+  CheckSlot(slot);
+  SPlace& disc = m_places[m_sort.GetPlace(slot)];
+  disc.X = m_x[slot] = m_nextX[slot] = m_x[slot] + step.X;
+  disc.Y = m_y[slot] = m_nextY[slot] = m_y[slot] + step.Y;
+  disc.Reach = static_cast<float>(static_cast<Real>(disc.Reach) - std::hypot(step.X, step.Y));
+  m_stepX[slot] = m_stepY[slot] = 0.0;
+}
+
 void CDiscSwarm::SetPose(const SKinematicHandle& handle, const SPlanarPose& pose) {
   m_generations.Check(handle);
   PutAt(handle.Slot, pose);

@@ -88,6 +88,10 @@ class CDiscSwarm {
     CheckSlot(slot);
     return {m_stepX[slot], m_stepY[slot]};
   }
+  /** After Plan(): how far PushBack() may move a disc, m. */
+  Real GetRoomBack(UInt32 slot) const;
+  /** Between Plan() and Step(): moves a disc by a step, in place of the one that was planned. */
+  void PushBack(UInt32 slot, const SStep& step);
   /** Its greatest pushing force, N. */
   Real GetMaxForce(UInt32 slot) const;
   const SKinematicOwner& GetOwner(UInt32 slot) const {

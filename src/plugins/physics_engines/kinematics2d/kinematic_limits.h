@@ -32,13 +32,17 @@ constexpr UInt32 kTicksOfGrid = 32;
 constexpr Real kSolidTolerance = 1e-5;
 /** Solids step by at most this share of half their narrowest side, so that none passes another. */
 constexpr Real kSolidStep = 0.25;
-/** Iterations of CPushSolver. */
-constexpr int kPushIterations = 200;
+/** Greatest number of sweeps of CPushSolver over an island. */
+constexpr UInt32 kPushSweeps = 3000;
+/** Change in a sweep at which forces count as found, as a share of the greatest motion. */
+constexpr Real kPushTolerance = 1e-9;
+/** Change of a motion at which it counts as steady, as a share of the greatest motion. */
+constexpr Real kPushSteady = 1e-4;
 /**
- * A pushed body that moves by the greatest need resists with this share of its friction in addition
- * to its friction, which makes the solver converge.
+ * Share of the strongest drive that would accelerate a body to the greatest motion. A smaller share
+ * needs more sweeps until the forces are found, a larger one until the motion is steady.
  */
-constexpr Real kPushSlack = 1e-3;
+constexpr Real kPushSlack = 5e-2;
 
 }  // namespace argos
 

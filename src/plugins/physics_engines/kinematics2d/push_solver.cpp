@@ -9,164 +9,21 @@ namespace argos {
 
 namespace {
 
-// N; assumed friction, for the compliance of bodies without friction
+// N; assumed where no body has friction or a drive
 constexpr Real kLeastForce = 1e-3;
-// change in a sweep at which the solver stops, as a share of the greatest need
-constexpr Real kSettled = 1e-9;
 
 }  // namespace
 
-void CPushSolver::Clear() {
-  m_bodies.clear();
-  m_contacts.clear();
-  m_greatestNeed = 0.0;
-}
+// These are on the path of all sweeps.
 
-UInt32 CPushSolver::AddBody(const STwist& twist, Real force, Real torque, Real squaredGyration) {
-  m_bodies.push_back({twist, force, torque, squaredGyration, 0.0, 0.0, 0.0, 0.0, 0.0});
-  const Real wanted =
-      std::hypot(twist.X, twist.Y) + std::abs(twist.Turn) * std::sqrt(squaredGyration);
-  m_greatestNeed = std::max(m_greatestNeed, wanted);
-  return static_cast<UInt32>(m_bodies.size() - 1);
-}
-
-void CPushSolver::AddContact(const SContact& contact) {
-  CheckNumber(contact.Pushed);
-  if (contact.Pushing != kNone) {
-    CheckNumber(contact.Pushing);
-  }
-  m_contacts.push_back({contact, 0.0, 0.0});
-  m_greatestNeed = std::max(m_greatestNeed, contact.Need);
-}
-
-void CPushSolver::Prepare() {
-  for (SBody& body : m_bodies) {
-    const Real force = std::max(body.Force, kLeastForce);
-    body.Give = m_greatestNeed / (kPushSlack * force);
-    body.TurnGive = body.Give / body.SquaredGyration;
-  }
-  for (SForce& contact : m_contacts) {
-    const SBody& pushed = m_bodies[contact.Pushed];
-    contact.Give = pushed.Give + contact.LeverPushed * contact.LeverPushed * pushed.TurnGive;
-    if (contact.Pushing != kNone) {
-      const SBody& pushing = m_bodies[contact.Pushing];
-      contact.Give += pushing.Give + contact.LeverPushing * contact.LeverPushing * pushing.TurnGive;
-    }
-  }
-}
-
-// Assumes that pushed bodies slide in the direction of the push, with full friction. Then the
-// forces are right from the start; otherwise they converge within few sweeps.
-void CPushSolver::GuessFriction() {
-  for (const SForce& contact : m_contacts) {
-    SBody& body = m_bodies[contact.Pushed];
-    Real weight = std::max(0.0, contact.Need);
-    if (contact.Pushing != kNone) {
-      const SBody& pushing = m_bodies[contact.Pushing];
-      weight = std::max(0.0, -contact.NormalX * pushing.UsedX - contact.NormalY * pushing.UsedY);
-    }
-    body.UsedX -= weight * contact.NormalX;
-    body.UsedY -= weight * contact.NormalY;
-    body.UsedTorque -= weight * contact.LeverPushed;
-  }
-  for (SBody& body : m_bodies) {
-    const Real length = std::hypot(body.UsedX, body.UsedY);
-    if (length > 0.0) {
-      const Real scale = body.Force / length;
-      body.UsedX *= scale;
-      body.UsedY *= scale;
-      body.UsedTorque = std::clamp(body.UsedTorque * scale, -body.Torque, body.Torque);
-      Push(body, body.UsedX, body.UsedY, body.UsedTorque);
-    } else {
-      body.UsedTorque = 0.0;
-    }
-  }
-  for (int sweep = 0; sweep < kPushIterations && SolveContacts() > kSettled * m_greatestNeed;
-       ++sweep) {
-  }
-}
-
-// @return the greatest change, m.
-Real CPushSolver::SolveContacts() {
-  Real change = 0.0;
-  for (SForce& contact : m_contacts) {
-    change = std::max(change, SolveContact(contact));
-  }
-  return change;
-}
-
-void CPushSolver::Solve() {
-  if (!(m_greatestNeed > 0.0)) {
-    return;
-  }
-  Prepare();
-  GuessFriction();
-  for (int sweep = 0; sweep < kPushIterations; ++sweep) {
-    for (SBody& body : m_bodies) {
-      SolveFriction(body);
-    }
-    // contacts last, so that no overlap remains in the end
-    if (SolveContacts() < kSettled * m_greatestNeed) {
-      break;
-    }
-  }
-  KeepApart();
-}
-
-// Enforces Least of all contacts, so that the order of opposing pushes has no effect.
-void CPushSolver::KeepApart() {
-  Real missing = HUGE_VAL;
-  for (int sweep = 0; sweep < kPushIterations && missing > kSettled * m_greatestNeed; ++sweep) {
-    missing = 0.0;
-    for (SForce& contact : m_contacts) {
-      const Real shortOf = contact.Least - ComputeMotion(contact);
-      if (shortOf > 0.0) {
-        AddForce(contact, shortOf / contact.Give);
-        missing = std::max(missing, shortOf);
-      }
-    }
-  }
-}
-
-void CPushSolver::Push(SBody& body, Real x, Real y, Real torque) {
+inline void CPushSolver::Push(SBody& body, Real x, Real y, Real torque) {
   body.Twist.X += body.Give * x;
   body.Twist.Y += body.Give * y;
   body.Twist.Turn += body.TurnGive * torque;
 }
 
-// Friction exerts the force that keeps the body at its place, up to its bounds.
-void CPushSolver::SolveFriction(SBody& body) {
-  if (body.Force > 0.0) {
-    Real x = body.UsedX - body.Twist.X / body.Give;
-    Real y = body.UsedY - body.Twist.Y / body.Give;
-    const Real length = std::sqrt(x * x + y * y);
-    if (length > body.Force) {
-      x *= body.Force / length;
-      y *= body.Force / length;
-    }
-    Push(body, x - body.UsedX, y - body.UsedY, 0.0);
-    body.UsedX = x;
-    body.UsedY = y;
-  }
-  if (body.Torque > 0.0) {
-    const Real torque =
-        std::clamp(body.UsedTorque - body.Twist.Turn / body.TurnGive, -body.Torque, body.Torque);
-    Push(body, 0.0, 0.0, torque - body.UsedTorque);
-    body.UsedTorque = torque;
-  }
-}
-
-// @return the change, m.
-Real CPushSolver::SolveContact(SForce& contact) {
-  const Real force = std::clamp(
-      contact.Force + (contact.Need - ComputeMotion(contact)) / contact.Give, 0.0, contact.Cap);
-  const Real change = force - contact.Force;
-  AddForce(contact, change);
-  return std::abs(change) * contact.Give;
-}
-
 // The motion of the pushed body along the normal, relative to the pushing one, m.
-Real CPushSolver::ComputeMotion(const SContact& contact) const {
+inline Real CPushSolver::ComputeMotion(const SContact& contact) const {
   const STwist& pushed = m_bodies[contact.Pushed].Twist;
   Real moved =
       contact.NormalX * pushed.X + contact.NormalY * pushed.Y + contact.LeverPushed * pushed.Turn;
@@ -178,13 +35,286 @@ Real CPushSolver::ComputeMotion(const SContact& contact) const {
   return moved;
 }
 
-void CPushSolver::AddForce(SForce& contact, Real change) {
+inline void CPushSolver::AddForce(SForce& contact, Real change) {
   contact.Force += change;
   Push(m_bodies[contact.Pushed], change * contact.NormalX, change * contact.NormalY,
        change * contact.LeverPushed);
   if (contact.Pushing != kNone) {
     Push(m_bodies[contact.Pushing], -change * contact.NormalX, -change * contact.NormalY,
          -change * contact.LeverPushing);
+  }
+}
+
+// @return the change, m.
+inline Real CPushSolver::SolveContact(SForce& contact) {
+  const Real force =
+      std::max(0.0, contact.Force + (contact.Least - ComputeMotion(contact)) * contact.Mass);
+  const Real change = force - contact.Force;
+  AddForce(contact, change);
+  return std::abs(change) * contact.Give;
+}
+
+// Friction, or a drive, exerts the force that makes the body move as its target, up to its bounds.
+// @return the change, m.
+inline Real CPushSolver::AimAtTarget(SBody& body) {
+  Real change = 0.0;
+  if (body.Force > 0.0) {
+    Real x = body.Used.X - (body.Twist.X - body.Target.X) * body.Mass;
+    Real y = body.Used.Y - (body.Twist.Y - body.Target.Y) * body.Mass;
+    const Real squaredLength = x * x + y * y;
+    if (squaredLength > body.Force * body.Force) {
+      const Real scale = body.Force / std::sqrt(squaredLength);
+      x *= scale;
+      y *= scale;
+    }
+    change = body.Give * (std::abs(x - body.Used.X) + std::abs(y - body.Used.Y));
+    Push(body, x - body.Used.X, y - body.Used.Y, 0.0);
+    body.Used.X = x;
+    body.Used.Y = y;
+  }
+  if (body.Torque > 0.0 && body.TurnGive > 0.0) {
+    const Real torque =
+        std::clamp(body.Used.Turn - (body.Twist.Turn - body.Target.Turn) / body.TurnGive,
+                   -body.Torque, body.Torque);
+    const Real added = torque - body.Used.Turn;
+    change = std::max(change, body.TurnGive * std::abs(added) * std::sqrt(body.SquaredGyration));
+    Push(body, 0.0, 0.0, added);
+    body.Used.Turn = torque;
+  }
+  return change;
+}
+
+void CPushSolver::Clear() {
+  m_bodies.clear();
+  m_contacts.clear();
+}
+
+UInt32 CPushSolver::AddBody(const STwist& target, Real force, Real torque, Real squaredGyration) {
+  const auto number = static_cast<UInt32>(m_bodies.size());
+  SBody& body = m_bodies.emplace_back();
+  body.Target = body.Twist = target;
+  body.Force = force;
+  body.Torque = torque;
+  body.SquaredGyration = squaredGyration;
+  body.Parent = number;
+  return number;
+}
+
+void CPushSolver::AddContact(const SContact& contact) {
+  CheckNumber(contact.Pushed);
+  if (contact.Pushing != kNone) {
+    CheckNumber(contact.Pushing);
+    const UInt32 a = FindRoot(contact.Pushing);
+    const UInt32 b = FindRoot(contact.Pushed);
+    m_bodies[std::max(a, b)].Parent = std::min(a, b);
+  }
+  SForce& force = m_contacts.emplace_back();
+  static_cast<SContact&>(force) = contact;
+}
+
+UInt32 CPushSolver::FindRoot(UInt32 body) {
+  while (m_bodies[body].Parent != body) {
+    m_bodies[body].Parent = m_bodies[m_bodies[body].Parent].Parent;
+    body = m_bodies[body].Parent;
+  }
+  return body;
+}
+
+void CPushSolver::SortByIslands() {
+  m_bodyOrder.clear();
+  m_contactOrder.clear();
+  for (UInt32 i = 0; i < m_bodies.size(); ++i) {
+    m_bodyOrder.push_back({FindRoot(i), i});
+  }
+  for (UInt32 i = 0; i < m_contacts.size(); ++i) {
+    m_contactOrder.push_back({FindRoot(m_contacts[i].Pushed), i});
+  }
+  std::sort(m_bodyOrder.begin(), m_bodyOrder.end());
+  std::sort(m_contactOrder.begin(), m_contactOrder.end());
+}
+
+void CPushSolver::Solve() {
+  SortByIslands();
+  const auto takeIsland = [](const std::vector<SMember>& order, size_t first, UInt32 island) {
+    size_t end = first;
+    while (end < order.size() && order[end].Island == island) {
+      ++end;
+    }
+    return std::span(order).subspan(first, end - first);
+  };
+  size_t contact = 0;
+  for (size_t body = 0; body < m_bodyOrder.size();) {
+    const UInt32 number = m_bodyOrder[body].Island;
+    const SIsland island = {takeIsland(m_bodyOrder, body, number),
+                            takeIsland(m_contactOrder, contact, number), 0.0};
+    body += island.Bodies.size();
+    contact += island.Contacts.size();
+    if (!island.Contacts.empty()) {
+      SolveIsland(island);
+    }
+  }
+}
+
+void CPushSolver::SolveIsland(SIsland island) {
+  Prepare(island);
+  if (!(island.Need > 0.0)) {
+    return;
+  }
+  UInt32 sweeps = Iterate(island, kPushSweeps);
+  while (sweeps < kPushSweeps && !IsSteady(island)) {
+    StartFromResult(island);
+    sweeps += Iterate(island, kPushSweeps - sweeps);
+  }
+}
+
+// The mass of a body is free to choose. It is so large that a small share of the strongest drive,
+// at each of its contacts, would accelerate the body from rest to the greatest need: then few
+// sweeps are necessary also where many robots touch one object.
+void CPushSolver::Prepare(SIsland& island) {
+  Real drive = 0.0;
+  Real friction = kLeastForce;
+  for (const SMember& member : island.Bodies) {
+    SBody& body = m_bodies[member.Number];
+    const bool isDriven = body.Target.X != 0.0 || body.Target.Y != 0.0 || body.Target.Turn != 0.0;
+    Real& strongest = isDriven ? drive : friction;
+    strongest = std::max(strongest, body.Force);
+    body.Start = body.Twist = body.Target;
+    body.Used = body.Step = STwist();
+    body.Give = body.TurnGive = 0.0;
+  }
+  for (const SMember& member : island.Contacts) {
+    const SForce& contact = m_contacts[member.Number];
+    island.Need = std::max(island.Need, contact.Least - ComputeMotion(contact));
+    CountContact(contact.Pushed, contact.LeverPushed);
+    if (contact.Pushing != kNone) {
+      CountContact(contact.Pushing, contact.LeverPushing);
+    }
+  }
+  const Real give = island.Need / (kPushSlack * (drive > 0.0 ? drive : friction));
+  for (const SMember& member : island.Bodies) {
+    SBody& body = m_bodies[member.Number];
+    const Real count = std::max(1.0, body.Give);
+    body.TurnGive = body.Torque == kUnlimited
+                        ? 0.0
+                        : give / std::max(count * body.SquaredGyration, body.TurnGive);
+    body.Give = give / count;
+    body.Mass = 1.0 / body.Give;
+  }
+  for (const SMember& member : island.Contacts) {
+    SForce& contact = m_contacts[member.Number];
+    const SBody& pushed = m_bodies[contact.Pushed];
+    contact.Give = pushed.Give + contact.LeverPushed * contact.LeverPushed * pushed.TurnGive;
+    if (contact.Pushing != kNone) {
+      const SBody& pushing = m_bodies[contact.Pushing];
+      contact.Give += pushing.Give + contact.LeverPushing * contact.LeverPushing * pushing.TurnGive;
+    }
+    contact.Mass = 1.0 / contact.Give;
+    contact.Force = contact.Step = 0.0;
+  }
+}
+
+// Before the compliances of a body are known, they hold the number of its contacts and the sum of
+// the squares of their levers.
+void CPushSolver::CountContact(UInt32 body, Real lever) {
+  m_bodies[body].Give += 1.0;
+  m_bodies[body].TurnGive += lever * lever;
+}
+
+// Finds forces that fit the start of all bodies. @return the number of sweeps.
+UInt32 CPushSolver::Iterate(const SIsland& island, UInt32 mostSweeps) {
+  // of an energy that counts as shrinking still
+  constexpr Real kGrowth = 1.02;
+  Real before = 0.0;
+  for (UInt32 sweep = 1;; ++sweep) {
+    Keep(island);
+    // the last thing is a sweep, so that no force exceeds its bounds
+    if (Sweep(island) <= kPushTolerance * island.Need || sweep == mostSweeps) {
+      return sweep;
+    }
+    const Real energy = MeasureEnergy(island);
+    // starts anew after a change that has grown
+    StepOn(island, energy < kGrowth * before ? std::min(1.0, energy / before) : 0.0);
+    before = energy;
+  }
+}
+
+void CPushSolver::Keep(const SIsland& island) {
+  for (const SMember& member : island.Bodies) {
+    m_bodies[member.Number].Kept = m_bodies[member.Number].Used;
+  }
+  for (const SMember& member : island.Contacts) {
+    m_contacts[member.Number].Kept = m_contacts[member.Number].Force;
+  }
+}
+
+// Contacts are last, so that no overlap remains in the end. @return the greatest change, m.
+Real CPushSolver::Sweep(const SIsland& island) {
+  Real change = 0.0;
+  for (const SMember& member : island.Bodies) {
+    change = std::max(change, AimAtTarget(m_bodies[member.Number]));
+  }
+  for (const SMember& member : island.Contacts) {
+    change = std::max(change, SolveContact(m_contacts[member.Number]));
+  }
+  return change;
+}
+
+// The sum of the squared changes of forces in a sweep, each times the compliance.
+Real CPushSolver::MeasureEnergy(const SIsland& island) const {
+  Real energy = 0.0;
+  for (const SMember& member : island.Bodies) {
+    const SBody& body = m_bodies[member.Number];
+    const Real x = body.Used.X - body.Kept.X;
+    const Real y = body.Used.Y - body.Kept.Y;
+    const Real torque = body.Used.Turn - body.Kept.Turn;
+    energy += body.Give * (x * x + y * y) + body.TurnGive * torque * torque;
+  }
+  for (const SMember& member : island.Contacts) {
+    const SForce& contact = m_contacts[member.Number];
+    energy += contact.Give * (contact.Force - contact.Kept) * (contact.Force - contact.Kept);
+  }
+  return energy;
+}
+
+// Makes the change of a sweep the direction, and adds a share of the direction before.
+void CPushSolver::StepOn(const SIsland& island, Real share) {
+  for (const SMember& member : island.Bodies) {
+    SBody& body = m_bodies[member.Number];
+    const STwist step = {share * body.Step.X, share * body.Step.Y, share * body.Step.Turn};
+    body.Step = {step.X + body.Used.X - body.Kept.X, step.Y + body.Used.Y - body.Kept.Y,
+                 step.Turn + body.Used.Turn - body.Kept.Turn};
+    body.Used.X += step.X;
+    body.Used.Y += step.Y;
+    body.Used.Turn += step.Turn;
+    Push(body, step.X, step.Y, step.Turn);
+  }
+  for (const SMember& member : island.Contacts) {
+    SForce& contact = m_contacts[member.Number];
+    const Real step = share * contact.Step;
+    contact.Step = step + contact.Force - contact.Kept;
+    AddForce(contact, step);
+  }
+}
+
+bool CPushSolver::IsSteady(const SIsland& island) const {
+  return std::all_of(island.Bodies.begin(), island.Bodies.end(), [&](const SMember& member) {
+    const SBody& body = m_bodies[member.Number];
+    const Real change =
+        std::hypot(body.Twist.X - body.Start.X, body.Twist.Y - body.Start.Y) +
+        std::abs(body.Twist.Turn - body.Start.Turn) * std::sqrt(body.SquaredGyration);
+    return change <= kPushSteady * island.Need;
+  });
+}
+
+// All forces stay, so that bodies first go on to change as before.
+void CPushSolver::StartFromResult(const SIsland& island) {
+  for (const SMember& member : island.Bodies) {
+    SBody& body = m_bodies[member.Number];
+    const STwist twist = body.Twist;
+    body.Twist.X += twist.X - body.Start.X;
+    body.Twist.Y += twist.Y - body.Start.Y;
+    body.Twist.Turn += twist.Turn - body.Start.Turn;
+    body.Start = twist;
   }
 }
 

@@ -4,8 +4,9 @@
 #include <argos3/core/utility/configuration/argos_exception.h>
 #include <argos3/core/utility/datatypes/datatypes.h>
 
-#include <cstddef>
+#include <compare>
 #include <limits>
+#include <span>
 #include <vector>
 
 namespace argos {
@@ -18,28 +19,31 @@ struct STwist {
 };
 
 /**
- * Computes how bodies with ground friction move when they are pushed.
+ * Computes how bodies move when robots push them against their friction with the ground.
  *
- * Quasi-static: bodies have no momentum. A pusher moves as planned, with a bounded force; friction
- * resists with a bounded force and torque; bodies do not penetrate each other or fixed obstacles.
- * Forces are found by sweeps over contacts and frictions (projected Gauss-Seidel), as in a solver
- * for rigid bodies that start every tick at rest and whose inertia is negligible against friction.
+ * Quasi-static: nothing has momentum. Each body has a target and a force that aims at it, with
+ * bounds: that of an object is its friction, which aims at rest; that of a robot is its drive,
+ * which aims at the planned step. Of all motions in which no body penetrates another, bodies make
+ * the one with the least sum of forces times deviations from targets (minimum dissipation).
+ *
+ * Bodies that are connected by contacts are solved as bodies of little mass, whose forces are found
+ * by sweeps (projected Gauss-Seidel), which are the steps of a conjugate gradient method (NNCG).
+ * That is repeated from the motion that was found until the motion is steady: then the mass has no
+ * effect, and the result depends neither on the order of bodies nor on that of contacts.
  */
 class CPushSolver {
  public:
   static constexpr UInt32 kNone = std::numeric_limits<UInt32>::max();
   static constexpr Real kUnlimited = std::numeric_limits<Real>::infinity();
 
-  /** A contact in which a body is pushed. The normal has unit length and points to that body. */
+  /** A contact of two bodies. The normal has unit length and points to the pushed one. */
   struct SContact {
     UInt32 Pushing = kNone; /**< number of a body; kNone: an obstacle that does not move */
     UInt32 Pushed = 0; /**< number of a body */
     Real NormalX = 0.0, NormalY = 0.0;
     Real LeverPushing = 0.0, LeverPushed = 0.0; /**< of the normal about the bodies' origins, m */
-    /** Wanted motion of the pushed body along the normal, relative to the pushing one, m. */
-    Real Need = 0.0;
-    Real Cap = kUnlimited; /**< bound of the force for Need, N */
-    /** Motion that is required in any case to prevent an overlap, m; <= Need. */
+    /** Least motion of the pushed body along the normal, relative to the pushing one, m: the
+     * negative gap. */
     Real Least = 0.0;
   };
 
@@ -47,12 +51,13 @@ class CPushSolver {
   void Clear();
   /**
    * Adds a body.
-   * @param twist            its motion without contacts.
-   * @param force, torque    bounds of its friction, N and N m.
+   * @param target           its motion without contacts; of objects that lie on the ground: none.
+   * @param force, torque    bounds of what aims at the target, N and N m; with an unlimited torque
+   *                         the body always turns as its target.
    * @param squaredGyration  moment of inertia over mass, m^2.
    * @return its number.
    */
-  UInt32 AddBody(const STwist& twist, Real force, Real torque, Real squaredGyration);
+  UInt32 AddBody(const STwist& target, Real force, Real torque, Real squaredGyration);
   void AddContact(const SContact& contact);
   void Solve();
   const STwist& GetTwist(UInt32 body) const {
@@ -62,33 +67,57 @@ class CPushSolver {
 
  private:
   struct SBody {
-    STwist Twist;
+    STwist Target;
     Real Force, Torque;  // N, N m
     Real SquaredGyration;  // m^2
+    UInt32 Parent;  // of the tree of connected bodies
     Real Give, TurnGive;  // m/N, rad/(N m): compliance
-    Real UsedX, UsedY, UsedTorque;  // of friction, N, N m
+    Real Mass;  // N/m: the inverse of Give
+    STwist Start;  // before forces
+    STwist Twist;
+    STwist Used;  // force and torque that aim at the target, N, N m
+    STwist Kept, Step;  // the same before the sweep; direction of the search
   };
   struct SForce : SContact {
-    Real Give;  // m/N, of both
+    Real Give, Mass;  // m/N, N/m, of both
     Real Force;  // N
+    Real Kept, Step;  // see SBody
+  };
+  /** A body or contact, in the order of islands. */
+  struct SMember {
+    UInt32 Island, Number;
+    auto operator<=>(const SMember&) const = default;
+  };
+  /** Bodies that are connected by contacts. */
+  struct SIsland {
+    std::span<const SMember> Bodies, Contacts;
+    Real Need;  // m, by which bodies at their targets would penetrate each other
   };
 
   void CheckNumber([[maybe_unused]] UInt32 body) const {
     ARGOS_ASSERT(body < m_bodies.size(), "the solver has no body with the number " << body);
   }
-  void Prepare();
-  void GuessFriction();
-  Real SolveContacts();
+  UInt32 FindRoot(UInt32 body);
+  void SortByIslands();
+  void SolveIsland(SIsland island);
+  void Prepare(SIsland& island);
+  void CountContact(UInt32 body, Real lever);
+  UInt32 Iterate(const SIsland& island, UInt32 mostSweeps);
+  void Keep(const SIsland& island);
+  Real Sweep(const SIsland& island);
+  Real MeasureEnergy(const SIsland& island) const;
+  void StepOn(const SIsland& island, Real share);
+  bool IsSteady(const SIsland& island) const;
+  void StartFromResult(const SIsland& island);
+  static Real AimAtTarget(SBody& body);
   Real SolveContact(SForce& contact);
   Real ComputeMotion(const SContact& contact) const;
   void AddForce(SForce& contact, Real change);
-  void KeepApart();
-  void SolveFriction(SBody& body);
   static void Push(SBody& body, Real x, Real y, Real torque);
 
   std::vector<SBody> m_bodies;
   std::vector<SForce> m_contacts;
-  Real m_greatestNeed = 0.0;  // m
+  std::vector<SMember> m_bodyOrder, m_contactOrder;
 };
 
 }  // namespace argos

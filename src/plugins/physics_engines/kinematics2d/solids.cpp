@@ -11,29 +11,10 @@ namespace argos {
 
 namespace {
 
-// passes over the pushed bodies, because one may block another
-constexpr int kPasses = 4;
+// greatest number of passes over the pushed bodies, because one may block another
+constexpr int kPasses = 16;
 // how often a step that is too long is halved
 constexpr int kHalvings = 8;
-
-Real ComputeLever(const SSolid& solid, const SSeparation& contact) {
-  return (contact.PointX - solid.Pose.X) * contact.NormalY -
-         (contact.PointY - solid.Pose.Y) * contact.NormalX;
-}
-
-Real ComputeLength(const SSolid& solid, const STwist& twist) {
-  return std::hypot(twist.X, twist.Y) + std::abs(twist.Turn) * solid.BoundingRadius;
-}
-
-// a twist, scaled down to a length (m) if it is longer
-STwist Shortened(const SSolid& solid, const STwist& twist, Real longest) {
-  const Real length = ComputeLength(solid, twist);
-  if (length <= longest) {
-    return twist;
-  }
-  const Real scale = longest / length;
-  return {scale * twist.X, scale * twist.Y, scale * twist.Turn};
-}
 
 SPlanarPose Moved(const SPlanarPose& pose, const STwist& twist, Real share) {
   SPlanarPose moved = pose;
@@ -76,7 +57,31 @@ bool IsNear(const SSolid& solid, const SFootprint& footprint, Real margin) {
   return dx * dx + dy * dy <= reach * reach;
 }
 
+// The motion that a contact requires of two bodies, m: at most @p most of an overlap. Gaps and
+// overlaps within the tolerance count as 0: to open or close them would take many sweeps.
+Real ComputeLeast(Real gap, Real narrowestHalf, Real most) {
+  return std::abs(gap) <= kSolidTolerance * narrowestHalf ? 0.0 : std::min(-gap, most);
+}
+
 }  // namespace
+
+Real ComputeLever(const SSolid& solid, const SSeparation& contact) {
+  return (contact.PointX - solid.Pose.X) * contact.NormalY -
+         (contact.PointY - solid.Pose.Y) * contact.NormalX;
+}
+
+Real ComputeLength(const SSolid& solid, const STwist& twist) {
+  return std::hypot(twist.X, twist.Y) + std::abs(twist.Turn) * solid.BoundingRadius;
+}
+
+STwist Shortened(const SSolid& solid, const STwist& twist, Real longest) {
+  const Real length = ComputeLength(solid, twist);
+  if (length <= longest) {
+    return twist;
+  }
+  const Real scale = longest / length;
+  return {scale * twist.X, scale * twist.Y, scale * twist.Turn};
+}
 
 void CSolids::Reserve(size_t solids) {
   m_solids.reserve(solids);
@@ -87,6 +92,7 @@ void CSolids::Reserve(size_t solids) {
   m_found.reserve(256);
   m_pushed.reserve(solids);
   m_nearDiscs.reserve(256);
+  m_pushers.reserve(256);
   m_pushes.reserve(256);
   m_obstacles.reserve(256);
   m_ghosts.reserve(256);
@@ -185,12 +191,13 @@ void CSolids::Plan(const SSubstep& substep) {
   }
 }
 
-void CSolids::Step(const CDiscSwarm& discs) {
+void CSolids::Step(CDiscSwarm& discs) {
   if (m_solids.empty()) {
     return;
   }
   m_solver.Clear();
   m_pushed.clear();
+  m_pushers.clear();
   m_pushes.clear();
   m_farthest = 0.0;
   if (!m_ghosts.empty()) {
@@ -207,22 +214,10 @@ void CSolids::Step(const CDiscSwarm& discs) {
     AddNeighbours(m_pushed[i], discs);
   }
   m_solver.Solve();
-  for (const UInt32 slot : m_pushed) {
-    // limited to the distance within which others search for it
-    SSolid& solid = m_solids[slot];
-    const STwist& twist = m_solver.GetTwist(solid.Number);
-    solid.Twist = Shortened(solid, twist, ComputeFarthest(solid));
-    solid.Number = CPushSolver::kNone;
-    // the rest of a deep overlap is corrected in the next ticks
-    solid.IsFresh =
-        solid.IsFresh && ComputeLength(solid, solid.Twist) > kSolidTolerance * solid.NarrowestHalf;
-  }
-  for (int pass = 0; pass < kPasses; ++pass) {
-    for (const UInt32 slot : m_pushed) {
-      SSolid& solid = m_solids[slot];
-      const Real left = 1.0 - Move(solid, solid.Twist, discs);
-      solid.Twist = {left * solid.Twist.X, left * solid.Twist.Y, left * solid.Twist.Turn};
-    }
+  TakeTwists(discs);
+  bool hasProgress = true;
+  for (int pass = 0; pass < kPasses && hasProgress; ++pass) {
+    hasProgress = MovePushed(discs);
   }
   for (SSolid& solid : m_solids) {
     if (!solid.IsPassive()) {
@@ -230,6 +225,29 @@ void CSolids::Step(const CDiscSwarm& discs) {
       solid.IsFresh = false;
     }
   }
+}
+
+// Moves the pushed bodies by what is left of their twists, those that are farthest from the robots
+// first, because they make space for the others. @return true if another pass may move them on.
+bool CSolids::MovePushed(CDiscSwarm& discs) {
+  bool hasMoved = false;
+  bool isBlocked = false;
+  const auto take = [&](STwist& twist, Real share) {
+    if (twist.X != 0.0 || twist.Y != 0.0 || twist.Turn != 0.0) {
+      hasMoved |= share > 0.0;
+      isBlocked |= share < 1.0;
+      const Real left = 1.0 - share;
+      twist = {left * twist.X, left * twist.Y, left * twist.Turn};
+    }
+  };
+  for (SPusher& pusher : m_pushers) {
+    take(pusher.Back, PushBack(pusher, discs));
+  }
+  for (size_t i = m_pushed.size(); i-- > 0;) {
+    SSolid& solid = m_solids[m_pushed[i]];
+    take(solid.Twist, Move(solid, solid.Twist, discs));
+  }
+  return hasMoved && isBlocked;
 }
 
 // Longest path of a body in this tick, m, including the correction of overlaps.
@@ -277,76 +295,14 @@ void CSolids::SetWalls(std::span<const SFootprint> walls) {
 void CSolids::FindPushed(const CDiscSwarm& discs) {
   for (UInt32 slot = 0; slot < m_solids.size(); ++slot) {
     if (m_solids[slot].IsPassive()) {
-      AddPushes(slot, discs);
+      AddPushesOfDiscs(slot, discs);
+      AddPushesOfSolids(slot);
       FindGhostOverlaps(slot);
       if (m_solids[slot].IsFresh) {
         AddToSolver(slot);
       }
     }
   }
-}
-
-void CSolids::AddPushes(UInt32 slot, const CDiscSwarm& discs) {
-  SSolid& solid = m_solids[slot];
-  m_nearDiscs.clear();
-  discs.ForDiscsNear(solid.Pose.X, solid.Pose.Y, solid.BoundingRadius,
-                     [this](UInt32 disc) { m_nearDiscs.push_back(disc); });
-  std::sort(m_nearDiscs.begin(), m_nearDiscs.end());
-  const auto addPush = [&](const SSeparation& contact, Real planned, Real force) {
-    const Real need = planned - contact.Gap;
-    if (!(need > 0.0 && planned > 0.0)) {
-      return false;
-    }
-    AddToSolver(slot);
-    m_farthest = std::max(m_farthest, need);
-    AddContact(solid, contact, need, force, -contact.Gap);
-    return true;
-  };
-  for (const UInt32 disc : m_nearDiscs) {
-    const SPlanarPose pose = discs.GetPose(disc);
-    const SStep step = discs.GetPlannedStep(disc);
-    for (const SFootprint& footprint : FootprintsOf(solid)) {
-      const SSeparation contact =
-          SeparateFromFootprint(pose.X, pose.Y, discs.GetRadius(disc), step, footprint);
-      if (addPush(contact, contact.NormalX * step.X + contact.NormalY * step.Y,
-                  discs.GetMaxForce(disc))) {
-        m_pushes.push_back({slot, disc});
-      }
-    }
-  }
-  for (const SSolid& robot : m_solids) {
-    if (m_numDriven == 0) {
-      break;
-    }
-    const Real reach = ComputeLength(robot, robot.Twist);
-    if (robot.IsPassive() || std::hypot(robot.Pose.X - solid.Pose.X, robot.Pose.Y - solid.Pose.Y) >
-                                 robot.BoundingRadius + solid.BoundingRadius + reach) {
-      continue;
-    }
-    for (const SFootprint& pushing : FootprintsOf(robot)) {
-      for (const SFootprint& pushed : FootprintsOf(solid)) {
-        SSeparation contacts[2];
-        const int count = FindContacts(pushing, pushed, contacts);
-        for (int i = 0; i < count; ++i) {
-          const Real planned = contacts[i].NormalX * robot.Twist.X +
-                               contacts[i].NormalY * robot.Twist.Y +
-                               ComputeLever(robot, contacts[i]) * robot.Twist.Turn;
-          addPush(contacts[i], planned, robot.MaxForce / count);
-        }
-      }
-    }
-  }
-}
-
-// Adds a body to the solver, if it is not in it. @return its number there.
-UInt32 CSolids::AddToSolver(UInt32 slot) {
-  SSolid& solid = m_solids[slot];
-  if (solid.Number == CPushSolver::kNone) {
-    solid.Number = m_solver.AddBody(STwist(), solid.Friction.Force, solid.Friction.Torque,
-                                    solid.SquaredGyration);
-    m_pushed.push_back(slot);
-  }
-  return solid.Number;
 }
 
 // Adds the contacts of a pushed body with its neighbours.
@@ -371,10 +327,8 @@ void CSolids::AddNeighbours(UInt32 slot, const CDiscSwarm& discs) {
                      [this](UInt32 disc) { m_nearDiscs.push_back(disc); });
   std::sort(m_nearDiscs.begin(), m_nearDiscs.end());
   for (const UInt32 disc : m_nearDiscs) {
-    // a disc that pushes the body has a contact with a greater need already
-    const bool pushes =
-        std::find(m_pushes.begin(), m_pushes.end(), SPush{slot, disc}) != m_pushes.end();
-    if (!pushes) {
+    // one that pushes the body has a contact already
+    if (!IsPush(slot, disc)) {
       AddObstacle(solid, MakeDisc(discs.GetPose(disc), discs.GetRadius(disc)), most);
     }
   }
@@ -392,7 +346,9 @@ void CSolids::AddNeighbours(UInt32 slot, const CDiscSwarm& discs) {
     }
     if (!other.IsPassive()) {
       for (const SFootprint& footprint : FootprintsOf(other)) {
-        AddObstacle(solid, footprint, most);
+        if (!IsPush(slot, kSolidRobot | i)) {
+          AddObstacle(solid, footprint, most);
+        }
       }
     } else if (other.Number == CPushSolver::kNone || other.Number > solid.Number) {
       AddToSolver(i);
@@ -408,11 +364,11 @@ void CSolids::AddSolidNeighbour(SSolid& solid, SSolid& other) {
       SSeparation contacts[2];
       const int count = FindContacts(a, b, contacts);
       for (int i = 0; i < count; ++i) {
-        const Real most = kSolidStep * std::min(solid.NarrowestHalf, other.NarrowestHalf);
-        const Real least = std::min(-contacts[i].Gap, most);
+        const Real narrowest = std::min(solid.NarrowestHalf, other.NarrowestHalf);
+        const Real most = kSolidStep * narrowest;
         m_solver.AddContact({solid.Number, other.Number, contacts[i].NormalX, contacts[i].NormalY,
                              ComputeLever(solid, contacts[i]), ComputeLever(other, contacts[i]),
-                             least, CPushSolver::kUnlimited, least});
+                             ComputeLeast(contacts[i].Gap, narrowest, most)});
       }
     }
   }
@@ -431,15 +387,10 @@ void CSolids::AddObstacle(const SSolid& solid, const SFootprint& mine, const SFo
   SSeparation contacts[2];
   const int count = FindContacts(footprint, mine, contacts);
   for (int i = 0; i < count; ++i) {
-    const Real least = std::min(-contacts[i].Gap, most);
-    AddContact(solid, contacts[i], least, CPushSolver::kUnlimited, least);
+    m_solver.AddContact({CPushSolver::kNone, solid.Number, contacts[i].NormalX, contacts[i].NormalY,
+                         0.0, ComputeLever(solid, contacts[i]),
+                         ComputeLeast(contacts[i].Gap, solid.NarrowestHalf, most)});
   }
-}
-
-void CSolids::AddContact(const SSolid& solid, const SSeparation& contact, Real need, Real cap,
-                         Real least) {
-  m_solver.AddContact({CPushSolver::kNone, solid.Number, contact.NormalX, contact.NormalY, 0.0,
-                       ComputeLever(solid, contact), need, cap, least});
 }
 
 // A robot that is not a disc follows its drive, slides along obstacles, or stops.

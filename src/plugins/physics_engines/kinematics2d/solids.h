@@ -44,6 +44,13 @@ struct SSolid {
   bool IsPassive() const { return !Drive; }
 };
 
+// of a contact's normal about the origin of a body, m
+Real ComputeLever(const SSolid& solid, const SSeparation& contact);
+// no point of the body moves farther, m
+Real ComputeLength(const SSolid& solid, const STwist& twist);
+// a twist, scaled down to a length (m) if it is longer
+STwist Shortened(const SSolid& solid, const STwist& twist, Real longest);
+
 /**
  * The movable bodies that are not discs, and movable discs without a drive.
  *
@@ -83,8 +90,11 @@ class CSolids {
   void SetGhosts(std::span<const SGhostDisc> ghosts, Real tick);
   /** See CKinematicWorld::ComputeGhostReach(). */
   Real ComputeGhostReach(Real tick) const;
-  /** After Plan(): moves all bodies. @param discs  after its Plan(), before its Step(). */
-  void Step(const CDiscSwarm& discs);
+  /**
+   * After Plan(): moves all bodies, and the robots that objects push back.
+   * @param discs  after its Plan(), before its Step().
+   */
+  void Step(CDiscSwarm& discs);
   /** Of all bodies, world frame. */
   std::span<const SFootprint> GetFootprints() const { return m_footprints; }
   /** Changes whenever a footprint does. */
@@ -109,11 +119,20 @@ class CSolids {
     SFootprint Footprint;
   };
 
-  /** A direct push of a body by a disc. */
-  struct SPush {
-    UInt32 Slot, Disc;
-    bool operator==(const SPush&) const = default;
+  /** A robot that drives against objects. */
+  struct SPusher {
+    UInt32 Slot;  // of the disc or solid
+    bool IsDisc;
+    UInt32 Number;  // in the solver
+    STwist Back;  // how far others push it back through the objects
   };
+
+  /** A direct push of a body by a robot. */
+  struct SPush {
+    UInt32 Slot, Robot;  // the robot's slot, plus kSolidRobot if it is not a disc
+    auto operator<=>(const SPush&) const = default;
+  };
+  static constexpr UInt32 kSolidRobot = 1U << 31;
 
   void FindPushed(const CDiscSwarm& discs);
   void AddFaces(const SGhostDisc& ghost, Real tick);
@@ -121,14 +140,22 @@ class CSolids {
   void BuildGrid();
   void ListAll();
   Real ComputeFarthest(const SSolid& solid) const;
-  void AddPushes(UInt32 slot, const CDiscSwarm& discs);
+  void AddPushesOfDiscs(UInt32 slot, const CDiscSwarm& discs);
+  void AddPushesOfSolids(UInt32 slot);
+  void AddPush(UInt32 slot, const SSeparation& contact, Real need, UInt32 robot, Real lever);
   UInt32 AddToSolver(UInt32 slot);
+  UInt32 AddDiscToSolver(UInt32 disc, const CDiscSwarm& discs);
+  UInt32 AddRobotToSolver(UInt32 slot);
+  bool IsPush(UInt32 slot, UInt32 robot) const;
   void AddNeighbours(UInt32 slot, const CDiscSwarm& discs);
   void AddSolidNeighbour(SSolid& solid, SSolid& other);
   void AddObstacle(const SSolid& solid, const SFootprint& footprint, Real most);
   void AddObstacle(const SSolid& solid, const SFootprint& mine, const SFootprint& footprint,
                    Real most);
-  void AddContact(const SSolid& solid, const SSeparation& contact, Real need, Real cap, Real least);
+  void TakeTwists(const CDiscSwarm& discs);
+  bool MovePushed(CDiscSwarm& discs);
+  Real PushBack(const SPusher& pusher, CDiscSwarm& discs);
+  Real ComputeFreeShare(UInt32 disc, const SStep& step, const CDiscSwarm& discs);
   void StepDriven(SSolid& solid, const CDiscSwarm& discs);
   void GatherObstacles(const SSolid& solid, Real margin, const CDiscSwarm& discs);
   Real Move(SSolid& solid, const STwist& twist, const CDiscSwarm& discs);
@@ -167,7 +194,9 @@ class CSolids {
   CPushSolver m_solver;
   Real m_farthest = 0.0;  // m; greatest need of a push
   std::vector<UInt32> m_pushed;  // slots of the bodies in the solver
-  std::vector<SPush> m_pushes;
+  std::vector<SPusher> m_pushers;
+  std::vector<SPush> m_pushes;  // sorted
+  std::vector<UInt32> m_numberOfDisc;  // (discs): in the solver, or kNone
   std::vector<UInt32> m_nearDiscs;  // slots
   std::vector<SObstacle> m_obstacles;
 };

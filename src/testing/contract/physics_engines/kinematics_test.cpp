@@ -230,7 +230,6 @@ TEST_CASE("kinematics: a pushed object moves with the robot and stops with it",
   CHECK_THAT(world.Position("o").GetX(), WithinAbs(kFootBotRadius + 0.5, 1e-9));
   CHECK_THAT(world.Position("o").GetY(), WithinAbs(0.0, 1e-9));
   CHECK_THAT(world.Yaw("o"), WithinAbs(0.0, 1e-9));
-  CHECK_FALSE(world.Body("r").IsCollidingWithSomething());
   const CVector3 before = world.Position("o");
   world.Driver("r").Left = world.Driver("r").Right = 0.0;
   world.Step();
@@ -264,6 +263,41 @@ TEST_CASE("kinematics: an object that resists the drive's force stays",
     CHECK(world.Position("o") == CVector3(0.3, 0, 0));
     CHECK_THAT(world.Position(Id(0)).GetX(), WithinAbs(0.2 - kFootBotRadius, kRoundings));
   }
+}
+
+TEST_CASE("kinematics: robots push others back through an object, but no robot that stands",
+          "[contract][engine][kinematics]") {
+  // three against two robots that drive or stand; a wall behind these is reached in 4 s
+  const bool stand = GENERATE(true, false);
+  const bool areBoxes = GENERATE(true, false);
+  CAPTURE(stand, areBoxes);
+  constexpr Real kHalf = 0.1 + kFootBotRadius;  // m
+  std::string arena = BoxXml("o", 0, 0, 0, "0.2,0.8,0.1") +
+                      WallXml("wall", "0.2,2,0.5", 0.1 + 2.0 * kFootBotRadius + 0.5, 0);
+  for (int i = 0; i < 5; ++i) {
+    const Real speed = i >= 3 && stand ? 0.0 : 10.0;
+    arena += i < 3
+                 ? DriverXml("foot-bot", Id(i), -kHalf - 0.005, 0.25 * (i - 1), 0, speed, speed)
+                 : DriverXml("foot-bot", Id(i), kHalf + 0.005, 0.25 * (i - 3.5), 180, speed, speed);
+  }
+  CDriveWorld world(kEngine, arena);
+  for (int i = 0; i < 5 && areBoxes; ++i) {
+    world.Reshape(Id(i), SShapeDescription::Box(CVector3(2.0 * kFootBotRadius, 0.15, 0.1)));
+  }
+  Real last = 0.0;
+  for (int tick = 0; tick < 70; ++tick) {
+    world.Step();
+    const Real x = world.Position("o").GetX();
+    for (int i = 0; i < 5; ++i) {
+      REQUIRE((i < 3 ? -1.0 : 1.0) * (world.Position(Id(i)).GetX() - x) >= kHalf - 1e-5);
+      REQUIRE(world.Position(Id(i)).GetX() <= 0.5 + kFootBotRadius + 1e-5);
+    }
+    if (!stand && tick >= 10 && tick < 40) {
+      REQUIRE_THAT(x - last, WithinAbs(0.01, 3e-4));
+    }
+    last = x;
+  }
+  CHECK_THAT(last, WithinAbs(stand ? 0.005 : 0.4, 1e-4));
 }
 
 TEST_CASE("kinematics: a box pushed off its centre rotates unless friction holds it",
