@@ -280,7 +280,8 @@ bool CEmbodiedEntity::MoveTo(const CVector3& position, const CQuaternion& orient
   const CVector3 oldPosition = m_psOriginAnchor->Position;
   const CQuaternion oldOrientation = m_psOriginAnchor->Orientation;
   MoveModelsTo(pose.Position, pose.Orientation);
-  const bool fits = ignoreCollisions || !IsCollidingWithSomething();
+  const bool fits =
+      ignoreCollisions || !(checkOnly ? IsCollidingWithSomething() : IsOverlappingSomething());
   if (checkOnly || !fits) {
     MoveModelsTo(oldPosition, oldOrientation);
   } else {
@@ -303,6 +304,11 @@ void CEmbodiedEntity::ConfirmMove() {
 bool CEmbodiedEntity::IsCollidingWithSomething() const {
   return std::any_of(m_tPhysicsModelVector.begin(), m_tPhysicsModelVector.end(),
                      [](const CPhysicsModel* model) { return model->IsCollidingWithSomething(); });
+}
+
+bool CEmbodiedEntity::IsOverlappingSomething() const {
+  return std::any_of(m_tPhysicsModelVector.begin(), m_tPhysicsModelVector.end(),
+                     [](const CPhysicsModel* model) { return model->IsOverlappingSomething(); });
 }
 
 void CEmbodiedEntity::SetBodyDescription(std::shared_ptr<const SBodyDescription> description) {

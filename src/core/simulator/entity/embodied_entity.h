@@ -89,17 +89,22 @@ class CEmbodiedEntity : public CEntity {
   /**
    * Moves the body to another pose.
    * @param position, orientation  new pose of the origin anchor, m, world frame.
-   * @param checkOnly  only test whether the body fits there; the pose is always restored.
+   * @param checkOnly  only test whether the place is free; the pose is always restored.
    * @param ignoreCollisions  move even if the body overlaps another one there.
    * @return true if the body overlaps no other one there, or @p ignoreCollisions is set; otherwise
-   *         the old pose is restored.
+   *         the old pose is restored. With @p checkOnly, only if it does not touch another one
+   *         either, see IsCollidingWithSomething().
    *
    * An engine that moves bodies in a plane only puts them there, upright: the height of @p position
    * and the tilt of @p orientation have no effect.
    */
   virtual bool MoveTo(const CVector3& position, const CQuaternion& orientation,
                       bool checkOnly = false, bool ignoreCollisions = false);
-  /** True if the body now overlaps or touches another one. */
+  /**
+   * True if the body now overlaps or touches another one: if they are closer than 1 mm, because
+   * engines leave gaps between bodies that press against each other. It is found from the solids
+   * that describe the bodies, in the same way for all engines and for the metric "collisions".
+   */
   virtual bool IsCollidingWithSomething() const;
 
   /** The description from which engines build this body; null if only one engine can build it. */
@@ -166,6 +171,7 @@ class CEmbodiedEntity : public CEntity {
   SBodyPose FindPossiblePose(const SBodyPose& pose) const;
   void MoveModelsTo(const CVector3& position, const CQuaternion& orientation);
   void ConfirmMove();
+  bool IsOverlappingSomething() const;
   void NotifyIndex();
   void ResetWithoutEngines();
   void ResetLinks();

@@ -61,7 +61,13 @@ class CPhysicsModel {
   virtual void CalculateBoundingBox() = 0;
   /** Recomputes every enabled anchor: by its registered method, else rigidly from the origin. */
   virtual void CalculateAnchors();
+  /** True if the body overlaps or touches another one; see CEmbodiedEntity. */
   virtual bool IsCollidingWithSomething() const = 0;
+  /**
+   * @return true if the body overlaps another one, so that it cannot be placed here. By default
+   * what collides overlaps.
+   */
+  virtual bool IsOverlappingSomething() const { return IsCollidingWithSomething(); }
 
   /**
    * Called after the last MoveTo() of a command that moves the body permanently, also if it did not

@@ -6,6 +6,12 @@
 namespace argos {
 
 /**
+ * m; bodies that are closer touch each other, also if they do not overlap: engines leave gaps
+ * between bodies that press against each other, dynamics2d up to half of this.
+ */
+constexpr Real kTouchDistance = 0.001;
+
+/**
  * The solids of a body with all faces moved outwards, to find bodies that are near it with
  * CBodyIndex::FindOverlap().
  *

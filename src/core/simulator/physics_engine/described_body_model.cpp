@@ -6,6 +6,7 @@
 #include <argos3/core/simulator/entity/robots_code.h>
 #include <argos3/core/simulator/geometry/body_description.h>
 #include <argos3/core/simulator/geometry/body_index.h>
+#include <argos3/core/simulator/geometry/grown_body.h>
 #include <argos3/core/simulator/physics_engine/described_body_engine.h>
 #include <argos3/core/simulator/physics_engine/recorded_body.h>
 
@@ -58,10 +59,17 @@ void CDescribedBodyModel::CalculateBoundingBox() {
 }
 
 bool CDescribedBodyModel::IsCollidingWithSomething() const {
+  return Overlaps(GrowBody(*m_cEmbodiedEntity.GetBodyDescription(), kTouchDistance));
+}
+
+bool CDescribedBodyModel::IsOverlappingSomething() const {
+  return Overlaps(*m_cEmbodiedEntity.GetBodyDescription());
+}
+
+bool CDescribedBodyModel::Overlaps(const SBodyDescription& description) const {
   const SAnchor& origin = m_cEmbodiedEntity.GetOriginAnchor();
   return GetEngine().GetContext().Index->FindOverlap(
-             *m_cEmbodiedEntity.GetBodyDescription(), origin.Position, origin.Orientation,
-             m_cEmbodiedEntity.GetBodyNumber(),
+             description, origin.Position, origin.Orientation, m_cEmbodiedEntity.GetBodyNumber(),
              m_cEmbodiedEntity.GetLinkPoses()) != CBodyIndex::kNoBody;
 }
 

@@ -10,6 +10,7 @@ namespace argos {
 class CDescribedBodyEngine;
 class CEntity;
 class CRecordedBody;
+struct SBodyDescription;
 
 /** The body of a root entity, if it has an SBodyDescription with shapes; else null. */
 CEmbodiedEntity* FindDescribedBody(CEntity& root);
@@ -34,8 +35,10 @@ class CDescribedBodyModel : public CPhysicsModel {
   void MoveTo(const CVector3& position, const CQuaternion& orientation) override;
   void ConfirmMove() override;
   void CalculateBoundingBox() override;
-  /** @return true if a solid of this body overlaps one of another body by more than a rounding. */
+  /** @return true if a solid of this body is closer to one of another body than kTouchDistance. */
   bool IsCollidingWithSomething() const override;
+  /** @return true if a solid of this body overlaps one of another body by more than a rounding. */
+  bool IsOverlappingSomething() const override;
 
   /** The user's model that describes and commands the body; null if the entity describes it. */
   CRecordedBody* GetRecordedBody() const { return m_recordedBody.get(); }
@@ -48,6 +51,7 @@ class CDescribedBodyModel : public CPhysicsModel {
   using CPhysicsModel::m_cEngine;  // stale after a transfer: use GetEngine()
 
   CDescribedBodyEngine& GetDescribedBodyEngine();
+  bool Overlaps(const SBodyDescription& description) const;
 
   size_t m_number = 0;  // in the engine's list of models
   bool m_isDisplaced = false;  // in the engine's list of displaced models

@@ -105,9 +105,6 @@ class CDispersion : public CBuiltInMetric {
   CRobotBodies m_bodies;
 };
 
-// m; engines leave gaps between bodies that press against each other: Box2D up to half of this
-constexpr Real kTouchDistance = 0.001;
-
 class CCollisions : public CBuiltInMetric {
  public:
   void Init(CSpace& space) override { m_bodies.Init(space); }
@@ -192,7 +189,7 @@ REGISTER_BUILT_IN_METRIC(
     R"(A robot counts once, whatever it touches: robots, walls, objects, and one that it grips; the ground is no body.
 Two robots that touch each other are two. To touch is to be closer than 1 mm, or to overlap: engines keep
 small gaps between bodies that press against each other. It is found from the solids that describe the bodies, at their
-poses when PostStep() is done, in the same way for all engines. For a body without a description, which a model of a
+poses when PostStep() is done, in the same way for all engines, and for IsCollidingWithSomething(). For a body without a description, which a model of a
 user's library represents, its model's IsCollidingWithSomething() decides.
 Robots that have a body and are not disabled (quarantined) count.
 
