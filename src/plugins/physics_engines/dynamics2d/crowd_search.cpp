@@ -295,7 +295,7 @@ void CCrowdSolver::IterateIsland(const SIsland& island, float tolerance) {
 
 // Sweeps over everything find which contacts have a force, and that nothing is left to solve.
 void CCrowdSolver::IterateSmall(UInt32 number, float tolerance) {
-  for (UInt32 round = 0; round < kMaxRounds && SweepPatch(number, 0) > tolerance; ++round) {
+  for (UInt32 round = 0; round < kMaxIslandRounds && SweepPatch(number, 0) > tolerance; ++round) {
     const UInt32 first = m_clusters->GetPatches()[number].FirstDisc;
     const UInt32 count = BuildIslands({number, number + 1});
     for (UInt32 i = first; i < first + count; ++i) {
@@ -306,7 +306,7 @@ void CCrowdSolver::IterateSmall(UInt32 number, float tolerance) {
 
 void CCrowdSolver::IterateLarge(CThreadPool& pool, const SCrowdCluster& cluster, float tolerance) {
   const UInt32 first = m_clusters->GetPatches()[cluster.FirstPatch].FirstDisc;
-  for (UInt32 round = 0; round < kMaxRounds && SweepLarge(pool, cluster, 0, tolerance); ++round) {
+  for (UInt32 round = 0; round < kMaxIslandRounds && SweepLarge(pool, cluster, 0, tolerance); ++round) {
     const UInt32 count = BuildIslands(cluster);
     pool.ParallelFor(count, kIslandGrain, [&](size_t begin, size_t end, UInt32) {
       for (size_t i = first + begin; i < first + end; ++i) {

@@ -94,7 +94,7 @@ constexpr Real kCrowdTolerance = 0.001;
  * tolerance a body is that friction does not hold yet.
  */
 constexpr UInt32 kMaxTouchSweeps = 150;
-constexpr UInt32 kMaxRounds = 20;  // of sweeps over everything
+constexpr UInt32 kMaxIslandRounds = 20;  // of sweeps over everything
 constexpr size_t kIslandGrain = 16;  // islands that a thread solves in a run
 constexpr float kTouchTolerance = 0.1F;
 constexpr float kRestTolerance = 1.0F;

@@ -317,4 +317,25 @@ TEST_CASE("pushing: a light box at a wall is not shot aside", "[contract][engine
   CHECK_THAT(world.Position("b").GetX(), WithinAbs(0.05, 1e-3));
 }
 
+TEST_CASE("kinematics2d: robots that touch in a queue advance together in each tick",
+          "[contract][engine]") {
+  // each waits for the one ahead of it, which moves in the same tick
+  std::string queue;
+  for (int i = 0; i < 3; ++i) {
+    queue += DriverXml("e-puck", "r" + std::to_string(i), -2.0 * kEPuck.Radius * i, 0, 0, 10, 10);
+  }
+  CDriveWorld world("<kinematics2d id='e' velocity_lag='0'/>", queue);
+  for (int tick = 0; tick < 20; ++tick) {
+    world.Step();
+    const Real first = world.Position("r0").GetX();
+    for (int i = 1; i < 3; ++i) {
+      CAPTURE(tick, i);
+      // the tolerance of overlaps
+      REQUIRE_THAT(world.Position("r" + std::to_string(i)).GetX(),
+                   WithinAbs(first - 2.0 * kEPuck.Radius * i, 1e-6));
+    }
+  }
+  CHECK_THAT(world.Position("r0").GetX(), WithinAbs(0.19, 1e-9));
+}
+
 }  // namespace argos::pushing_test
