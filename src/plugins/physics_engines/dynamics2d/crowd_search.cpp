@@ -306,7 +306,8 @@ void CCrowdSolver::IterateSmall(UInt32 number, float tolerance) {
 
 void CCrowdSolver::IterateLarge(CThreadPool& pool, const SCrowdCluster& cluster, float tolerance) {
   const UInt32 first = m_clusters->GetPatches()[cluster.FirstPatch].FirstDisc;
-  for (UInt32 round = 0; round < kMaxIslandRounds && SweepLarge(pool, cluster, 0, tolerance); ++round) {
+  for (UInt32 round = 0; round < kMaxIslandRounds && SweepLarge(pool, cluster, 0, tolerance);
+       ++round) {
     const UInt32 count = BuildIslands(cluster);
     pool.ParallelFor(count, kIslandGrain, [&](size_t begin, size_t end, UInt32) {
       for (size_t i = first + begin; i < first + end; ++i) {

@@ -9,7 +9,6 @@
 
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/geometry/body_description.h>
-#include <argos3/core/simulator/physics_engine/physics_engine.h>
 #include <argos3/core/utility/math/random_stream.h>
 #include <argos3/plugins/simulator/entities/gripper_equipped_entity.h>
 
@@ -20,7 +19,6 @@
 #include <iomanip>
 #include <numbers>
 #include <sstream>
-#include <tuple>
 
 namespace argos::kinematics_test {
 
@@ -579,26 +577,6 @@ TEST_CASE("kinematics: bodies and orders that it does not support are refused wi
   CHECK_THROWS_WITH(world.Step(), Contains("robot \"holder\" has locked its gripper") &&
                                       Contains("<kinematics2d id=\"e\">") &&
                                       Contains("<dynamics2d>"));
-}
-
-TEST_CASE("kinematics: bodies of other engines are transferred with their motion",
-          "[contract][engine][kinematics]") {
-  const auto part = [](const SEngineType& engine, const std::string& from, const std::string& to) {
-    return engine.ToPromptXml(
-        engine.Tag, "<boundaries><sides><vertex point='" + from + ",-10'/><vertex point='" + to +
-                        ",-10'/><vertex point='" + to + ",10'/><vertex point='" + from +
-                        ",10'/></sides></boundaries>");
-  };
-  CDriveWorld world(part(kDynamics2D, "-10", "0") + part(kKinematics2D, "0", "10"),
-                    DriverXml("foot-bot", "there", -0.5, 0, 0, 10, 10) +
-                        DriverXml("foot-bot", "back", 0.5, 1, 180, 10, 10) +
-                        BoxXml("box", 0.3, 1, 0, "0.1,0.1,0.1"));
-  world.Step(101);
-  CHECK(world.Body("there").GetPhysicsModel(0).GetEngine().GetId() == "kinematics2d");
-  CHECK(world.Body("back").GetPhysicsModel(0).GetEngine().GetId() == "dynamics2d");
-  CHECK(world.Body("box").GetPhysicsModel(0).GetEngine().GetId() == "dynamics2d");
-  CHECK_THAT(world.Position("there").GetX(), WithinAbs(0.5, 1e-6));
-  CHECK(world.Position("box").GetX() < -0.4);
 }
 
 }  // namespace argos::kinematics_test

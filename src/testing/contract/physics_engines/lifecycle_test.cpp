@@ -424,4 +424,27 @@ TEST_CASE(
       Contains("\"b\" is too large or too far away"));
 }
 
+TEST_CASE("lifecycle: bodies are transferred between engines of the plane with their motion",
+          "[contract][engine]") {
+  const auto part = [](const SEngineType& engine, const std::string& from, const std::string& to) {
+    const auto at = [](const std::string& x, const std::string& y) {
+      return "<vertex point='" + x + "," + y + "'/>";
+    };
+    return engine.ToPromptXml(engine.Tag, "<boundaries><sides>" + at(from, "-10") + at(to, "-10") +
+                                              at(to, "10") + at(from, "10") +
+                                              "</sides></boundaries>");
+  };
+  CDriveWorld world(part(kDynamics2D, "-10", "0") + part(kKinematics2D, "0", "10"),
+                    DriverXml("foot-bot", "there", -0.5, 0, 0, 10, 10) +
+                        DriverXml("foot-bot", "back", 0.5, 1, 180, 10, 10) +
+                        "<box id='box' size='0.1,0.1,0.1' movable='true' mass='1'><body "
+                        "position='0.3,1,0'/></box>");
+  world.Step(101);
+  CHECK(world.EngineOf("there") == "kinematics2d");
+  CHECK(world.EngineOf("back") == "dynamics2d");
+  CHECK(world.EngineOf("box") == "dynamics2d");
+  CHECK_THAT(world.Position("there").GetX(), WithinAbs(0.5, 1e-6));
+  CHECK(world.Position("box").GetX() < -0.4);
+}
+
 }  // namespace argos::lifecycle_test
