@@ -22,7 +22,11 @@ struct SRigidPair {
 class CBroadPhase {
  public:
   /** Allocates for a number of bodies. */
-  void Reserve(size_t bodies) { m_entries.reserve(bodies); }
+  void Reserve(size_t bodies) {
+    constexpr size_t kPairsOfBody = 8;  // in a crowd
+    m_entries.reserve(bodies);
+    m_pairs.reserve(kPairsOfBody * bodies);
+  }
   /** To be called after bodies were added, removed or placed. */
   void MarkChanged() { m_isChanged = true; }
 
