@@ -4,7 +4,7 @@
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/contact_memory.h>
 
 #include <algorithm>
-#include <compare>
+#include <tuple>
 #include <vector>
 
 namespace argos {
@@ -17,7 +17,10 @@ class CTouchMemory {
     UInt32 A, B;  // bodies; B may be an obstacle
     UInt32 Parts;  // of the two, and the number of the point
 
-    friend auto operator<=>(const SKey&, const SKey&) = default;
+    friend bool operator==(const SKey&, const SKey&) = default;
+    friend bool operator<(const SKey& a, const SKey& b) {
+      return std::tie(a.A, a.B, a.Parts) < std::tie(b.A, b.B, b.Parts);
+    }
   };
 
   void Reserve(size_t points) { m_points.reserve(points); }

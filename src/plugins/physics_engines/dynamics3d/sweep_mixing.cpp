@@ -93,17 +93,15 @@ bool CSweepMixing::FindShares(TVector& shares) {
       for (size_t k = 0; k < j; ++k) {
         sum -= lower[i][k] * lower[j][k];
       }
-      if (i == j) {
-        if (!(sum > kDependent * m_products[i][i])) {
-          sum = m_products[i][i];
-          if (!(sum > 0.0)) {
-            return false;
-          }
-        }
-        lower[i][i] = std::sqrt(sum);
-      } else {
+      if (j < i) {
         lower[i][j] = sum / lower[j][j];
+      } else {
+        sum = sum > kDependent * m_products[i][i] ? sum : m_products[i][i];
+        lower[i][i] = std::sqrt(sum);
       }
+    }
+    if (!(lower[i][i] > 0.0)) {
+      return false;
     }
   }
   for (size_t i = 0; i < m_numEntries; ++i) {

@@ -4,9 +4,9 @@
 #include <argos3/core/utility/configuration/argos_exception.h>
 #include <argos3/core/utility/datatypes/datatypes.h>
 
-#include <compare>
 #include <limits>
 #include <span>
+#include <tuple>
 #include <vector>
 
 namespace argos {
@@ -86,7 +86,10 @@ class CPushSolver {
   /** A body or contact, in the order of islands. */
   struct SMember {
     UInt32 Island, Number;
-    auto operator<=>(const SMember&) const = default;
+    friend bool operator==(const SMember&, const SMember&) = default;
+    friend bool operator<(const SMember& a, const SMember& b) {
+      return std::tie(a.Island, a.Number) < std::tie(b.Island, b.Number);
+    }
   };
   /** Bodies that are connected by contacts. */
   struct SIsland {

@@ -46,18 +46,25 @@ void CSolids::AddPushesOfSolids(UInt32 slot) {
                                  robot.BoundingRadius + solid.BoundingRadius + reach) {
       continue;
     }
-    for (const SFootprint& pushing : FootprintsOf(robot)) {
-      for (const SFootprint& pushed : FootprintsOf(solid)) {
-        SSeparation contacts[2];
-        const int count = FindContacts(pushing, pushed, contacts);
-        for (int i = 0; i < count; ++i) {
-          const Real lever = ComputeLever(robot, contacts[i]);
-          const Real planned = contacts[i].NormalX * robot.Twist.X +
-                               contacts[i].NormalY * robot.Twist.Y + lever * robot.Twist.Turn;
-          if (planned > 0.0 && planned - contacts[i].Gap > kNegligibleStep * solid.NarrowestHalf) {
-            AddPush(slot, contacts[i], planned - contacts[i].Gap, AddRobotToSolver(number), lever);
-            m_pushes.push_back({slot, kSolidRobot | number});
-          }
+    AddPushesOfSolid(slot, number);
+  }
+}
+
+// @param number  slot of the robot.
+void CSolids::AddPushesOfSolid(UInt32 slot, UInt32 number) {
+  const SSolid& solid = m_solids[slot];
+  const SSolid& robot = m_solids[number];
+  for (const SFootprint& pushing : FootprintsOf(robot)) {
+    for (const SFootprint& pushed : FootprintsOf(solid)) {
+      SSeparation contacts[2];
+      const int count = FindContacts(pushing, pushed, contacts);
+      for (int i = 0; i < count; ++i) {
+        const Real lever = ComputeLever(robot, contacts[i]);
+        const Real planned = contacts[i].NormalX * robot.Twist.X +
+                             contacts[i].NormalY * robot.Twist.Y + lever * robot.Twist.Turn;
+        if (planned > 0.0 && planned - contacts[i].Gap > kNegligibleStep * solid.NarrowestHalf) {
+          AddPush(slot, contacts[i], planned - contacts[i].Gap, AddRobotToSolver(number), lever);
+          m_pushes.push_back({slot, kSolidRobot | number});
         }
       }
     }

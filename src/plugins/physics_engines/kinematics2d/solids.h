@@ -14,6 +14,7 @@
 #include <argos3/plugins/simulator/physics_engines/robot_bodies/slot_generations.h>
 
 #include <span>
+#include <tuple>
 #include <vector>
 
 namespace argos {
@@ -130,7 +131,10 @@ class CSolids {
   /** A direct push of a body by a robot. */
   struct SPush {
     UInt32 Slot, Robot;  // the robot's slot, plus kSolidRobot if it is not a disc
-    auto operator<=>(const SPush&) const = default;
+    friend bool operator==(const SPush&, const SPush&) = default;
+    friend bool operator<(const SPush& a, const SPush& b) {
+      return std::tie(a.Slot, a.Robot) < std::tie(b.Slot, b.Robot);
+    }
   };
   static constexpr UInt32 kSolidRobot = 1U << 31;
 
@@ -142,6 +146,7 @@ class CSolids {
   Real ComputeFarthest(const SSolid& solid) const;
   void AddPushesOfDiscs(UInt32 slot, const CDiscSwarm& discs);
   void AddPushesOfSolids(UInt32 slot);
+  void AddPushesOfSolid(UInt32 slot, UInt32 number);
   void AddPush(UInt32 slot, const SSeparation& contact, Real need, UInt32 robot, Real lever);
   UInt32 AddToSolver(UInt32 slot);
   UInt32 AddDiscToSolver(UInt32 disc, const CDiscSwarm& discs);
