@@ -40,7 +40,8 @@ std::pair<float, float> Turn(SEARCH& search, CONTACT& contact, float share) {
   return {normal, tangent};
 }
 
-// Of the direction before; 0 starts anew, after a change that has grown.
+// @return the share of the last direction that the next one contains: 0, a restart of the method,
+// if the energy of the change has grown.
 float ComputeShare(double energy, double before) {
   constexpr double kGrowth = 1.02;
   return energy < kGrowth * before ? static_cast<float>(std::min(1.0, energy / before)) : 0.0F;

@@ -227,7 +227,7 @@ void CCrowdSolver::MoveSolid(UInt32 member, const SSubstep& substep) {
   float wayY = disc.VY * duration;
   float turn = disc.W * duration;
   if (drive.IsFriction) {
-    const float slow = kRestTolerance * m_tolerance / duration;
+    const float slow = m_tolerance / duration;
     if (drive.HoldsPlace() && disc.VX * disc.VX + disc.VY * disc.VY < slow * slow) {
       disc.VX = disc.VY = wayX = wayY = 0.0F;
     }

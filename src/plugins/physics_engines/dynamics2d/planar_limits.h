@@ -90,14 +90,13 @@ constexpr UInt32 kMaxCrowdSweeps = 300;
  */
 constexpr Real kCrowdTolerance = 0.001;
 /**
- * The same with solids: sweeps at most, the share of kCrowdTolerance, and how much faster than that
- * tolerance a body is that friction does not hold yet.
+ * In a cluster with solids: sweeps of an island at most, and its tolerance as a share of
+ * kCrowdTolerance.
  */
 constexpr UInt32 kMaxTouchSweeps = 150;
 constexpr UInt32 kMaxIslandRounds = 20;  // of sweeps over everything
 constexpr size_t kIslandGrain = 16;  // islands that a thread solves in a run
 constexpr float kTouchTolerance = 0.1F;
-constexpr float kRestTolerance = 1.0F;
 /** No part of a solid moves farther than so many times the longest path of a body in the tick. */
 constexpr Real kSolidReach = 1.5;
 /**

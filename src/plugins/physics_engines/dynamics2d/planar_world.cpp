@@ -57,8 +57,8 @@ void CPlanarWorld::Remove(const SPlanarHandle& handle) {
 // vectors here.
 void CPlanarWorld::ReserveForTick() {
   constexpr size_t kClusterSize = 4;  // discs, of which each touches each
-  // Where there are no grippers, Box2D gets no robot. Else up to an eighth; more allocate more
-  // memory.
+  // Where there are no grippers, Box2D gets no robot. Else memory for an eighth of them is
+  // allocated here; more robots allocate more in a tick.
   const bool mayBeActive = m_grips.HasManipulators();
   const size_t numActive = mayBeActive ? m_store.GetDriven().size() / 8 + 64 : 0;
   const size_t numDiscs = numActive / kClusterSize * kClusterSize;
@@ -361,10 +361,11 @@ void CPlanarWorld::FinishPassive() {
       body.Pose.X = m_store.ToMetres(position.x);
       body.Pose.Y = m_store.ToMetres(position.y);
       body.Pose.SetYaw(angle);
-      const b2Vec2 velocity = body.Body->GetLinearVelocityFromLocalPoint(b2Vec2_zero);
-      body.Velocity = {m_store.ToMetres(velocity.x), m_store.ToMetres(velocity.y),
-                       static_cast<Real>(body.Body->GetAngularVelocity())};
     }
+    // also of a body that friction has stopped before it moved
+    const b2Vec2 velocity = body.Body->GetLinearVelocityFromLocalPoint(b2Vec2_zero);
+    body.Velocity = {m_store.ToMetres(velocity.x), m_store.ToMetres(velocity.y),
+                     static_cast<Real>(body.Body->GetAngularVelocity())};
   }
 }
 

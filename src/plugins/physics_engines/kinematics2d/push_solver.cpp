@@ -232,7 +232,7 @@ UInt32 CPushSolver::Iterate(const SIsland& island, UInt32 mostSweeps) {
       return sweep;
     }
     const Real energy = MeasureEnergy(island);
-    // starts anew after a change that has grown
+    // the method restarts if the energy of the change has grown
     StepOn(island, energy < kGrowth * before ? std::min(1.0, energy / before) : 0.0);
     before = energy;
   }

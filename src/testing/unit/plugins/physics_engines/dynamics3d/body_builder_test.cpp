@@ -1,6 +1,8 @@
 // What the builder of rigid bodies corrects in descriptions that no rigid body, or no robot, can
 // have.
 
+#include "one_body_world.h"
+
 #include <argos3/core/simulator/geometry/body_description.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/body_builder.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/ode_session.h>
@@ -20,26 +22,7 @@ using Catch::Matchers::WithinRel;
 
 namespace {
 
-/** A movable body of 1 kg: a cube of 0.1 m. */
-struct SScene {
-  SBodyDescription Description;
-  std::array<Real, 2> Wheels{};  // m/s
-  CRigidWorld World{SRigidSettings(), [] {}};
-
-  SScene() {
-    UseODEInThisThread();
-    Description.Shapes.push_back(SShapeDescription::Box(CVector3(0.1, 0.1, 0.1)));
-    Description.Mass = 1.0;
-  }
-  SRigidBody& Add() {
-    SRigidSource source;
-    source.Description = &Description;
-    if (Description.Drive) {
-      source.Drive = CDriveSource(Wheels.data(), Description.Drive->InterwheelDistance);
-    }
-    return World.Add(source, SRigidPose());
-  }
-};
+using SScene = SOneBodyWorld;
 
 // kg m^2, about x and z
 std::array<Real, 2> MomentsOf(const SRigidBody& body) {

@@ -1,5 +1,7 @@
 // Worlds of rigid bodies without an engine: rolling, substeps, sleep, and cylinders at borders.
 
+#include "one_body_world.h"
+
 #include <argos3/core/simulator/geometry/articulation.h>
 #include <argos3/core/simulator/geometry/body_description.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/articulated_body.h>
@@ -24,26 +26,7 @@ using Catch::Matchers::WithinRel;
 
 namespace {
 
-/** A movable body of 1 kg: a cube of 0.1 m. */
-struct SScene {
-  SBodyDescription Description;
-  std::array<Real, 2> Wheels{};  // m/s
-  CRigidWorld World{SRigidSettings(), [] {}};
-
-  SScene() {
-    UseODEInThisThread();
-    Description.Shapes.push_back(SShapeDescription::Box(CVector3(0.1, 0.1, 0.1)));
-    Description.Mass = 1.0;
-  }
-  SRigidBody& Add() {
-    SRigidSource source;
-    source.Description = &Description;
-    if (Description.Drive) {
-      source.Drive = CDriveSource(Wheels.data(), Description.Drive->InterwheelDistance);
-    }
-    return World.Add(source, SRigidPose());
-  }
-};
+using SScene = SOneBodyWorld;
 
 }  // namespace
 
