@@ -40,10 +40,9 @@ void CCrowdSolver::ReserveForSolids(size_t discs, size_t solids, size_t touches)
   m_parts.reserve(2 * solids);
   m_touches.reserve(2 * touches);
   m_touchForces.reserve(2 * touches);
-  m_touchSearches.reserve(2 * touches);
-  m_contactSearches.reserve(2 * discs);
-  m_wallSearches.reserve(discs);
-  m_driveSearches.reserve(discs + solids);
+  m_islandContacts.reserve(3 * discs + 2 * touches);
+  m_islandBodies.reserve(2 * (discs + solids));
+  m_islandPlace.reserve(discs + solids);
   m_islandParent.reserve(discs + solids);
   m_islandOf.reserve(discs + solids);
   m_islands.reserve(discs + solids);
@@ -88,10 +87,9 @@ void CCrowdSolver::LookUpForces(CThreadPool& pool, const SCrowdMemory& memory) {
   }
   LookUpTouchForces(pool, memory.Touches);
   if (!m_solids->GetSolids().empty()) {
-    m_contactSearches.resize(pairs.size());
-    m_wallSearches.resize(walls.size());
-    m_touchSearches.resize(m_touches.size());
-    m_driveSearches.resize(members.size());
+    m_islandContacts.resize(pairs.size() + walls.size() + m_touches.size());
+    m_islandBodies.resize(2 * members.size());
+    m_islandPlace.resize(members.size());
     m_islandParent.resize(members.size());
     m_islandOf.resize(members.size());
     m_islands.resize(members.size());

@@ -2,12 +2,15 @@
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_CROWD_SOLVER_H
 
 #include <argos3/core/utility/threads/thread_pool.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics2d/contact_island.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/contact_memory.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/crowd_bodies.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/crowd_clusters.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/touch_memory.h>
 #include <argos3/plugins/simulator/physics_engines/planar/separation.h>
 
+#include <limits>
+#include <span>
 #include <vector>
 
 namespace argos {
@@ -28,8 +31,7 @@ struct SCrowdMemory {
  * that move towards each other stop when they touch, in any number of substeps. A cluster is swept
  * until the velocities change no more than a tolerance: so a deep crowd costs more than a pair,
  * and pays for itself only. Where there are solids, whose masses may differ by orders of magnitude,
- * the sweeps are steps of a conjugate gradient method (M. Silcowitz-Hansen, S. Niebe, K. Erleben, A
- * Nonsmooth Nonlinear Conjugate Gradient Method for Interactive Contact Force Problems, 2010).
+ * islands of bodies that press each other are solved apart: CContactIsland.
  *
  * The patches of a large cluster are swept on all threads, then the pairs on their borders; patches
  * in which nothing changes any more are left out. The result depends on no thread.
@@ -58,6 +60,9 @@ class CCrowdSolver {
   Real GetDeepest() const { return m_deepest; }
 
  private:
+  /** In place of the number of something immovable in an island. */
+  static constexpr UInt32 kNoPlace = std::numeric_limits<UInt32>::max();
+
   struct SSubstep {
     float Duration;  // s
     UInt32 Number, Count;
@@ -88,15 +93,6 @@ class CCrowdSolver {
     float Mass, TangentMass;
     float Friction;
     float Normal, Tangent;
-  };
-  /** Impulses before a sweep, and the direction in which they changed: see CCrowdSolver. */
-  struct SDriveSearch {
-    float X, Y, Angular;
-    float StepX, StepY, StepAngular;
-  };
-  struct SContactSearch {
-    float Normal, Tangent;
-    float StepNormal, StepTangent;
   };
   /** Bodies that press each other, and their contacts: ranges of the lists in their order. */
   struct SIsland {
@@ -171,7 +167,7 @@ class CCrowdSolver {
   float PushTouchesApart(const SCrowdRange& range);
   void PushPoint(const CCrowdClusters::STouch& pair, const SSeparation& point);
 
-  // islands, and the conjugate gradient method: crowd_search.cpp
+  // islands: crowd_islands.cpp
   bool HasTouches(const SCrowdCluster& cluster) const;
   template <typename VISIT>
   void ForRanges(const SCrowdCluster& cluster, VISIT&& visit) const;
@@ -179,11 +175,13 @@ class CCrowdSolver {
   void UniteIslands(UInt32 a, UInt32 b);
   UInt32 BuildIslands(const SCrowdCluster& cluster);
   void SortIntoIslands(const SCrowdCluster& cluster, UInt32 first, UInt32 end);
-  float SweepIsland(const SIsland& island);
-  void KeepImpulses(const SIsland& island);
-  double MeasureChange(const SIsland& island) const;
-  void StepOn(const SIsland& island, float share);
-  void IterateIsland(const SIsland& island, float tolerance);
+  std::span<SIslandBody> CopyBodies(UInt32 island);
+  template <typename VISIT>
+  std::span<SIslandContact> ForContacts(const SIsland& island, VISIT&& visit);
+  void CopyContact(const SContact& contact, SIslandContact& copy) const;
+  void CopyContact(const STouch& contact, SIslandContact& copy) const;
+  void CopyContact(const SWallContact& contact, SIslandContact& copy) const;
+  void SolveIsland(UInt32 island, float tolerance);
   void IterateSmall(UInt32 patch, float tolerance);
   void IterateLarge(CThreadPool& pool, const SCrowdCluster& cluster, float tolerance);
 
@@ -206,7 +204,8 @@ class CCrowdSolver {
   // from the number of the first member of a cluster
   std::vector<SIsland> m_islands;
   std::vector<UInt32> m_memberOrder;
-  std::vector<SDriveSearch> m_driveSearches;  // in that order
+  std::vector<UInt32> m_islandPlace;  // number in the island, by member
+  std::vector<SIslandBody> m_islandBodies;
   std::vector<SFootprint> m_parts;  // of solids
   // by pair and by wall: N
   std::vector<SContactForce> m_pairForces;
@@ -218,7 +217,7 @@ class CCrowdSolver {
   std::vector<STouch> m_touches;  // from twice the number of the first touch
   // in the order of islands
   std::vector<UInt32> m_contactOrder, m_wallOrder, m_touchOrder;
-  std::vector<SContactSearch> m_contactSearches, m_wallSearches, m_touchSearches;
+  std::vector<SIslandContact> m_islandContacts;
   std::vector<SPatchState> m_states;  // by patch
   Real m_deepest = 0.0;  // m
 };

@@ -1,5 +1,4 @@
-// Islands of bodies that press each other, and the nonsmooth nonlinear conjugate gradient method
-// for each, whose steps are the solver's sweeps.
+// Islands of bodies that press each other: which they are, and what they consist of.
 
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/crowd_solver.h>
 
@@ -8,46 +7,6 @@
 #include <algorithm>
 
 namespace argos {
-
-namespace {
-
-double Square(float value) {
-  return static_cast<double>(value) * static_cast<double>(value);
-}
-
-template <typename SEARCH, typename CONTACT>
-void Keep(SEARCH& search, const CONTACT& contact) {
-  search.Normal = contact.Normal;
-  search.Tangent = contact.Tangent;
-}
-
-template <typename SEARCH, typename CONTACT>
-double Measure(const SEARCH& search, const CONTACT& contact, float mass, float tangentMass) {
-  return Square(contact.Normal - search.Normal) / static_cast<double>(mass) +
-         Square(contact.Tangent - search.Tangent) / static_cast<double>(tangentMass);
-}
-
-// Makes the change of a sweep the direction, and adds a share of the direction before. @return by
-// which impulses along the normal and the tangent are to be changed.
-template <typename SEARCH, typename CONTACT>
-std::pair<float, float> Turn(SEARCH& search, CONTACT& contact, float share) {
-  const float normal = share * search.StepNormal;
-  const float tangent = share * search.StepTangent;
-  search.StepNormal = normal + contact.Normal - search.Normal;
-  search.StepTangent = tangent + contact.Tangent - search.Tangent;
-  contact.Normal += normal;
-  contact.Tangent += tangent;
-  return {normal, tangent};
-}
-
-// @return the share of the last direction that the next one contains: 0, a restart of the method,
-// if the energy of the change has grown.
-float ComputeShare(double energy, double before) {
-  constexpr double kGrowth = 1.02;
-  return energy < kGrowth * before ? static_cast<float>(std::min(1.0, energy / before)) : 0.0F;
-}
-
-}  // namespace
 
 bool CCrowdSolver::HasTouches(const SCrowdCluster& cluster) const {
   const auto& patches = m_clusters->GetPatches();
@@ -175,123 +134,120 @@ void CCrowdSolver::SortIntoIslands(const SCrowdCluster& cluster, UInt32 first, U
 }
 
 /****************************************/
-// the method
+// solving
 /****************************************/
 
-float CCrowdSolver::SweepIsland(const SIsland& island) {
-  float change = 0.0F;
-  for (UInt32 i = island.Members.First; i < island.Members.End; ++i) {
-    change = std::max(change, SweepDrives(m_memberOrder[i], m_memberOrder[i] + 1));
+std::span<SIslandBody> CCrowdSolver::CopyBodies(UInt32 number) {
+  const SCrowdRange& members = m_islands[number].Members;
+  // behind those of the islands before, each of which has something immovable as well
+  SIslandBody* const bodies = m_islandBodies.data() + members.First + number;
+  for (UInt32 i = members.First; i < members.End; ++i) {
+    const UInt32 member = m_memberOrder[i];
+    const SCrowdDisc& disc = m_discs[member];
+    const SCrowdDrive& drive = m_drives[member];
+    SIslandBody& body = bodies[i - members.First] = SIslandBody();
+    m_islandPlace[member] = i - members.First;
+    body.Velocity.Start({disc.VX, disc.VY, disc.W});
+    body.Impulse.Start({drive.X, drive.Y, drive.Angular});
+    body.Target[SIslandBody::kX] = drive.TargetX;
+    body.Target[SIslandBody::kY] = drive.TargetY;
+    body.Target[SIslandBody::kTurn] = drive.TargetW;
+    body.Most = drive.Most;
+    body.AngularMost = drive.AngularMost;
+    body.InverseMass = disc.InverseMass;
+    body.InverseInertia = disc.InverseInertia;
+    body.Mass = 1.0F / disc.InverseMass;
+    body.Inertia = 1.0F / disc.InverseInertia;
   }
-  for (UInt32 i = island.Contacts.First; i < island.Contacts.End; ++i) {
-    change = std::max(change, SolveContact(m_contacts[m_contactOrder[i]]));
-  }
-  for (UInt32 i = island.Touches.First; i < island.Touches.End; ++i) {
-    change = std::max(change, SolveTouch(m_touches[m_touchOrder[i]]));
-  }
-  for (UInt32 i = island.Walls.First; i < island.Walls.End; ++i) {
-    change = std::max(change, SweepWalls(m_wallOrder[i], 1));
-  }
-  return change;
+  bodies[members.GetSize()] = SIslandBody();
+  return {bodies, members.GetSize() + 1};
 }
 
-void CCrowdSolver::KeepImpulses(const SIsland& island) {
-  for (UInt32 i = island.Members.First; i < island.Members.End; ++i) {
-    const SCrowdDrive& drive = m_drives[m_memberOrder[i]];
-    SDriveSearch& search = m_driveSearches[i];
-    search.X = drive.X;
-    search.Y = drive.Y;
-    search.Angular = drive.Angular;
-  }
-  for (UInt32 i = island.Contacts.First; i < island.Contacts.End; ++i) {
-    Keep(m_contactSearches[i], m_contacts[m_contactOrder[i]]);
-  }
-  for (UInt32 i = island.Touches.First; i < island.Touches.End; ++i) {
-    Keep(m_touchSearches[i], m_touches[m_touchOrder[i]]);
-  }
-  for (UInt32 i = island.Walls.First; i < island.Walls.End; ++i) {
-    Keep(m_wallSearches[i], m_wallContacts[m_wallOrder[i]]);
-  }
-}
-
-// @return the sum of the squared changes of impulses, each over the mass that resists: an energy,
-// so that forces and torques of light and heavy bodies can be added.
-double CCrowdSolver::MeasureChange(const SIsland& island) const {
-  double energy = 0.0;
-  for (UInt32 i = island.Members.First; i < island.Members.End; ++i) {
-    const SCrowdDrive& drive = m_drives[m_memberOrder[i]];
-    const SCrowdDisc& disc = m_discs[m_memberOrder[i]];
-    const SDriveSearch& search = m_driveSearches[i];
-    energy += static_cast<double>(disc.InverseMass) *
-                  (Square(drive.X - search.X) + Square(drive.Y - search.Y)) +
-              static_cast<double>(disc.InverseInertia) * Square(drive.Angular - search.Angular);
-  }
-  for (UInt32 i = island.Contacts.First; i < island.Contacts.End; ++i) {
-    const SContact& contact = m_contacts[m_contactOrder[i]];
-    energy += Measure(m_contactSearches[i], contact, contact.Mass, contact.TangentMass);
-  }
-  for (UInt32 i = island.Touches.First; i < island.Touches.End; ++i) {
-    const STouch& touch = m_touches[m_touchOrder[i]];
-    energy += Measure(m_touchSearches[i], touch, touch.Mass, touch.TangentMass);
-  }
-  for (UInt32 i = island.Walls.First; i < island.Walls.End; ++i) {
-    const SWallContact& wall = m_wallContacts[m_wallOrder[i]];
-    const float mass = 1.0F / m_discs[wall.Disc].InverseMass;
-    energy += Measure(m_wallSearches[i], wall, mass, mass);
-  }
-  return energy;
-}
-
-void CCrowdSolver::StepOn(const SIsland& island, float share) {
-  for (UInt32 i = island.Members.First; i < island.Members.End; ++i) {
-    SCrowdDrive& drive = m_drives[m_memberOrder[i]];
-    SCrowdDisc& disc = m_discs[m_memberOrder[i]];
-    SDriveSearch& search = m_driveSearches[i];
-    const float x = share * search.StepX;
-    const float y = share * search.StepY;
-    const float angular = share * search.StepAngular;
-    search.StepX = x + drive.X - search.X;
-    search.StepY = y + drive.Y - search.Y;
-    search.StepAngular = angular + drive.Angular - search.Angular;
-    drive.X += x;
-    drive.Y += y;
-    drive.Angular += angular;
-    disc.VX += disc.InverseMass * x;
-    disc.VY += disc.InverseMass * y;
-    disc.W += disc.InverseInertia * angular;
-  }
-  const auto stepOn = [&](auto& searches, auto& contacts, const std::vector<UInt32>& order,
-                          const SCrowdRange& range) {
+// Calls visit(contact of the solver, contact of the island) for all, in order.
+template <typename VISIT>
+std::span<SIslandContact> CCrowdSolver::ForContacts(const SIsland& island, VISIT&& visit) {
+  SIslandContact* const first =
+      m_islandContacts.data() + island.Contacts.First + island.Touches.First + island.Walls.First;
+  SIslandContact* next = first;
+  const auto forAll = [&](const SCrowdRange& range, const std::vector<UInt32>& order,
+                          auto& contacts) {
     for (UInt32 i = range.First; i < range.End; ++i) {
-      auto& contact = contacts[order[i]];
-      const auto [normal, tangent] = Turn(searches[i], contact, share);
-      ApplyImpulse(contact, normal, tangent);
+      visit(contacts[order[i]], *next++);
     }
   };
-  stepOn(m_contactSearches, m_contacts, m_contactOrder, island.Contacts);
-  stepOn(m_touchSearches, m_touches, m_touchOrder, island.Touches);
-  stepOn(m_wallSearches, m_wallContacts, m_wallOrder, island.Walls);
+  forAll(island.Contacts, m_contactOrder, m_contacts);
+  forAll(island.Touches, m_touchOrder, m_touches);
+  forAll(island.Walls, m_wallOrder, m_wallContacts);
+  return {first, next};
 }
 
-// The last thing is a sweep, so that no impulse exceeds its bounds.
-void CCrowdSolver::IterateIsland(const SIsland& island, float tolerance) {
-  const UInt32 contacts =
-      island.Contacts.GetSize() + island.Touches.GetSize() + island.Walls.GetSize();
-  if (contacts == 0) {
+void CCrowdSolver::CopyContact(const SContact& contact, SIslandContact& copy) const {
+  copy.A = m_islandPlace[contact.A];
+  copy.B = m_islandPlace[contact.B];
+  copy.TangentLeverA = m_discs[contact.A].Radius;
+  copy.TangentLeverB = -m_discs[contact.B].Radius;
+  copy.Mass = contact.Mass;
+  copy.TangentMass = contact.TangentMass;
+  copy.Friction = kDiscFriction;
+}
+
+void CCrowdSolver::CopyContact(const STouch& contact, SIslandContact& copy) const {
+  copy.A = m_islandPlace[contact.A];
+  copy.B = contact.B != CCrowdSolids::kNone ? m_islandPlace[contact.B] : kNoPlace;
+  copy.NormalLeverA = contact.NormalLeverA;
+  copy.TangentLeverA = contact.TangentLeverA;
+  copy.NormalLeverB = contact.NormalLeverB;
+  copy.TangentLeverB = contact.TangentLeverB;
+  copy.Mass = contact.Mass;
+  copy.TangentMass = contact.TangentMass;
+  copy.Friction = contact.Friction;
+}
+
+void CCrowdSolver::CopyContact(const SWallContact& contact, SIslandContact& copy) const {
+  const SCrowdDisc& disc = m_discs[contact.Disc];
+  copy.A = m_islandPlace[contact.Disc];
+  copy.B = kNoPlace;
+  copy.TangentLeverA = disc.Radius;
+  copy.Mass = 1.0F / disc.InverseMass;
+  copy.TangentMass = 1.0F / (disc.InverseMass + disc.InverseInertia * disc.Radius * disc.Radius);
+  copy.Friction = contact.Friction;
+}
+
+void CCrowdSolver::SolveIsland(UInt32 number, float tolerance) {
+  const SIsland& island = m_islands[number];
+  if (island.Contacts.GetSize() + island.Touches.GetSize() + island.Walls.GetSize() == 0) {
     return;
   }
-  double before = 0.0;
-  for (UInt32 sweep = 0; sweep < kMaxTouchSweeps; ++sweep) {
-    KeepImpulses(island);
-    if (SweepIsland(island) <= tolerance) {
-      break;
-    }
-    const double energy = MeasureChange(island);
-    if (sweep + 1 < kMaxTouchSweeps) {
-      StepOn(island, ComputeShare(energy, before));
-    }
-    before = energy;
+  const std::span<SIslandBody> bodies = CopyBodies(number);
+  const auto contacts = ForContacts(island, [&](const auto& contact, SIslandContact& copy) {
+    copy = SIslandContact();
+    CopyContact(contact, copy);
+    copy.B = std::min<UInt32>(copy.B, island.Members.GetSize());
+    copy.NX = contact.NX;
+    copy.NY = contact.NY;
+    copy.Approach = contact.Approach;
+    copy.InverseMass = 1.0F / copy.Mass;
+    copy.InverseTangentMass = 1.0F / copy.TangentMass;
+    copy.Impulse.Start({contact.Normal, contact.Tangent});
+  });
+  CContactIsland(bodies, contacts).Solve(tolerance, kMaxTouchSweeps);
+  for (UInt32 i = 0; i < island.Members.GetSize(); ++i) {
+    const UInt32 member = m_memberOrder[island.Members.First + i];
+    SCrowdDisc& disc = m_discs[member];
+    SCrowdDrive& drive = m_drives[member];
+    const float* const velocity = bodies[i].Velocity.Now;
+    const float* const impulse = bodies[i].Impulse.Now;
+    disc.VX = velocity[SIslandBody::kX];
+    disc.VY = velocity[SIslandBody::kY];
+    disc.W = velocity[SIslandBody::kTurn];
+    drive.X = impulse[SIslandBody::kX];
+    drive.Y = impulse[SIslandBody::kY];
+    drive.Angular = impulse[SIslandBody::kTurn];
   }
+  ForContacts(island, [](auto& contact, const SIslandContact& copy) {
+    contact.Normal = copy.Impulse.Now[SIslandContact::kNormal];
+    contact.Tangent = copy.Impulse.Now[SIslandContact::kTangent];
+  });
 }
 
 // Sweeps over everything find which contacts have a force, and that nothing is left to solve.
@@ -300,7 +256,7 @@ void CCrowdSolver::IterateSmall(UInt32 number, float tolerance) {
     const UInt32 first = m_clusters->GetPatches()[number].FirstDisc;
     const UInt32 count = BuildIslands({number, number + 1});
     for (UInt32 i = first; i < first + count; ++i) {
-      IterateIsland(m_islands[i], 0.5F * tolerance);
+      SolveIsland(i, 0.5F * tolerance);
     }
   }
 }
@@ -312,7 +268,7 @@ void CCrowdSolver::IterateLarge(CThreadPool& pool, const SCrowdCluster& cluster,
     const UInt32 count = BuildIslands(cluster);
     pool.ParallelFor(count, kIslandGrain, [&](size_t begin, size_t end, UInt32) {
       for (size_t i = first + begin; i < first + end; ++i) {
-        IterateIsland(m_islands[i], 0.5F * tolerance);
+        SolveIsland(static_cast<UInt32>(i), 0.5F * tolerance);
       }
     });
     for (UInt32 number = cluster.FirstPatch; number < cluster.EndPatch; ++number) {
