@@ -137,21 +137,21 @@ void CCrowdSolver::SortIntoIslands(const SCrowdCluster& cluster, UInt32 first, U
 // solving
 /****************************************/
 
-std::span<SIslandBody> CCrowdSolver::CopyBodies(UInt32 number) {
+std::span<CCrowdSolver::SBody> CCrowdSolver::CopyBodies(UInt32 number) {
   const SCrowdRange& members = m_islands[number].Members;
   // behind those of the islands before, each of which has something immovable as well
-  SIslandBody* const bodies = m_islandBodies.data() + members.First + number;
+  SBody* const bodies = m_islandBodies.data() + members.First + number;
   for (UInt32 i = members.First; i < members.End; ++i) {
     const UInt32 member = m_memberOrder[i];
     const SCrowdDisc& disc = m_discs[member];
     const SCrowdDrive& drive = m_drives[member];
-    SIslandBody& body = bodies[i - members.First] = SIslandBody();
+    SBody& body = bodies[i - members.First] = SBody();
     m_islandPlace[member] = i - members.First;
-    body.Velocity.Start({disc.VX, disc.VY, disc.W});
-    body.Impulse.Start({drive.X, drive.Y, drive.Angular});
-    body.Target[SIslandBody::kX] = drive.TargetX;
-    body.Target[SIslandBody::kY] = drive.TargetY;
-    body.Target[SIslandBody::kTurn] = drive.TargetW;
+    body.Velocity.Set({disc.VX, disc.VY, disc.W});
+    body.Impulse.Set({drive.X, drive.Y, drive.Angular});
+    body.Target[kAxisX] = drive.TargetX;
+    body.Target[kAxisY] = drive.TargetY;
+    body.Target[kAxisTurn] = drive.TargetW;
     body.Most = drive.Most;
     body.AngularMost = drive.AngularMost;
     body.InverseMass = disc.InverseMass;
@@ -159,16 +159,16 @@ std::span<SIslandBody> CCrowdSolver::CopyBodies(UInt32 number) {
     body.Mass = 1.0F / disc.InverseMass;
     body.Inertia = 1.0F / disc.InverseInertia;
   }
-  bodies[members.GetSize()] = SIslandBody();
+  bodies[members.GetSize()] = SBody();
   return {bodies, members.GetSize() + 1};
 }
 
 // Calls visit(contact of the solver, contact of the island) for all, in order.
 template <typename VISIT>
-std::span<SIslandContact> CCrowdSolver::ForContacts(const SIsland& island, VISIT&& visit) {
-  SIslandContact* const first =
+std::span<CCrowdSolver::SCopy> CCrowdSolver::ForContacts(const SIsland& island, VISIT&& visit) {
+  SCopy* const first =
       m_islandContacts.data() + island.Contacts.First + island.Touches.First + island.Walls.First;
-  SIslandContact* next = first;
+  SCopy* next = first;
   const auto forAll = [&](const SCrowdRange& range, const std::vector<UInt32>& order,
                           auto& contacts) {
     for (UInt32 i = range.First; i < range.End; ++i) {
@@ -181,7 +181,7 @@ std::span<SIslandContact> CCrowdSolver::ForContacts(const SIsland& island, VISIT
   return {first, next};
 }
 
-void CCrowdSolver::CopyContact(const SContact& contact, SIslandContact& copy) const {
+void CCrowdSolver::CopyContact(const SContact& contact, SCopy& copy) const {
   copy.A = m_islandPlace[contact.A];
   copy.B = m_islandPlace[contact.B];
   copy.TangentLeverA = m_discs[contact.A].Radius;
@@ -191,7 +191,7 @@ void CCrowdSolver::CopyContact(const SContact& contact, SIslandContact& copy) co
   copy.Friction = kDiscFriction;
 }
 
-void CCrowdSolver::CopyContact(const STouch& contact, SIslandContact& copy) const {
+void CCrowdSolver::CopyContact(const STouch& contact, SCopy& copy) const {
   copy.A = m_islandPlace[contact.A];
   copy.B = contact.B != CCrowdSolids::kNone ? m_islandPlace[contact.B] : kNoPlace;
   copy.NormalLeverA = contact.NormalLeverA;
@@ -203,7 +203,7 @@ void CCrowdSolver::CopyContact(const STouch& contact, SIslandContact& copy) cons
   copy.Friction = contact.Friction;
 }
 
-void CCrowdSolver::CopyContact(const SWallContact& contact, SIslandContact& copy) const {
+void CCrowdSolver::CopyContact(const SWallContact& contact, SCopy& copy) const {
   const SCrowdDisc& disc = m_discs[contact.Disc];
   copy.A = m_islandPlace[contact.Disc];
   copy.B = kNoPlace;
@@ -218,9 +218,9 @@ void CCrowdSolver::SolveIsland(UInt32 number, float tolerance) {
   if (island.Contacts.GetSize() + island.Touches.GetSize() + island.Walls.GetSize() == 0) {
     return;
   }
-  const std::span<SIslandBody> bodies = CopyBodies(number);
-  const auto contacts = ForContacts(island, [&](const auto& contact, SIslandContact& copy) {
-    copy = SIslandContact();
+  const std::span<SBody> bodies = CopyBodies(number);
+  const auto contacts = ForContacts(island, [&](const auto& contact, SCopy& copy) {
+    copy = SCopy();
     CopyContact(contact, copy);
     copy.B = std::min<UInt32>(copy.B, island.Members.GetSize());
     copy.NX = contact.NX;
@@ -228,7 +228,7 @@ void CCrowdSolver::SolveIsland(UInt32 number, float tolerance) {
     copy.Approach = contact.Approach;
     copy.InverseMass = 1.0F / copy.Mass;
     copy.InverseTangentMass = 1.0F / copy.TangentMass;
-    copy.Impulse.Start({contact.Normal, contact.Tangent});
+    copy.Impulse.Set({contact.Normal, contact.Tangent});
   });
   CContactIsland(bodies, contacts).Solve(tolerance, kMaxTouchSweeps);
   for (UInt32 i = 0; i < island.Members.GetSize(); ++i) {
@@ -237,16 +237,16 @@ void CCrowdSolver::SolveIsland(UInt32 number, float tolerance) {
     SCrowdDrive& drive = m_drives[member];
     const float* const velocity = bodies[i].Velocity.Now;
     const float* const impulse = bodies[i].Impulse.Now;
-    disc.VX = velocity[SIslandBody::kX];
-    disc.VY = velocity[SIslandBody::kY];
-    disc.W = velocity[SIslandBody::kTurn];
-    drive.X = impulse[SIslandBody::kX];
-    drive.Y = impulse[SIslandBody::kY];
-    drive.Angular = impulse[SIslandBody::kTurn];
+    disc.VX = velocity[kAxisX];
+    disc.VY = velocity[kAxisY];
+    disc.W = velocity[kAxisTurn];
+    drive.X = impulse[kAxisX];
+    drive.Y = impulse[kAxisY];
+    drive.Angular = impulse[kAxisTurn];
   }
-  ForContacts(island, [](auto& contact, const SIslandContact& copy) {
-    contact.Normal = copy.Impulse.Now[SIslandContact::kNormal];
-    contact.Tangent = copy.Impulse.Now[SIslandContact::kTangent];
+  ForContacts(island, [](auto& contact, const SCopy& copy) {
+    contact.Normal = copy.Impulse.Now[kAxisNormal];
+    contact.Tangent = copy.Impulse.Now[kAxisTangent];
   });
 }
 

@@ -2,7 +2,7 @@
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_CROWD_SOLVER_H
 
 #include <argos3/core/utility/threads/thread_pool.h>
-#include <argos3/plugins/simulator/physics_engines/dynamics2d/contact_island.h>
+#include <argos3/plugins/simulator/physics_engines/planar/contact_island.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/contact_memory.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/crowd_bodies.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/crowd_clusters.h>
@@ -67,6 +67,9 @@ class CCrowdSolver {
     float Duration;  // s
     UInt32 Number, Count;
   };
+  // as an island has them
+  using SBody = SIslandBody<float>;
+  using SCopy = SIslandContact<float>;
   /** A contact of two discs in a substep. */
   struct SContact {
     UInt32 A, B, Pair;
@@ -175,12 +178,12 @@ class CCrowdSolver {
   void UniteIslands(UInt32 a, UInt32 b);
   UInt32 BuildIslands(const SCrowdCluster& cluster);
   void SortIntoIslands(const SCrowdCluster& cluster, UInt32 first, UInt32 end);
-  std::span<SIslandBody> CopyBodies(UInt32 island);
+  std::span<SBody> CopyBodies(UInt32 island);
   template <typename VISIT>
-  std::span<SIslandContact> ForContacts(const SIsland& island, VISIT&& visit);
-  void CopyContact(const SContact& contact, SIslandContact& copy) const;
-  void CopyContact(const STouch& contact, SIslandContact& copy) const;
-  void CopyContact(const SWallContact& contact, SIslandContact& copy) const;
+  std::span<SCopy> ForContacts(const SIsland& island, VISIT&& visit);
+  void CopyContact(const SContact& contact, SCopy& copy) const;
+  void CopyContact(const STouch& contact, SCopy& copy) const;
+  void CopyContact(const SWallContact& contact, SCopy& copy) const;
   void SolveIsland(UInt32 island, float tolerance);
   void IterateSmall(UInt32 patch, float tolerance);
   void IterateLarge(CThreadPool& pool, const SCrowdCluster& cluster, float tolerance);
@@ -205,7 +208,7 @@ class CCrowdSolver {
   std::vector<SIsland> m_islands;
   std::vector<UInt32> m_memberOrder;
   std::vector<UInt32> m_islandPlace;  // number in the island, by member
-  std::vector<SIslandBody> m_islandBodies;
+  std::vector<SBody> m_islandBodies;
   std::vector<SFootprint> m_parts;  // of solids
   // by pair and by wall: N
   std::vector<SContactForce> m_pairForces;
@@ -217,7 +220,7 @@ class CCrowdSolver {
   std::vector<STouch> m_touches;  // from twice the number of the first touch
   // in the order of islands
   std::vector<UInt32> m_contactOrder, m_wallOrder, m_touchOrder;
-  std::vector<SIslandContact> m_islandContacts;
+  std::vector<SCopy> m_islandContacts;
   std::vector<SPatchState> m_states;  // by patch
   Real m_deepest = 0.0;  // m
 };

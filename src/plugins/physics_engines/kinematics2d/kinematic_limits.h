@@ -35,7 +35,7 @@ constexpr Real kSolidStep = 0.25;
 /** Greatest number of sweeps of CPushSolver over an island. */
 constexpr UInt32 kPushSweeps = 3000;
 /** Change in a sweep at which forces count as found, as a share of the greatest motion. */
-constexpr Real kPushTolerance = 1e-9;
+constexpr Real kPushTolerance = 1e-5;
 /** Change of a motion at which it counts as steady, as a share of the greatest motion. */
 constexpr Real kPushSteady = 1e-4;
 /**

@@ -14,16 +14,8 @@ constexpr Real kLeastForce = 1e-3;
 
 }  // namespace
 
-// These are on the path of all sweeps.
-
-inline void CPushSolver::Push(SBody& body, Real x, Real y, Real torque) {
-  body.Twist.X += body.Give * x;
-  body.Twist.Y += body.Give * y;
-  body.Twist.Turn += body.TurnGive * torque;
-}
-
 // The motion of the pushed body along the normal, relative to the pushing one, m.
-inline Real CPushSolver::ComputeMotion(const SContact& contact) const {
+Real CPushSolver::ComputeMotion(const SContact& contact) const {
   const STwist& pushed = m_bodies[contact.Pushed].Twist;
   Real moved =
       contact.NormalX * pushed.X + contact.NormalY * pushed.Y + contact.LeverPushed * pushed.Turn;
@@ -33,55 +25,6 @@ inline Real CPushSolver::ComputeMotion(const SContact& contact) const {
              contact.LeverPushing * pushing.Turn;
   }
   return moved;
-}
-
-inline void CPushSolver::AddForce(SForce& contact, Real change) {
-  contact.Force += change;
-  Push(m_bodies[contact.Pushed], change * contact.NormalX, change * contact.NormalY,
-       change * contact.LeverPushed);
-  if (contact.Pushing != kNone) {
-    Push(m_bodies[contact.Pushing], -change * contact.NormalX, -change * contact.NormalY,
-         -change * contact.LeverPushing);
-  }
-}
-
-// @return the change, m.
-inline Real CPushSolver::SolveContact(SForce& contact) {
-  const Real force =
-      std::max(0.0, contact.Force + (contact.Least - ComputeMotion(contact)) * contact.Mass);
-  const Real change = force - contact.Force;
-  AddForce(contact, change);
-  return std::abs(change) * contact.Give;
-}
-
-// Friction, or a drive, exerts the force that makes the body move as its target, up to its bounds.
-// @return the change, m.
-inline Real CPushSolver::AimAtTarget(SBody& body) {
-  Real change = 0.0;
-  if (body.Force > 0.0) {
-    Real x = body.Used.X - (body.Twist.X - body.Target.X) * body.Mass;
-    Real y = body.Used.Y - (body.Twist.Y - body.Target.Y) * body.Mass;
-    const Real squaredLength = x * x + y * y;
-    if (squaredLength > body.Force * body.Force) {
-      const Real scale = body.Force / std::sqrt(squaredLength);
-      x *= scale;
-      y *= scale;
-    }
-    change = body.Give * (std::abs(x - body.Used.X) + std::abs(y - body.Used.Y));
-    Push(body, x - body.Used.X, y - body.Used.Y, 0.0);
-    body.Used.X = x;
-    body.Used.Y = y;
-  }
-  if (body.Torque > 0.0 && body.TurnGive > 0.0) {
-    const Real torque =
-        std::clamp(body.Used.Turn - (body.Twist.Turn - body.Target.Turn) / body.TurnGive,
-                   -body.Torque, body.Torque);
-    const Real added = torque - body.Used.Turn;
-    change = std::max(change, body.TurnGive * std::abs(added) * std::sqrt(body.SquaredGyration));
-    Push(body, 0.0, 0.0, added);
-    body.Used.Turn = torque;
-  }
-  return change;
 }
 
 void CPushSolver::Clear() {
@@ -108,8 +51,7 @@ void CPushSolver::AddContact(const SContact& contact) {
     const UInt32 b = FindRoot(contact.Pushed);
     m_bodies[std::max(a, b)].Parent = std::min(a, b);
   }
-  SForce& force = m_contacts.emplace_back();
-  static_cast<SContact&>(force) = contact;
+  m_contacts.push_back(contact);
 }
 
 UInt32 CPushSolver::FindRoot(UInt32 body) {
@@ -160,10 +102,18 @@ void CPushSolver::SolveIsland(SIsland island) {
   if (!(island.Need > 0.0)) {
     return;
   }
-  UInt32 sweeps = Iterate(island, kPushSweeps);
-  while (sweeps < kPushSweeps && !IsSteady(island)) {
+  CContactIsland<Real> solver(m_islandBodies, m_islandContacts);
+  UInt32 sweeps = 0;
+  for (;;) {
+    sweeps += solver.Solve(kPushTolerance * island.Need, kPushSweeps - sweeps);
+    for (size_t i = 0; i < island.Bodies.size(); ++i) {
+      const Real* const moved = m_islandBodies[i].Velocity.Now;
+      m_bodies[island.Bodies[i].Number].Twist = {moved[kAxisX], moved[kAxisY], moved[kAxisTurn]};
+    }
+    if (sweeps >= kPushSweeps || IsSteady(island)) {
+      return;
+    }
     StartFromResult(island);
-    sweeps += Iterate(island, kPushSweeps - sweeps);
   }
 }
 
@@ -179,18 +129,24 @@ void CPushSolver::Prepare(SIsland& island) {
     Real& strongest = isDriven ? drive : friction;
     strongest = std::max(strongest, body.Force);
     body.Start = body.Twist = body.Target;
-    body.Used = body.Step = STwist();
     body.Give = body.TurnGive = 0.0;
   }
   for (const SMember& member : island.Contacts) {
-    const SForce& contact = m_contacts[member.Number];
+    const SContact& contact = m_contacts[member.Number];
     island.Need = std::max(island.Need, contact.Least - ComputeMotion(contact));
     CountContact(contact.Pushed, contact.LeverPushed);
     if (contact.Pushing != kNone) {
       CountContact(contact.Pushing, contact.LeverPushing);
     }
   }
-  const Real give = island.Need / (kPushSlack * (drive > 0.0 ? drive : friction));
+  if (island.Need > 0.0) {
+    SetUp(island, island.Need / (kPushSlack * (drive > 0.0 ? drive : friction)));
+  }
+}
+
+// The "velocities" of the island are motions in the tick, its "impulses" forces.
+void CPushSolver::SetUp(const SIsland& island, Real give) {
+  m_islandBodies.clear();
   for (const SMember& member : island.Bodies) {
     SBody& body = m_bodies[member.Number];
     const Real count = std::max(1.0, body.Give);
@@ -198,18 +154,41 @@ void CPushSolver::Prepare(SIsland& island) {
                         ? 0.0
                         : give / std::max(count * body.SquaredGyration, body.TurnGive);
     body.Give = give / count;
-    body.Mass = 1.0 / body.Give;
+    body.Place = static_cast<UInt32>(m_islandBodies.size());
+    SIslandBody<Real>& moved = m_islandBodies.emplace_back();
+    moved.Velocity.Set({body.Target.X, body.Target.Y, body.Target.Turn});
+    std::copy_n(moved.Velocity.Now, 3, moved.Target);
+    moved.Most = body.Force;
+    moved.InverseMass = body.Give;
+    moved.Mass = 1.0 / body.Give;
+    if (body.TurnGive > 0.0) {
+      moved.AngularMost = body.Torque;
+      moved.InverseInertia = body.TurnGive;
+      moved.Inertia = 1.0 / body.TurnGive;
+    }
   }
+  const auto obstacle = static_cast<UInt32>(m_islandBodies.size());
+  m_islandBodies.emplace_back();
+  m_islandContacts.clear();
   for (const SMember& member : island.Contacts) {
-    SForce& contact = m_contacts[member.Number];
-    const SBody& pushed = m_bodies[contact.Pushed];
-    contact.Give = pushed.Give + contact.LeverPushed * contact.LeverPushed * pushed.TurnGive;
+    const SContact& contact = m_contacts[member.Number];
+    SIslandContact<Real>& touch = m_islandContacts.emplace_back();
+    touch.NX = contact.NormalX;
+    touch.NY = contact.NormalY;
+    touch.Approach = -contact.Least;
+    touch.A = obstacle;
     if (contact.Pushing != kNone) {
       const SBody& pushing = m_bodies[contact.Pushing];
-      contact.Give += pushing.Give + contact.LeverPushing * contact.LeverPushing * pushing.TurnGive;
+      touch.A = pushing.Place;
+      touch.NormalLeverA = contact.LeverPushing;
+      touch.InverseMass =
+          pushing.Give + contact.LeverPushing * contact.LeverPushing * pushing.TurnGive;
     }
-    contact.Mass = 1.0 / contact.Give;
-    contact.Force = contact.Step = 0.0;
+    const SBody& pushed = m_bodies[contact.Pushed];
+    touch.B = pushed.Place;
+    touch.NormalLeverB = contact.LeverPushed;
+    touch.InverseMass += pushed.Give + contact.LeverPushed * contact.LeverPushed * pushed.TurnGive;
+    touch.Mass = 1.0 / touch.InverseMass;
   }
 }
 
@@ -218,82 +197,6 @@ void CPushSolver::Prepare(SIsland& island) {
 void CPushSolver::CountContact(UInt32 body, Real lever) {
   m_bodies[body].Give += 1.0;
   m_bodies[body].TurnGive += lever * lever;
-}
-
-// Finds forces that fit the start of all bodies. @return the number of sweeps.
-UInt32 CPushSolver::Iterate(const SIsland& island, UInt32 mostSweeps) {
-  // of an energy that counts as shrinking still
-  constexpr Real kGrowth = 1.02;
-  Real before = 0.0;
-  for (UInt32 sweep = 1;; ++sweep) {
-    Keep(island);
-    // the last thing is a sweep, so that no force exceeds its bounds
-    if (Sweep(island) <= kPushTolerance * island.Need || sweep == mostSweeps) {
-      return sweep;
-    }
-    const Real energy = MeasureEnergy(island);
-    // the method restarts if the energy of the change has grown
-    StepOn(island, energy < kGrowth * before ? std::min(1.0, energy / before) : 0.0);
-    before = energy;
-  }
-}
-
-void CPushSolver::Keep(const SIsland& island) {
-  for (const SMember& member : island.Bodies) {
-    m_bodies[member.Number].Kept = m_bodies[member.Number].Used;
-  }
-  for (const SMember& member : island.Contacts) {
-    m_contacts[member.Number].Kept = m_contacts[member.Number].Force;
-  }
-}
-
-// Contacts are last, so that no overlap remains in the end. @return the greatest change, m.
-Real CPushSolver::Sweep(const SIsland& island) {
-  Real change = 0.0;
-  for (const SMember& member : island.Bodies) {
-    change = std::max(change, AimAtTarget(m_bodies[member.Number]));
-  }
-  for (const SMember& member : island.Contacts) {
-    change = std::max(change, SolveContact(m_contacts[member.Number]));
-  }
-  return change;
-}
-
-// The sum of the squared changes of forces in a sweep, each times the compliance.
-Real CPushSolver::MeasureEnergy(const SIsland& island) const {
-  Real energy = 0.0;
-  for (const SMember& member : island.Bodies) {
-    const SBody& body = m_bodies[member.Number];
-    const Real x = body.Used.X - body.Kept.X;
-    const Real y = body.Used.Y - body.Kept.Y;
-    const Real torque = body.Used.Turn - body.Kept.Turn;
-    energy += body.Give * (x * x + y * y) + body.TurnGive * torque * torque;
-  }
-  for (const SMember& member : island.Contacts) {
-    const SForce& contact = m_contacts[member.Number];
-    energy += contact.Give * (contact.Force - contact.Kept) * (contact.Force - contact.Kept);
-  }
-  return energy;
-}
-
-// Makes the change of a sweep the direction, and adds a share of the direction before.
-void CPushSolver::StepOn(const SIsland& island, Real share) {
-  for (const SMember& member : island.Bodies) {
-    SBody& body = m_bodies[member.Number];
-    const STwist step = {share * body.Step.X, share * body.Step.Y, share * body.Step.Turn};
-    body.Step = {step.X + body.Used.X - body.Kept.X, step.Y + body.Used.Y - body.Kept.Y,
-                 step.Turn + body.Used.Turn - body.Kept.Turn};
-    body.Used.X += step.X;
-    body.Used.Y += step.Y;
-    body.Used.Turn += step.Turn;
-    Push(body, step.X, step.Y, step.Turn);
-  }
-  for (const SMember& member : island.Contacts) {
-    SForce& contact = m_contacts[member.Number];
-    const Real step = share * contact.Step;
-    contact.Step = step + contact.Force - contact.Kept;
-    AddForce(contact, step);
-  }
 }
 
 bool CPushSolver::IsSteady(const SIsland& island) const {
@@ -310,10 +213,11 @@ bool CPushSolver::IsSteady(const SIsland& island) const {
 void CPushSolver::StartFromResult(const SIsland& island) {
   for (const SMember& member : island.Bodies) {
     SBody& body = m_bodies[member.Number];
-    const STwist twist = body.Twist;
-    body.Twist.X += twist.X - body.Start.X;
-    body.Twist.Y += twist.Y - body.Start.Y;
-    body.Twist.Turn += twist.Turn - body.Start.Turn;
+    const STwist& twist = body.Twist;
+    Real* const moved = m_islandBodies[body.Place].Velocity.Now;
+    moved[kAxisX] += twist.X - body.Start.X;
+    moved[kAxisY] += twist.Y - body.Start.Y;
+    moved[kAxisTurn] += twist.Turn - body.Start.Turn;
     body.Start = twist;
   }
 }

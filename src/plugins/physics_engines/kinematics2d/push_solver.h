@@ -3,6 +3,7 @@
 
 #include <argos3/core/utility/configuration/argos_exception.h>
 #include <argos3/core/utility/datatypes/datatypes.h>
+#include <argos3/plugins/simulator/physics_engines/planar/contact_island.h>
 
 #include <limits>
 #include <span>
@@ -26,9 +27,8 @@ struct STwist {
  * which aims at the planned step. Of all motions in which no body penetrates another, bodies make
  * the one with the least sum of forces times deviations from targets (minimum dissipation).
  *
- * Bodies that are connected by contacts are solved as bodies of little mass, whose forces are found
- * by sweeps (projected Gauss-Seidel), which are the steps of a conjugate gradient method (NNCG).
- * That is repeated from the motion that was found until the motion is steady: then the mass has no
+ * Bodies that are connected by contacts are solved as bodies of little mass (CContactIsland). That
+ * is repeated from the motion that was found until the motion is steady: then the mass has no
  * effect, and the result depends neither on the order of bodies nor on that of contacts.
  */
 class CPushSolver {
@@ -71,17 +71,10 @@ class CPushSolver {
     Real Force, Torque;  // N, N m
     Real SquaredGyration;  // m^2
     UInt32 Parent;  // of the tree of connected bodies
+    UInt32 Place;  // in its island
     Real Give, TurnGive;  // m/N, rad/(N m): compliance
-    Real Mass;  // N/m: the inverse of Give
     STwist Start;  // before forces
     STwist Twist;
-    STwist Used;  // force and torque that aim at the target, N, N m
-    STwist Kept, Step;  // the same before the sweep; direction of the search
-  };
-  struct SForce : SContact {
-    Real Give, Mass;  // m/N, N/m, of both
-    Real Force;  // N
-    Real Kept, Step;  // see SBody
   };
   /** A body or contact, in the order of islands. */
   struct SMember {
@@ -105,22 +98,17 @@ class CPushSolver {
   void SolveIsland(SIsland island);
   void Prepare(SIsland& island);
   void CountContact(UInt32 body, Real lever);
-  UInt32 Iterate(const SIsland& island, UInt32 mostSweeps);
-  void Keep(const SIsland& island);
-  Real Sweep(const SIsland& island);
-  Real MeasureEnergy(const SIsland& island) const;
-  void StepOn(const SIsland& island, Real share);
+  void SetUp(const SIsland& island, Real give);
   bool IsSteady(const SIsland& island) const;
   void StartFromResult(const SIsland& island);
-  static Real AimAtTarget(SBody& body);
-  Real SolveContact(SForce& contact);
   Real ComputeMotion(const SContact& contact) const;
-  void AddForce(SForce& contact, Real change);
-  static void Push(SBody& body, Real x, Real y, Real torque);
 
   std::vector<SBody> m_bodies;
-  std::vector<SForce> m_contacts;
+  std::vector<SContact> m_contacts;
   std::vector<SMember> m_bodyOrder, m_contactOrder;
+  // of the island that is solved; behind the bodies is what does not move
+  std::vector<SIslandBody<Real>> m_islandBodies;
+  std::vector<SIslandContact<Real>> m_islandContacts;
 };
 
 }  // namespace argos

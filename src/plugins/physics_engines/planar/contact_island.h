@@ -1,0 +1,104 @@
+#ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_PLANAR_CONTACT_ISLAND_H
+#define ARGOS3_PLUGINS_PHYSICS_ENGINES_PLANAR_CONTACT_ISLAND_H
+
+#include <argos3/core/utility/datatypes/datatypes.h>
+
+#include <algorithm>
+#include <initializer_list>
+#include <span>
+
+namespace argos {
+
+/** Of the motion of a body, and of its drive's impulse. */
+enum EIslandAxis { kAxisX, kAxisY, kAxisTurn };
+/** Of the impulse of a contact. */
+enum EContactAxis { kAxisNormal, kAxisTangent };
+
+/** A value that is searched: what it is, was before the last sweep, and where it moved. */
+template <typename NUMBER, int COUNT>
+struct SSearched {
+  NUMBER Now[COUNT] = {}, Before[COUNT] = {}, Step[COUNT] = {};
+
+  void Set(std::initializer_list<NUMBER> values) { std::copy(values.begin(), values.end(), Now); }
+  /** Begins a search at what it is now. */
+  void Start() {
+    std::copy_n(Now, COUNT, Before);
+    std::fill_n(Step, COUNT, NUMBER(0));
+  }
+  /** Adds a share of the step before; the change of the last sweep and that are the next one. */
+  void StepOn(NUMBER share) {
+    for (int i = 0; i < COUNT; ++i) {
+      const NUMBER further = share * Step[i];
+      Step[i] = further + (Now[i] - Before[i]);
+      Before[i] = Now[i] += further;
+    }
+  }
+};
+
+/** A body of an island; without values: something immovable. */
+template <typename NUMBER>
+struct SIslandBody {
+  SSearched<NUMBER, 4> Velocity;  // m/s, rad/s
+  SSearched<NUMBER, 4> Impulse;  // of the drive, N s, N m s
+  // the drive: what it aims at, and the bounds of its impulses
+  NUMBER Target[4] = {};  // m/s, rad/s
+  NUMBER Most = NUMBER(0), AngularMost = NUMBER(0);  // N s, N m s
+  NUMBER InverseMass = NUMBER(0), InverseInertia = NUMBER(0);  // 1/kg, 1/(kg m^2)
+  NUMBER Mass = NUMBER(0), Inertia = NUMBER(0);  // kg, kg m^2
+};
+
+/** A contact point of an island. */
+template <typename NUMBER>
+struct SIslandContact {
+  SSearched<NUMBER, 2> Impulse;  // N s
+  UInt32 A = 0, B = 0;  // numbers of bodies in the island
+  NUMBER NX = NUMBER(0), NY = NUMBER(0);  // normal, from A to B
+  // of the normal and of the tangent about the centres of mass, m
+  NUMBER NormalLeverA = NUMBER(0), TangentLeverA = NUMBER(0), NormalLeverB = NUMBER(0),
+         TangentLeverB = NUMBER(0);
+  NUMBER Approach = NUMBER(0);  // greatest speed of approach, m/s
+  NUMBER Mass = NUMBER(0), InverseMass = NUMBER(0);  // that resists along the normal, kg, 1/kg
+  NUMBER TangentMass = NUMBER(0), InverseTangentMass = NUMBER(0);  // along the tangent
+  NUMBER Friction = NUMBER(0);  // coefficient
+};
+
+/**
+ * Solves the contacts of bodies in a plane that press each other, whose masses may differ by orders
+ * of magnitude: a nonsmooth nonlinear conjugate gradient method, whose steps are sweeps of
+ * projected Gauss-Seidel over drives and contacts (M. Silcowitz-Hansen, S. Niebe, K. Erleben, A
+ * Nonsmooth Nonlinear Conjugate Gradient Method for Interactive Contact Force Problems, 2010).
+ *
+ * @tparam NUMBER  float or double.
+ */
+template <typename NUMBER>
+class CContactIsland {
+ public:
+  CContactIsland(std::span<SIslandBody<NUMBER>> bodies, std::span<SIslandContact<NUMBER>> contacts)
+      : m_bodies(bodies), m_contacts(contacts) {}
+  /**
+   * Sweeps until the velocities change no more than a tolerance, m/s. The last thing is a sweep, so
+   * that no impulse exceeds its bounds. @return the number of sweeps.
+   */
+  UInt32 Solve(NUMBER tolerance, UInt32 mostSweeps);
+
+ private:
+  /** What a sweep changed. */
+  struct SChange {
+    NUMBER Velocity = NUMBER(0);  // the greatest, m/s
+    NUMBER Energy =
+        NUMBER(0);  // of impulses, J: forces and torques of light and heavy bodies add up
+  };
+
+  template <typename VISIT>
+  void ForAll(VISIT&& visit);
+  void SweepDrives(SChange& change);
+  void SweepContacts(SChange& change);
+  void StepOn(NUMBER share);
+
+  std::span<SIslandBody<NUMBER>> m_bodies;
+  std::span<SIslandContact<NUMBER>> m_contacts;
+};
+
+}  // namespace argos
+
+#endif
