@@ -121,7 +121,7 @@ size_t CTurnover::CountModels() {
   return count;
 }
 
-void SoakInTurnover(CTurnover& turnover, const std::function<void()>& check) {
+void Soak(const std::function<void()>& tick, const std::function<void()>& check) {
   using TClock = std::chrono::steady_clock;
   const std::chrono::duration<double> whole(60.0 * ReadDuration());
   const TClock::time_point start = TClock::now();
@@ -129,23 +129,19 @@ void SoakInTurnover(CTurnover& turnover, const std::function<void()>& check) {
   double greatest = 0.0;
   UInt64 ticks = 0;
   while (TClock::now() - start < whole) {
-    turnover.Tick();
+    tick();
     if (++ticks % 10 != 0) {
       continue;
     }
-    turnover.Check();
-    if (check) {
-      check();
-    }
+    check();
     const double now = ReadResidentMemory();
     if (TClock::now() - start < 0.1 * whole) {
       first = std::max(first, now);
     }
     greatest = std::max(greatest, now);
   }
-  WARN(ticks << " ticks, " << turnover.GetNumAdded() << " robots added; resident memory "
-             << first / 1048576.0 << " MiB in the first tenth of the time, at most "
-             << greatest / 1048576.0 << " MiB");
+  WARN(ticks << " ticks; resident memory " << first / 1048576.0
+             << " MiB in the first tenth of the time, at most " << greatest / 1048576.0 << " MiB");
   REQUIRE(first > 0.0);
   CHECK(greatest <= (1.0 + kGrowth) * first);
 }

@@ -51,9 +51,9 @@ class CTurnover {
 /**
  * Runs ticks for ARGOS_SOAK_MINUTES of wall time, 60 if that is not set, and checks that resident
  * memory grows by at most 2 % after the first tenth of the time.
- * @param check  called every ten ticks, besides CTurnover::Check().
+ * @param check  called every ten ticks.
  */
-void SoakInTurnover(CTurnover& turnover, const std::function<void()>& check = {});
+void Soak(const std::function<void()>& tick, const std::function<void()>& check);
 
 }  // namespace argos
 

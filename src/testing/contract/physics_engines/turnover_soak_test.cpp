@@ -80,7 +80,7 @@ TEST_CASE("turnover: memory stays flat while robots are added, removed and moved
   const SRoomsWorld rooms = MakeRooms();
   CTestWorld world(board.ToXml(rooms));
   CTurnover turnover(world, rooms.Side, kTurnover);
-  SoakInTurnover(turnover);
+  Soak([&] { turnover.Tick(); }, [&] { turnover.Check(); });
 }
 
 }  // namespace argos::turnover_soak_test
