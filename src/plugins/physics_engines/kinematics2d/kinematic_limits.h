@@ -29,13 +29,13 @@ constexpr size_t kCellGrain = 1024;
 constexpr UInt32 kTicksOfGrid = 32;
 
 /** Greatest overlap of solids, in half narrowest sides. */
-constexpr Real kSolidTolerance = 1e-5;
+constexpr Real kSolidTolerance = 1e-4;
 /** Solids step by at most this share of half their narrowest side, so that none passes another. */
 constexpr Real kSolidStep = 0.25;
 /** Greatest number of sweeps of CPushSolver over an island. */
 constexpr UInt32 kPushSweeps = 3000;
 /** Change in a sweep at which forces count as found, as a share of the greatest motion. */
-constexpr Real kPushTolerance = 1e-5;
+constexpr Real kPushTolerance = 1e-6;
 /** Change of a motion at which it counts as steady, as a share of the greatest motion. */
 constexpr Real kPushSteady = 1e-4;
 /**

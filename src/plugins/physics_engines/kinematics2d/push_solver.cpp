@@ -12,6 +12,10 @@ namespace {
 // N; assumed where no body has friction or a drive
 constexpr Real kLeastForce = 1e-3;
 
+STwist ToTwist(const Real* values) {
+  return {values[kAxisX], values[kAxisY], values[kAxisTurn]};
+}
+
 }  // namespace
 
 // The motion of the pushed body along the normal, relative to the pushing one, m.
@@ -43,7 +47,7 @@ UInt32 CPushSolver::AddBody(const STwist& target, Real force, Real torque, Real 
   return number;
 }
 
-void CPushSolver::AddContact(const SContact& contact) {
+UInt32 CPushSolver::AddContact(const SContact& contact) {
   CheckNumber(contact.Pushed);
   if (contact.Pushing != kNone) {
     CheckNumber(contact.Pushing);
@@ -51,7 +55,18 @@ void CPushSolver::AddContact(const SContact& contact) {
     const UInt32 b = FindRoot(contact.Pushed);
     m_bodies[std::max(a, b)].Parent = std::min(a, b);
   }
-  m_contacts.push_back(contact);
+  m_contacts.push_back({contact});
+  return static_cast<UInt32>(m_contacts.size() - 1);
+}
+
+const CPushSolver::SContact& CPushSolver::GetContact(UInt32 contact) const {
+  CheckContact(contact);
+  return m_contacts[contact];
+}
+
+void CPushSolver::SetContact(UInt32 contact, const SContact& replacement) {
+  CheckContact(contact);
+  m_contacts[contact] = {replacement, true, m_contacts[contact].Force};
 }
 
 UInt32 CPushSolver::FindRoot(UInt32 body) {
@@ -91,7 +106,10 @@ void CPushSolver::Solve() {
                             takeIsland(m_contactOrder, contact, number), 0.0};
     body += island.Bodies.size();
     contact += island.Contacts.size();
-    if (!island.Contacts.empty()) {
+    const bool isDue =
+        std::any_of(island.Contacts.begin(), island.Contacts.end(),
+                    [this](const SMember& member) { return m_contacts[member.Number].IsDue; });
+    if (isDue) {
       SolveIsland(island);
     }
   }
@@ -107,8 +125,13 @@ void CPushSolver::SolveIsland(SIsland island) {
   for (;;) {
     sweeps += solver.Solve(kPushTolerance * island.Need, kPushSweeps - sweeps);
     for (size_t i = 0; i < island.Bodies.size(); ++i) {
-      const Real* const moved = m_islandBodies[i].Velocity.Now;
-      m_bodies[island.Bodies[i].Number].Twist = {moved[kAxisX], moved[kAxisY], moved[kAxisTurn]};
+      const SIslandBody<Real>& moved = m_islandBodies[i];
+      SBody& body = m_bodies[island.Bodies[i].Number];
+      body.Twist = ToTwist(moved.Velocity.Now);
+      body.Used = ToTwist(moved.Impulse.Now);
+    }
+    for (size_t i = 0; i < island.Contacts.size(); ++i) {
+      m_contacts[island.Contacts[i].Number].Force = m_islandContacts[i].Impulse.Now[kAxisNormal];
     }
     if (sweeps >= kPushSweeps || IsSteady(island)) {
       return;
@@ -128,17 +151,23 @@ void CPushSolver::Prepare(SIsland& island) {
     const bool isDriven = body.Target.X != 0.0 || body.Target.Y != 0.0 || body.Target.Turn != 0.0;
     Real& strongest = isDriven ? drive : friction;
     strongest = std::max(strongest, body.Force);
-    body.Start = body.Twist = body.Target;
+    // from the last solution, if there is one
+    body.Start = body.Twist;
     body.Give = body.TurnGive = 0.0;
   }
+  Real need = 0.0;
   for (const SMember& member : island.Contacts) {
-    const SContact& contact = m_contacts[member.Number];
-    island.Need = std::max(island.Need, contact.Least - ComputeMotion(contact));
+    SRequirement& contact = m_contacts[member.Number];
+    contact.IsDue = false;
+    need = std::max(need, contact.Least - ComputeMotion(contact));
     CountContact(contact.Pushed, contact.LeverPushed);
     if (contact.Pushing != kNone) {
       CountContact(contact.Pushing, contact.LeverPushing);
     }
   }
+  // of a corrected solution it is what it was before
+  SBody& first = m_bodies[island.Bodies.front().Number];
+  first.Need = island.Need = first.Need > 0.0 ? first.Need : need;
   if (island.Need > 0.0) {
     SetUp(island, island.Need / (kPushSlack * (drive > 0.0 ? drive : friction)));
   }
@@ -156,8 +185,11 @@ void CPushSolver::SetUp(const SIsland& island, Real give) {
     body.Give = give / count;
     body.Place = static_cast<UInt32>(m_islandBodies.size());
     SIslandBody<Real>& moved = m_islandBodies.emplace_back();
-    moved.Velocity.Set({body.Target.X, body.Target.Y, body.Target.Turn});
-    std::copy_n(moved.Velocity.Now, 3, moved.Target);
+    moved.Velocity.Set({body.Twist.X, body.Twist.Y, body.Twist.Turn});
+    moved.Impulse.Set({body.Used.X, body.Used.Y, body.Used.Turn});
+    moved.Target[kAxisX] = body.Target.X;
+    moved.Target[kAxisY] = body.Target.Y;
+    moved.Target[kAxisTurn] = body.Target.Turn;
     moved.Most = body.Force;
     moved.InverseMass = body.Give;
     moved.Mass = 1.0 / body.Give;
@@ -171,8 +203,9 @@ void CPushSolver::SetUp(const SIsland& island, Real give) {
   m_islandBodies.emplace_back();
   m_islandContacts.clear();
   for (const SMember& member : island.Contacts) {
-    const SContact& contact = m_contacts[member.Number];
+    const SRequirement& contact = m_contacts[member.Number];
     SIslandContact<Real>& touch = m_islandContacts.emplace_back();
+    touch.Impulse.Set({contact.Force, 0.0});
     touch.NX = contact.NormalX;
     touch.NY = contact.NormalY;
     touch.Approach = -contact.Least;

@@ -58,23 +58,39 @@ class CPushSolver {
    * @return its number.
    */
   UInt32 AddBody(const STwist& target, Real force, Real torque, Real squaredGyration);
-  void AddContact(const SContact& contact);
+  /** @return its number. */
+  UInt32 AddContact(const SContact& contact);
+  const SContact& GetContact(UInt32 contact) const;
+  /** Replaces a contact of the same bodies; their forces are where Solve() starts. */
+  void SetContact(UInt32 contact, const SContact& replacement);
+  /** After a change solves what is connected to changed contacts only. */
   void Solve();
+  /** After Solve(): the number of the first body that contacts connect with a body. */
+  UInt32 GetIsland(UInt32 body) {
+    CheckNumber(body);
+    return FindRoot(body);
+  }
   const STwist& GetTwist(UInt32 body) const {
     CheckNumber(body);
     return m_bodies[body].Twist;
   }
 
  private:
+  struct SRequirement : SContact {
+    bool IsDue = true;  // has changed since it was solved
+    Real Force = 0.0;  // N, of the last solution
+  };
   struct SBody {
     STwist Target;
     Real Force, Torque;  // N, N m
     Real SquaredGyration;  // m^2
     UInt32 Parent;  // of the tree of connected bodies
     UInt32 Place;  // in its island
+    Real Need = 0.0;  // of the island that begins with it: see SIsland
     Real Give, TurnGive;  // m/N, rad/(N m): compliance
     STwist Start;  // before forces
     STwist Twist;
+    STwist Used;  // force and torque that aim at the target, of the last solution, N, N m
   };
   /** A body or contact, in the order of islands. */
   struct SMember {
@@ -90,6 +106,10 @@ class CPushSolver {
     Real Need;  // m, by which bodies at their targets would penetrate each other
   };
 
+  void CheckContact([[maybe_unused]] UInt32 contact) const {
+    ARGOS_ASSERT(contact < m_contacts.size(),
+                 "the solver has no contact with the number " << contact);
+  }
   void CheckNumber([[maybe_unused]] UInt32 body) const {
     ARGOS_ASSERT(body < m_bodies.size(), "the solver has no body with the number " << body);
   }
@@ -104,7 +124,7 @@ class CPushSolver {
   Real ComputeMotion(const SContact& contact) const;
 
   std::vector<SBody> m_bodies;
-  std::vector<SContact> m_contacts;
+  std::vector<SRequirement> m_contacts;
   std::vector<SMember> m_bodyOrder, m_contactOrder;
   // of the island that is solved; behind the bodies is what does not move
   std::vector<SIslandBody<Real>> m_islandBodies;

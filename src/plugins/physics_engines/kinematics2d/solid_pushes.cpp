@@ -25,12 +25,17 @@ void CSolids::AddPushesOfDiscs(UInt32 slot, const CDiscSwarm& discs) {
   for (const UInt32 disc : m_nearDiscs) {
     const SPlanarPose pose = discs.GetPose(disc);
     const SStep step = discs.GetPlannedStep(disc);
-    for (const SFootprint& footprint : FootprintsOf(solid)) {
+    for (size_t pushed = solid.FirstFootprint; pushed < solid.FirstFootprint + solid.NumFootprints;
+         ++pushed) {
       const SSeparation contact =
-          SeparateFromFootprint(pose.X, pose.Y, discs.GetRadius(disc), step, footprint);
+          SeparateFromFootprint(pose.X, pose.Y, discs.GetRadius(disc), step, m_footprints[pushed]);
       const Real planned = contact.NormalX * step.X + contact.NormalY * step.Y;
       if (planned > 0.0 && planned - contact.Gap > kNegligibleStep * solid.NarrowestHalf) {
-        AddPush(slot, contact, planned - contact.Gap, AddDiscToSolver(disc, discs), 0.0);
+        const UInt32 number = AddDiscToSolver(disc, discs);
+        const SSide side = {.Disc = number,
+                            .Place = {pose.X, pose.Y, 1.0, 0.0, 0.0, 0.0, discs.GetRadius(disc)}};
+        AddPush(slot, contact, 0, planned - contact.Gap, number, 0.0, side,
+                static_cast<UInt32>(pushed));
         m_pushes.push_back({slot, disc});
       }
     }
@@ -54,16 +59,19 @@ void CSolids::AddPushesOfSolids(UInt32 slot) {
 void CSolids::AddPushesOfSolid(UInt32 slot, UInt32 number) {
   const SSolid& solid = m_solids[slot];
   const SSolid& robot = m_solids[number];
-  for (const SFootprint& pushing : FootprintsOf(robot)) {
-    for (const SFootprint& pushed : FootprintsOf(solid)) {
+  for (size_t pushing = robot.FirstFootprint; pushing < robot.FirstFootprint + robot.NumFootprints;
+       ++pushing) {
+    for (size_t pushed = solid.FirstFootprint; pushed < solid.FirstFootprint + solid.NumFootprints;
+         ++pushed) {
       SSeparation contacts[2];
-      const int count = FindContacts(pushing, pushed, contacts);
+      const int count = FindContacts(m_footprints[pushing], m_footprints[pushed], contacts);
       for (int i = 0; i < count; ++i) {
         const Real lever = ComputeLever(robot, contacts[i]);
         const Real planned = contacts[i].NormalX * robot.Twist.X +
                              contacts[i].NormalY * robot.Twist.Y + lever * robot.Twist.Turn;
         if (planned > 0.0 && planned - contacts[i].Gap > kNegligibleStep * solid.NarrowestHalf) {
-          AddPush(slot, contacts[i], planned - contacts[i].Gap, AddRobotToSolver(number), lever);
+          AddPush(slot, contacts[i], i, planned - contacts[i].Gap, AddRobotToSolver(number), lever,
+                  {.Footprint = static_cast<UInt32>(pushing)}, static_cast<UInt32>(pushed));
           m_pushes.push_back({slot, kSolidRobot | number});
         }
       }
@@ -73,11 +81,12 @@ void CSolids::AddPushesOfSolid(UInt32 slot, UInt32 number) {
 
 // @param need  by which the robot would enter the body, m. @param robot  its number in the solver.
 // @param lever  of the contact about the robot's origin, m.
-void CSolids::AddPush(UInt32 slot, const SSeparation& contact, Real need, UInt32 robot,
-                      Real lever) {
+void CSolids::AddPush(UInt32 slot, const SSeparation& contact, int point, Real need, UInt32 robot,
+                      Real lever, const SSide& pushing, UInt32 pushed) {
   m_farthest = std::max(m_farthest, need);
-  m_solver.AddContact({robot, AddToSolver(slot), contact.NormalX, contact.NormalY, lever,
-                       ComputeLever(m_solids[slot], contact), -contact.Gap});
+  AddLink({robot, AddToSolver(slot), contact.NormalX, contact.NormalY, lever,
+           ComputeLever(m_solids[slot], contact), -contact.Gap},
+          point, pushing, {.Footprint = pushed}, contact.Gap);
 }
 
 bool CSolids::IsPush(UInt32 slot, UInt32 robot) const {
@@ -122,11 +131,12 @@ UInt32 CSolids::AddRobotToSolver(UInt32 slot) {
 
 // After the solver: the steps of the bodies in it.
 void CSolids::TakeTwists(const CDiscSwarm& discs) {
+  m_members.clear();
   for (const UInt32 slot : m_pushed) {
+    m_members.push_back({m_solver.GetIsland(m_solids[slot].Number), slot, m_solids[slot].Pose});
     // limited to the distance within which others search for it
     SSolid& solid = m_solids[slot];
-    const STwist& twist = m_solver.GetTwist(solid.Number);
-    solid.Twist = Shortened(solid, twist, ComputeFarthest(solid));
+    solid.Twist = ComputeTwist(solid);
     solid.Number = CPushSolver::kNone;
     // the rest of a deep overlap is corrected in the next ticks
     solid.IsFresh =

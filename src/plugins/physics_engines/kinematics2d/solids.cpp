@@ -16,23 +16,6 @@ constexpr int kPasses = 16;
 // how often a step that is too long is halved
 constexpr int kHalvings = 8;
 
-SPlanarPose Moved(const SPlanarPose& pose, const STwist& twist, Real share) {
-  SPlanarPose moved = pose;
-  moved.X += share * twist.X;
-  moved.Y += share * twist.Y;
-  if (twist.Turn != 0.0) {
-    const Real half = 0.5 * share * twist.Turn;
-    Turn(moved, std::cos(half), std::sin(half));
-  }
-  return moved;
-}
-
-SFootprint Transform(const SFootprint& footprint, const SPlanarPose& pose) {
-  return PlaceFootprint(footprint, pose.X, pose.Y,
-                        pose.HalfCos * pose.HalfCos - pose.HalfSin * pose.HalfSin,
-                        2.0 * pose.HalfSin * pose.HalfCos);
-}
-
 SFootprint MakeDisc(const SPlanarPose& pose, Real radius) {
   return {pose.X, pose.Y, 1.0, 0.0, 0.0, 0.0, radius};
 }
@@ -58,9 +41,9 @@ bool IsNear(const SSolid& solid, const SFootprint& footprint, Real margin) {
 }
 
 // The motion that a contact requires of two bodies, m: at most @p most of an overlap. Gaps and
-// overlaps within the tolerance count as 0: to open or close them would take many sweeps.
+// overlaps within half of the tolerance count as 0: to open or close them would take many sweeps.
 Real ComputeLeast(Real gap, Real narrowestHalf, Real most) {
-  return std::abs(gap) <= kSolidTolerance * narrowestHalf ? 0.0 : std::min(-gap, most);
+  return std::abs(gap) <= 0.5 * kSolidTolerance * narrowestHalf ? 0.0 : std::min(-gap, most);
 }
 
 }  // namespace
@@ -196,6 +179,7 @@ void CSolids::Step(CDiscSwarm& discs) {
     return;
   }
   m_solver.Clear();
+  m_links.clear();
   m_pushed.clear();
   m_pushers.clear();
   m_pushes.clear();
@@ -213,8 +197,9 @@ void CSolids::Step(CDiscSwarm& discs) {
   for (size_t i = 0; i < m_pushed.size(); ++i) {
     AddNeighbours(m_pushed[i], discs);
   }
-  m_solver.Solve();
+  Solve();
   TakeTwists(discs);
+  MoveTogether(discs);
   bool hasProgress = true;
   for (int pass = 0; pass < kPasses && hasProgress; ++pass) {
     hasProgress = MovePushed(discs);
@@ -224,6 +209,59 @@ void CSolids::Step(CDiscSwarm& discs) {
       StepDriven(solid, discs);
       solid.IsFresh = false;
     }
+  }
+}
+
+// Moves the bodies of each island together, because one may have to make space for another that
+// makes space for it: two boxes that turn face to face.
+void CSolids::MoveTogether(const CDiscSwarm& discs) {
+  std::stable_sort(m_members.begin(), m_members.end(),
+                   [](const SMember& a, const SMember& b) { return a.Island < b.Island; });
+  for (size_t first = 0; first < m_members.size();) {
+    size_t end = first;
+    while (end < m_members.size() && m_members[end].Island == m_members[first].Island) {
+      ++end;
+    }
+    MoveIsland(std::span(m_members).subspan(first, end - first), discs);
+    first = end;
+  }
+}
+
+// Moves an island as far as there is space; its bodies keep what is left of their twists.
+void CSolids::MoveIsland(std::span<const SMember> members, const CDiscSwarm& discs) {
+  const auto countSteps = [this](const SMember& member) {
+    const SSolid& solid = m_solids[member.Slot];
+    return std::ceil(ComputeLength(solid, solid.Twist) / (kSolidStep * solid.NarrowestHalf));
+  };
+  const auto placeAt = [&](Real share) {
+    for (const SMember& member : members) {
+      SSolid& solid = m_solids[member.Slot];
+      Place(solid, Moved(member.Start, solid.Twist, share));
+    }
+  };
+  const auto areFree = [&] {
+    return std::all_of(members.begin(), members.end(), [&](const SMember& member) {
+      GatherObstacles(m_solids[member.Slot], 0.0, discs);
+      return IsFree(m_solids[member.Slot], m_solids[member.Slot].Pose, false);
+    });
+  };
+  Real steps = 0.0;
+  for (const SMember& member : members) {
+    steps = std::max(steps, countSteps(member));
+  }
+  Real step = 1.0;
+  for (; step <= steps; ++step) {
+    placeAt(step / steps);
+    if (!areFree()) {
+      placeAt((step - 1.0) / steps);
+      break;
+    }
+  }
+  const Real left = steps > 0.0 ? 1.0 - (step - 1.0) / steps : 1.0;
+  for (const SMember& member : members) {
+    SSolid& solid = m_solids[member.Slot];
+    solid.Twist = {left * solid.Twist.X, left * solid.Twist.Y, left * solid.Twist.Turn};
+    solid.HasMoved |= left < 1.0;
   }
 }
 
@@ -359,16 +397,18 @@ void CSolids::AddNeighbours(UInt32 slot, const CDiscSwarm& discs) {
 
 // Adds the contacts of two bodies that may both be pushed.
 void CSolids::AddSolidNeighbour(SSolid& solid, SSolid& other) {
-  for (const SFootprint& a : FootprintsOf(solid)) {
-    for (const SFootprint& b : FootprintsOf(other)) {
+  for (size_t a = solid.FirstFootprint; a < solid.FirstFootprint + solid.NumFootprints; ++a) {
+    for (size_t b = other.FirstFootprint; b < other.FirstFootprint + other.NumFootprints; ++b) {
       SSeparation contacts[2];
-      const int count = FindContacts(a, b, contacts);
+      const int count = FindContacts(m_footprints[a], m_footprints[b], contacts);
       for (int i = 0; i < count; ++i) {
         const Real narrowest = std::min(solid.NarrowestHalf, other.NarrowestHalf);
         const Real most = kSolidStep * narrowest;
-        m_solver.AddContact({solid.Number, other.Number, contacts[i].NormalX, contacts[i].NormalY,
-                             ComputeLever(solid, contacts[i]), ComputeLever(other, contacts[i]),
-                             ComputeLeast(contacts[i].Gap, narrowest, most)});
+        AddLink({solid.Number, other.Number, contacts[i].NormalX, contacts[i].NormalY,
+                 ComputeLever(solid, contacts[i]), ComputeLever(other, contacts[i]),
+                 ComputeLeast(contacts[i].Gap, narrowest, most)},
+                i, {.Footprint = static_cast<UInt32>(a)}, {.Footprint = static_cast<UInt32>(b)},
+                contacts[i].Gap);
       }
     }
   }
@@ -377,15 +417,23 @@ void CSolids::AddSolidNeighbour(SSolid& solid, SSolid& other) {
 // Adds the contacts of a body with a fixed obstacle. Of an overlap, at most @p most (m) is
 // corrected in a tick.
 void CSolids::AddObstacle(const SSolid& solid, const SFootprint& footprint, Real most) {
-  for (const SFootprint& mine : FootprintsOf(solid)) {
-    AddObstacle(solid, mine, footprint, most);
+  for (size_t mine = solid.FirstFootprint; mine < solid.FirstFootprint + solid.NumFootprints;
+       ++mine) {
+    SSeparation contacts[2];
+    const int count = FindContacts(footprint, m_footprints[mine], contacts);
+    for (int i = 0; i < count; ++i) {
+      AddLink({CPushSolver::kNone, solid.Number, contacts[i].NormalX, contacts[i].NormalY, 0.0,
+               ComputeLever(solid, contacts[i]),
+               ComputeLeast(contacts[i].Gap, solid.NarrowestHalf, most)},
+              i, {.Place = footprint}, {.Footprint = static_cast<UInt32>(mine)}, contacts[i].Gap);
+    }
   }
 }
 
-void CSolids::AddObstacle(const SSolid& solid, const SFootprint& mine, const SFootprint& footprint,
-                          Real most) {
+// The same of the circle around a robot with a face half-way to a ghost.
+void CSolids::AddFace(const SSolid& solid, const SFootprint& face, Real most) {
   SSeparation contacts[2];
-  const int count = FindContacts(footprint, mine, contacts);
+  const int count = FindContacts(face, MakeDisc(solid.Pose, solid.BoundingRadius), contacts);
   for (int i = 0; i < count; ++i) {
     m_solver.AddContact({CPushSolver::kNone, solid.Number, contacts[i].NormalX, contacts[i].NormalY,
                          0.0, ComputeLever(solid, contacts[i]),
@@ -401,16 +449,17 @@ void CSolids::StepDriven(SSolid& solid, const CDiscSwarm& discs) {
   }
   GatherObstacles(solid, 2.0 * length, discs);
   m_solver.Clear();
+  m_links.clear();
   solid.Number = m_solver.AddBody(solid.Twist, 0.0, 0.0, solid.SquaredGyration);
   for (const SObstacle& obstacle : m_obstacles) {
     const Real most = kSolidStep * solid.NarrowestHalf;
     if (obstacle.IsFace) {
-      AddObstacle(solid, MakeDisc(solid.Pose, solid.BoundingRadius), obstacle.Footprint, most);
+      AddFace(solid, obstacle.Footprint, most);
     } else {
       AddObstacle(solid, obstacle.Footprint, most);
     }
   }
-  m_solver.Solve();
+  Solve();
   STwist twist = Shortened(solid, m_solver.GetTwist(solid.Number), ComputeFarthest(solid));
   solid.Number = CPushSolver::kNone;
   const bool isFree =
@@ -479,14 +528,14 @@ Real CSolids::Move(SSolid& solid, const STwist& twist, const CDiscSwarm& discs) 
   bool isFree = true;
   for (UInt32 step = 0; step < steps && isFree; ++step) {
     const Real planned = step + 1 == steps ? 1.0 : (step + 1) * stepShare;
-    isFree = IsFree(solid, Moved(start, twist, planned));
+    isFree = IsFree(solid, Moved(start, twist, planned), true);
     if (isFree) {
       share = planned;
     }
   }
   Real part = 0.5 * stepShare;
   for (int halving = 0; halving < kHalvings && !isFree; ++halving, part *= 0.5) {
-    if (IsFree(solid, Moved(start, twist, share + part))) {
+    if (IsFree(solid, Moved(start, twist, share + part), true)) {
       share += part;
     }
   }
@@ -497,12 +546,13 @@ Real CSolids::Move(SSolid& solid, const STwist& twist, const CDiscSwarm& discs) 
   return share;
 }
 
-// @return true if a body at that pose overlaps no gathered obstacle, or none deeper than before.
-bool CSolids::IsFree(const SSolid& solid, const SPlanarPose& pose) const {
+// @return true if a body at that pose overlaps no gathered obstacle, or none deeper than before,
+// if that is allowed.
+bool CSolids::IsFree(const SSolid& solid, const SPlanarPose& pose, bool allowsOld) const {
   const Real tolerance = kSolidTolerance * solid.NarrowestHalf;
   return std::all_of(m_obstacles.begin(), m_obstacles.end(), [&](const SObstacle& obstacle) {
     const Real gap = ComputeGapTo(solid, pose, obstacle);
-    return gap >= -tolerance || gap >= obstacle.Gap;
+    return gap >= -tolerance || (allowsOld && gap >= obstacle.Gap);
   });
 }
 

@@ -13,6 +13,7 @@
 #include <argos3/plugins/simulator/physics_engines/planar/planar_body.h>
 #include <argos3/plugins/simulator/physics_engines/robot_bodies/slot_generations.h>
 
+#include <limits>
 #include <span>
 #include <tuple>
 #include <vector>
@@ -51,6 +52,11 @@ Real ComputeLever(const SSolid& solid, const SSeparation& contact);
 Real ComputeLength(const SSolid& solid, const STwist& twist);
 // a twist, scaled down to a length (m) if it is longer
 STwist Shortened(const SSolid& solid, const STwist& twist, Real longest);
+
+// a pose after a share of a twist
+SPlanarPose Moved(const SPlanarPose& pose, const STwist& twist, Real share);
+// a footprint in the frame of a body at that pose, in the world frame
+SFootprint Transform(const SFootprint& footprint, const SPlanarPose& pose);
 
 /**
  * The movable bodies that are not discs, and movable discs without a drive.
@@ -120,6 +126,23 @@ class CSolids {
     SFootprint Footprint;
   };
 
+  /** One side of a contact: a footprint of a solid, a disc in the solver, or what does not move. */
+  struct SSide {
+    UInt32 Footprint = kNone;
+    UInt32 Disc = CPushSolver::kNone;  // its number in the solver
+    SFootprint Place = {};  // if it is no solid: at the start of the tick
+  };
+  /** A contact in the solver, of which the gap after the motion must be at least the planned one.
+   */
+  struct SLink {
+    UInt32 Contact;  // number in the solver
+    int Point;  // of the two that the sides may have
+    SSide Pushing, Pushed;
+    Real Gap, Planned;  // at the start of the tick and planned for its end, m
+    Real Tolerance;  // m
+  };
+  static constexpr UInt32 kNone = std::numeric_limits<UInt32>::max();
+
   /** A robot that drives against objects. */
   struct SPusher {
     UInt32 Slot;  // of the disc or solid
@@ -137,6 +160,12 @@ class CSolids {
     }
   };
   static constexpr UInt32 kSolidRobot = 1U << 31;
+  /** A pushed body. */
+  struct SMember {
+    UInt32 Island;  // of the solver
+    UInt32 Slot;
+    SPlanarPose Start;
+  };
 
   void FindPushed(const CDiscSwarm& discs);
   void AddFaces(const SGhostDisc& ghost, Real tick);
@@ -147,7 +176,8 @@ class CSolids {
   void AddPushesOfDiscs(UInt32 slot, const CDiscSwarm& discs);
   void AddPushesOfSolids(UInt32 slot);
   void AddPushesOfSolid(UInt32 slot, UInt32 number);
-  void AddPush(UInt32 slot, const SSeparation& contact, Real need, UInt32 robot, Real lever);
+  void AddPush(UInt32 slot, const SSeparation& contact, int point, Real need, UInt32 robot,
+               Real lever, const SSide& pushing, UInt32 pushed);
   UInt32 AddToSolver(UInt32 slot);
   UInt32 AddDiscToSolver(UInt32 disc, const CDiscSwarm& discs);
   UInt32 AddRobotToSolver(UInt32 slot);
@@ -155,16 +185,26 @@ class CSolids {
   void AddNeighbours(UInt32 slot, const CDiscSwarm& discs);
   void AddSolidNeighbour(SSolid& solid, SSolid& other);
   void AddObstacle(const SSolid& solid, const SFootprint& footprint, Real most);
-  void AddObstacle(const SSolid& solid, const SFootprint& mine, const SFootprint& footprint,
-                   Real most);
+  void AddFace(const SSolid& solid, const SFootprint& face, Real most);
+  void AddLink(const CPushSolver::SContact& contact, int point, const SSide& pushing,
+               const SSide& pushed, Real gap);
+  void Solve();
+  bool Correct(SLink& link);
+  STwist ComputeTwist(const SSide& side) const;
+  STwist ComputeTwist(const SSolid& solid) const;
+  SFootprint ComputePlace(const SSide& side, const STwist& twist, Real share) const;
+  Real ComputeLeverHalfway(const SSide& side, const STwist& twist,
+                           const SSeparation& contact) const;
   void TakeTwists(const CDiscSwarm& discs);
+  void MoveTogether(const CDiscSwarm& discs);
+  void MoveIsland(std::span<const SMember> members, const CDiscSwarm& discs);
   bool MovePushed(CDiscSwarm& discs);
   Real PushBack(const SPusher& pusher, CDiscSwarm& discs);
   Real ComputeFreeShare(UInt32 disc, const SStep& step, const CDiscSwarm& discs);
   void StepDriven(SSolid& solid, const CDiscSwarm& discs);
   void GatherObstacles(const SSolid& solid, Real margin, const CDiscSwarm& discs);
   Real Move(SSolid& solid, const STwist& twist, const CDiscSwarm& discs);
-  bool IsFree(const SSolid& solid, const SPlanarPose& pose) const;
+  bool IsFree(const SSolid& solid, const SPlanarPose& pose, bool allowsOld) const;
   Real ComputeGapTo(const SSolid& solid, const SPlanarPose& pose, const SObstacle& obstacle) const;
   SSolid& Get(const SKinematicHandle& handle) {
     m_generations.Check(handle);
@@ -199,6 +239,8 @@ class CSolids {
   CPushSolver m_solver;
   Real m_farthest = 0.0;  // m; greatest need of a push
   std::vector<UInt32> m_pushed;  // slots of the bodies in the solver
+  std::vector<SLink> m_links;
+  std::vector<SMember> m_members;  // by island
   std::vector<SPusher> m_pushers;
   std::vector<SPush> m_pushes;  // sorted
   std::vector<UInt32> m_numberOfDisc;  // (discs): in the solver, or kNone

@@ -45,14 +45,15 @@ class CScene {
     m_arena += DriverXml(robot.Tag, id, place.GetX(), place.GetY(), MapYaw(degrees), 100.0 * kSpeed,
                          100.0 * kSpeed);
   }
-  void AddBox(const std::string& id, Real x, Real y, Real sizeX, Real sizeY, Real mass) {
-    AddSolid(x, y,
+  void AddBox(const std::string& id, Real x, Real y, Real sizeX, Real sizeY, Real mass,
+              Real degrees = 0.0) {
+    AddSolid(x, y, degrees,
              "<box id='" + id + "' size='" + std::to_string(sizeX) + "," + std::to_string(sizeY) +
                  ",0.1' " + Movable(mass),
              "box");
   }
   void AddCylinder(const std::string& id, Real x, Real y, Real radius, Real mass) {
-    AddSolid(x, y,
+    AddSolid(x, y, 0.0,
              "<cylinder id='" + id + "' radius='" + std::to_string(radius) + "' height='0.1' " +
                  Movable(mass),
              "cylinder");
@@ -76,11 +77,11 @@ class CScene {
     // 0: it does not move
     return mass > 0.0 ? "movable='true' mass='" + std::to_string(mass) + "'" : "movable='false'";
   }
-  void AddSolid(Real x, Real y, const std::string& start, const std::string& tag) {
+  void AddSolid(Real x, Real y, Real degrees, const std::string& start, const std::string& tag) {
     const CVector3 place = Map(x, y);
     std::ostringstream xml;
     xml << std::setprecision(17) << start << "><body position='" << place.GetX() << ","
-        << place.GetY() << ",0' orientation='" << m_degrees << ",0,0'/></" << tag << ">";
+        << place.GetY() << ",0' orientation='" << MapYaw(degrees) << ",0,0'/></" << tag << ">";
     m_arena += xml.str();
   }
   CVector3 Map(Real x, Real y) const {
@@ -304,6 +305,59 @@ TEST_CASE("pushing: equal robots balance over an object, and one more moves it",
   CHECK_THAT(way.GetX(), WithinAbs(more > 0 ? -20 * kTick * kSpeed : 0.0, 2e-3));
   CHECK_THAT(way.GetY(), WithinAbs(0.0, 1e-3));
   CHECK_THAT(scene.TurnOf(world, "b"), WithinAbs(0.0, 5e-3));
+}
+
+namespace {
+
+// One or three robots push an object against another one, askew.
+CScene MakeAskew(int number) {
+  CScene scene(30.0, number % 2 == 1);
+  switch (number) {
+    case 0:
+      scene.AddBox("a", 0.0, 0.031, 0.382, 0.471, 2.8, 13.4);
+      scene.AddCylinder("b", 0.418, -0.036, 0.112, 0.02);
+      scene.AddRobot(kFootBot, "r", -0.401, 0.0, 7.1);
+      break;
+    case 1:
+      scene.AddBox("a", 0.0, 0.009, 0.201, 0.494, 24.4);
+      scene.AddBox("b", 0.378, -0.003, 0.232, 0.498, 0.1, 9.4);
+      scene.AddRobot(kFootBot, "r", -0.222, 0.003, -9.8);
+      break;
+    default:
+      scene.AddCylinder("a", 0.0, -0.016, 0.138, 31.0);
+      scene.AddBox("b", 0.401, -0.006, 0.24, 0.462, 2.1, -12.3);
+      scene.AddRobot(kFootBot, "r", -0.229, -0.179, 5.4);
+      scene.AddRobot(kFootBot, "s", -0.249, 0.001, -2.4);
+      scene.AddRobot(kFootBot, "t", -0.246, 0.182, 8.8);
+  }
+  return scene;
+}
+
+std::vector<CVector3> FindAskew(const SEngineType& engine, int number, UInt32 iterations) {
+  const CScene scene = MakeAskew(number);
+  CDriveWorld world(MakeEngine(engine, iterations, {4.0, 0.66}), scene.GetArena());
+  world.Step(40);
+  return {scene.PlaceOf(world, "a"), scene.PlaceOf(world, "b"), scene.PlaceOf(world, "r")};
+}
+
+}  // namespace
+
+TEST_CASE("pushing: an object that turns against another one blocks it in no number of substeps",
+          "[contract][engine]") {
+  const SEngineType engine = GENERATE(from_range(kEnginesThatPush));
+  const int number = GENERATE(0, 1, 2);
+  const std::vector<CVector3> exact = FindAskew(engine, number, 50);
+  // both are pushed on
+  CHECK(exact[0].GetX() > 0.15);
+  CHECK(exact[1].GetX() > 0.45);
+  const UInt32 iterations = GENERATE(0, 1, 2, 5);
+  CAPTURE(engine, number, iterations);
+  const std::vector<CVector3> found = FindAskew(engine, number, iterations);
+  for (size_t i = 0; i < exact.size(); ++i) {
+    CAPTURE(i, exact[i], found[i]);
+    // 5 % of the way of the robots
+    CHECK(Distance(found[i], exact[i]) < 0.02);
+  }
 }
 
 TEST_CASE("pushing: a light box at a wall is not shot aside", "[contract][engine]") {
