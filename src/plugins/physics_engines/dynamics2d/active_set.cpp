@@ -12,6 +12,12 @@ namespace argos {
 
 namespace {
 
+// share of its greatest impulse below which a drive could do more
+constexpr float kHolds = 0.999F;
+// of what the solver has left of its way, the share that a drive makes up for in a substep: all of
+// it would make chains of robots oscillate
+constexpr float kMakesUp = 0.25F;
+
 bool IsTouching(b2Body& body) {
   for (const b2ContactEdge* edge = body.GetContactList(); edge != nullptr; edge = edge->next) {
     if (edge->contact->IsTouching()) {
@@ -173,7 +179,12 @@ void CActiveSet::StartTick(SActiveBody& active) {
   const SDrivenBody& body = GetRobot(active);
   b2Body& box2dBody = *active.Body;
   const Real lag = settings.VelocityLag;
-  const SArc arc = FollowArcs(body.Pose, body.Command, body.NextCommand, settings.Tick, lag);
+  SPlanarPose start = body.Pose;
+  if (active.BehindAngle != 0.0F) {
+    const Real behind = 0.5 * static_cast<Real>(active.BehindAngle);
+    Turn(start, std::cos(behind), std::sin(behind));
+  }
+  const SArc arc = FollowArcs(start, body.Command, body.NextCommand, settings.Tick, lag);
   const Real turn =
       (lag * body.Command.YawRate + (1.0 - lag) * body.NextCommand.YawRate) * settings.Tick;
 
@@ -256,17 +267,42 @@ void CActiveSet::SetMotor(SActiveBody& active, UInt32 substep, UInt32 substeps) 
         std::clamp(kAmple * inertia * turn, angularImpulse,
                    std::max(angularImpulse, angularInTick - active.SpentAngularImpulse));
   }
-  active.Motor->SetMaxForce(std::max(0.0F, impulse) * perSubstep);
-  active.Motor->SetMaxTorque(std::max(0.0F, angularImpulse) * perSubstep);
-  active.Motor->SetLinearOffset(box2dBody.GetPosition() +
+  active.MostImpulse = std::max(0.0F, impulse);
+  active.MostAngularImpulse = std::max(0.0F, angularImpulse);
+  active.Motor->SetMaxForce(active.MostImpulse * perSubstep);
+  active.Motor->SetMaxTorque(active.MostAngularImpulse * perSubstep);
+  active.Motor->SetLinearOffset(box2dBody.GetPosition() + kMakesUp * active.Behind +
                                 share * b2Vec2(active.StepX, active.StepY));
-  active.Motor->SetAngularOffset(box2dBody.GetAngle() + share * active.StepAngle);
+  active.Motor->SetAngularOffset(box2dBody.GetAngle() + kMakesUp * active.BehindAngle +
+                                 share * active.StepAngle);
+  active.Behind *= 1.0F - kMakesUp;
+  active.BehindAngle *= 1.0F - kMakesUp;
 }
 
 void CActiveSet::AccountMotors() {
   for (SActiveBody& active : m_bodies) {
-    active.SpentImpulse += active.Motor->GetReactionForce(1.0F).Length();
-    active.SpentAngularImpulse += std::abs(active.Motor->GetReactionTorque(1.0F));
+    AccountMotor(active);
+  }
+}
+
+// A grip is solved by few iterations: without making up for what they leave, a robot that turns a
+// load would drift off its arc.
+void CActiveSet::AccountMotor(SActiveBody& active) const {
+  const b2MotorJoint& motor = *active.Motor;
+  const float impulse = motor.GetReactionForce(1.0F).Length();
+  const float angularImpulse = std::abs(motor.GetReactionTorque(1.0F));
+  active.SpentImpulse += impulse;
+  active.SpentAngularImpulse += angularImpulse;
+  const bool isInGrip = GetRobot(active).NumGrips > 0;
+  const bool keepsPlace = isInGrip && impulse < kHolds * active.MostImpulse;
+  const bool keepsYaw = isInGrip && angularImpulse < kHolds * active.MostAngularImpulse;
+  active.Behind += motor.GetLinearOffset() - active.Body->GetPosition();
+  active.BehindAngle += motor.GetAngularOffset() - active.Body->GetAngle();
+  if (!keepsPlace) {
+    active.Behind = b2Vec2_zero;
+  }
+  if (!keepsYaw) {
+    active.BehindAngle = 0.0F;
   }
 }
 

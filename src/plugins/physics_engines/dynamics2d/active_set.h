@@ -19,6 +19,12 @@ struct SActiveBody {
   Real StartYaw = 0.0;  // rad
   float SpentImpulse = 0.0F;  // of the drive in this tick, Box2D units
   float SpentAngularImpulse = 0.0F;
+  float MostImpulse = 0.0F;  // of the drive in this substep, Box2D units
+  float MostAngularImpulse = 0.0F;
+  // what the solver has left of the way so far, although the drive could have covered it: Box2D
+  // units, rad
+  b2Vec2 Behind = b2Vec2_zero;
+  float BehindAngle = 0.0F;
 };
 
 /**
@@ -66,7 +72,7 @@ class CActiveSet {
   void StartTick();
   /** Sets the target of each motor, and its greatest force, for a substep. */
   void SetMotors(UInt32 substep, UInt32 substeps);
-  /** After a substep: adds up the impulses of the motors. */
+  /** After a substep, and corrections of overlaps: adds up the impulses of the motors. */
   void AccountMotors();
   /** Takes Box2D's result where it differs from the plan. */
   void FinishTick(UInt32 substeps);
@@ -83,6 +89,7 @@ class CActiveSet {
   }
   void StartTick(SActiveBody& active);
   void SetMotor(SActiveBody& active, UInt32 substep, UInt32 substeps);
+  void AccountMotor(SActiveBody& active) const;
   void FinishTick(const SActiveBody& active, UInt32 substeps);
   void SelectPassive(CCrowd& crowd);
 

@@ -332,8 +332,8 @@ void CPlanarWorld::StepBox2D(UInt32 substeps) {
     m_active.SetMotors(substep, substeps);
     m_grips.SetTurretMotors(substep, substeps);
     world.Step(duration, iterations, kPositionIterations);
-    m_active.AccountMotors();
     deepestOverlap = std::max(deepestOverlap, m_overlaps.Resolve(world));
+    m_active.AccountMotors();
     m_grips.AlignTurrets();
     greatestImpulse = std::max(
         {greatestImpulse, m_overlaps.GetGreatestImpulse(), m_grips.ComputeGreatestImpulse()});
