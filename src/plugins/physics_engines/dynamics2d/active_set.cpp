@@ -233,6 +233,7 @@ Real CActiveSet::ComputeWeakestDrive() const {
 
 void CActiveSet::SetMotors(UInt32 substep, UInt32 substeps) {
   for (SActiveBody& active : m_bodies) {
+    active.Pull = substep == 0 ? b2Vec2_zero : active.Pull;
     SetMotor(active, substep, substeps);
   }
 }
@@ -289,8 +290,10 @@ void CActiveSet::AccountMotors() {
 // load would drift off its arc.
 void CActiveSet::AccountMotor(SActiveBody& active) const {
   const b2MotorJoint& motor = *active.Motor;
-  const float impulse = motor.GetReactionForce(1.0F).Length();
+  const b2Vec2 pull = motor.GetReactionForce(1.0F);
+  const float impulse = pull.Length();
   const float angularImpulse = std::abs(motor.GetReactionTorque(1.0F));
+  active.Pull += pull;
   active.SpentImpulse += impulse;
   active.SpentAngularImpulse += angularImpulse;
   const bool isInGrip = GetRobot(active).NumGrips > 0;

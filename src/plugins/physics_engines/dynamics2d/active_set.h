@@ -19,6 +19,7 @@ struct SActiveBody {
   Real StartYaw = 0.0;  // rad
   float SpentImpulse = 0.0F;  // of the drive in this tick, Box2D units
   float SpentAngularImpulse = 0.0F;
+  b2Vec2 Pull = b2Vec2_zero;  // impulse of the drive in the last tick, Box2D units
   float MostImpulse = 0.0F;  // of the drive in this substep, Box2D units
   float MostAngularImpulse = 0.0F;
   // what the solver has left of the way so far, although the drive could have covered it: Box2D

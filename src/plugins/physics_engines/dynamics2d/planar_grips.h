@@ -96,6 +96,15 @@ class CPlanarGrips {
       }
     }
   }
+  /** Calls visit(const SManipulator&) for every grip. */
+  template <typename VISIT>
+  void ForEachHold(VISIT&& visit) const {
+    for (const SManipulator& each : m_manipulators) {
+      if (each.IsHolding()) {
+        visit(each);
+      }
+    }
+  }
   /** Makes grips: locked grippers that hold nothing grip the bodies that they reach. */
   void MakeGrips();
 

@@ -103,6 +103,7 @@ void CPlanarWorld::ReserveForTick() {
   m_overlaps.Reserve(2 * (numActive + m_store.GetPassive().capacity()) +
                      m_store.GetImmovable().size());
   m_active.Reserve(numActive, m_store.GetDriven().capacity());
+  m_ties.Reserve(numActive);
   m_store.ReserveNumbers(numActive);
   m_ghosts.Reserve(m_store.GetGrippable().capacity());
   m_discPairs.Reserve(m_store.GetDriven().capacity());
@@ -137,6 +138,9 @@ void CPlanarWorld::Advance(CThreadPool& pool) {
   UInt32 substeps = 1;
   if (IsAnyAwake()) {
     m_active.StartTick();
+    if (m_grips.IsHoldingAny()) {
+      m_ties.Settle(m_store, m_active, m_grips);
+    }
     substeps = ChooseSubsteps();
     StepBox2D(substeps);
     m_active.FinishTick(substeps);

@@ -3,6 +3,7 @@
 
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/active_set.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/crowd.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics2d/grip_ties.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/overlap_solver.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_ghosts.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_grips.h>
@@ -132,6 +133,7 @@ class CPlanarWorld {
   CPlanarStore m_store;
   CActiveSet m_active;
   CPlanarGrips m_grips;
+  CGripTies m_ties;
   CPlanarGhosts m_ghosts;
   CSubstepPolicy m_substepPolicy;
   CDiscPairs m_discPairs;

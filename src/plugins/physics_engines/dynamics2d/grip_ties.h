@@ -1,0 +1,47 @@
+#ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_GRIP_TIES_H
+#define ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_GRIP_TIES_H
+
+#include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_grips.h>
+
+#include <vector>
+
+namespace argos {
+
+/**
+ * Finds robots that grip each other and whose drives balance, and gives them their common speed.
+ *
+ * If the greatest forces of drives add up to nothing along the line of their pull, mechanics leaves
+ * the speed of the group undetermined: at each speed between those that the two sides want, both
+ * sides slip with the same force. The group then moves at the mean of the speeds that its robots
+ * want, by mass: what inelastic impact gives to robots that push each other at these speeds.
+ * Without this, the speed would be what is left of the momentum with which the balance began, which
+ * depends on the stretching of the grips and on the substeps.
+ */
+class CGripTies {
+ public:
+  /** Allocates for so many active robots. */
+  void Reserve(size_t active);
+  /**
+   * After CActiveSet::StartTick(): changes the velocities of groups that balanced in the last tick.
+   * A group that holds an object or touches another body is left alone: it is not balanced by its
+   * drives only.
+   */
+  void Settle(CPlanarStore& store, const CActiveSet& active, const CPlanarGrips& grips);
+
+ private:
+  void FindGroups(CPlanarStore& store, const CActiveSet& active, const CPlanarGrips& grips);
+  UInt32 FindRoot(UInt32 number);
+  b2Vec2 ComputeChange(const CPlanarStore& store, const CActiveSet& active, size_t begin,
+                       size_t end) const;
+  bool TouchesOthers(const CActiveSet& active, size_t begin, size_t end) const;
+
+  // by number in the active set
+  std::vector<UInt32> m_parents;
+  std::vector<UInt8> m_holdsObject;
+  std::vector<b2Vec2> m_changes;  // of the roots, Box2D units / s
+  std::vector<UInt32> m_members;  // robots in grips, by group
+};
+
+}  // namespace argos
+
+#endif
