@@ -4,6 +4,7 @@
 #include <argos3/plugins/simulator/entities/turret_entity.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_limits.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_grips.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_world.h>
 
 #include <catch2/catch.hpp>
 
@@ -238,6 +239,94 @@ TEST_CASE("planar grips: the rate of a turret with a load is bounded by that of 
         Approx(rate * CPlanarScene::kTick *
                std::max(reach / (kMaxStepShare * 0.05), 1.0 / kMaxStepTurn))
             .epsilon(1e-4));
+}
+
+TEST_CASE("planar grips: a pair without drives keeps its momentum and its spin",
+          "[dynamics2d][grip]") {
+  const UInt32 substeps = GENERATE(1, 2, 10, 50);
+  const bool refine = GENERATE(false, true);
+  CAPTURE(substeps, refine);
+  constexpr Real kDistance = 2.0 * CPlanarScene::kRadius + 0.005;  // m
+  constexpr Real kDrift = 0.02;  // m/s
+  constexpr Real kSpin = 0.5;  // rad/s
+  SPlanarSettings settings = CPlanarScene::MakeSettings();
+  settings.Substeps = substeps;
+  settings.RefineInCrowds = refine;
+  CPlanarWorld world(settings);
+  CPlanarScene scene;  // owns the bodies only
+  // drives that change the speed by 1e-9 m/s in a second
+  SBodyDescription description = CPlanarScene::DescribeRobot();
+  description.Drive = SDifferentialDriveDescription{0.08, 0.02, 5e-10, 1e-12};
+  CGripperEquippedEntity gripper(nullptr);
+  gripper.SetOffset(CVector3(CPlanarScene::kRadius, 0.0, 0.0));
+  gripper.SetLockState(1.0);
+  const std::array<Real, 2> wheels{};
+  for (const Real side : {-0.5, 0.5}) {
+    CPlanarScene::SBody& body = scene.Bodies.emplace_back("robot");
+    world.AddDriven(body.GetOwner(), description, CPlanarScene::PoseAt(side * kDistance, 0.0),
+                    CDriveSource(wheels.data(), 0.08));
+    world.SetVelocity(body.Handle, {kDrift, kSpin * side * kDistance, kSpin});
+  }
+  world.GetGrips().SetManipulator(scene.Bodies[0].GetOwner(), description, &gripper, nullptr);
+  CThreadPool pool(0, std::make_unique<CBalanceQuantitySchedule>());
+  for (int tick = 1; tick <= 100; ++tick) {
+    world.Advance(pool);
+    world.CommitDriven(0, 2, [](const SDrivenBody&, size_t) {});
+    const SDrivenBody& a = world.GetDriven(0);
+    const SDrivenBody& b = world.GetDriven(1);
+    CAPTURE(tick);
+    REQUIRE(gripper.IsGripping());
+    CHECK(0.5 * (a.Velocity.X + b.Velocity.X) == Approx(kDrift).margin(1e-6));
+    CHECK(0.5 * (a.Velocity.Y + b.Velocity.Y) == Approx(0.0).margin(1e-6));
+    CHECK(0.5 * (a.Pose.X + b.Pose.X) == Approx(kDrift * 0.1 * tick).margin(1e-5));
+    // about the centre of both: of the two on their circle, and their own
+    const Real x = b.Pose.X - a.Pose.X;
+    const Real y = b.Pose.Y - a.Pose.Y;
+    const Real orbit = 0.5 * a.Kind->Mass *
+                       (x * (b.Velocity.Y - a.Velocity.Y) - y * (b.Velocity.X - a.Velocity.X));
+    const Real own = a.Kind->Inertia * (a.Velocity.W + b.Velocity.W);
+    const Real before =
+        (0.5 * a.Kind->Mass * kDistance * kDistance + 2.0 * a.Kind->Inertia) * kSpin;
+    CHECK(orbit + own == Approx(before).epsilon(0.01));
+    // a substep of 0.1 s is a chord of 0.05 rad: 0.13 mm
+    CHECK(std::hypot(x, y) == Approx(kDistance).margin(2e-4));
+  }
+}
+
+TEST_CASE("planar grips: two drives that balance share a pull by mass", "[dynamics2d][grip]") {
+  const Real mass = GENERATE(0.1, 0.5, 2.0);  // kg, of the robot that pulls; the other: 0.5 kg
+  const Real share = GENERATE(0.99, 1.0, 1.01);  // of its force in that of the other
+  CAPTURE(mass, share);
+  constexpr Real kSpeed = 0.1;  // m/s
+  CPlanarWorld world(CPlanarScene::MakeSettings());
+  CPlanarScene scene;  // owns the bodies only
+  CGripperEquippedEntity gripper(nullptr);
+  gripper.SetOffset(CVector3(CPlanarScene::kRadius, 0.0, 0.0));
+  gripper.SetLockState(1.0);
+  const std::array<Real, 2> back{-kSpeed, -kSpeed};
+  const std::array<Real, 2> still{};
+  const auto add = [&](Real x, const SBodyDescription& description, const auto& wheels) {
+    CPlanarScene::SBody& body = scene.Bodies.emplace_back("robot");
+    world.AddDriven(body.GetOwner(), description, CPlanarScene::PoseAt(x, 0.0),
+                    CDriveSource(wheels.data(), 0.08));
+  };
+  SBodyDescription puller = CPlanarScene::DescribeRobot();
+  puller.Mass = mass;
+  puller.Drive->MaxForce *= share;
+  add(0.0, puller, back);
+  add(2.0 * CPlanarScene::kRadius + 0.005, CPlanarScene::DescribeRobot(), still);
+  world.GetGrips().SetManipulator(scene.Bodies[0].GetOwner(), puller, &gripper, nullptr);
+  CThreadPool pool(0, std::make_unique<CBalanceQuantitySchedule>());
+  for (int tick = 0; tick < 300; ++tick) {
+    world.Advance(pool);
+    world.CommitDriven(0, 2, [](const SDrivenBody&, size_t) {});
+  }
+  REQUIRE(gripper.IsGripping());
+  const Real balanced = kSpeed * mass / (mass + 0.5);
+  const Real expected = share < 1.0 ? 0.0 : share > 1.0 ? kSpeed : balanced;
+  for (UInt32 slot = 0; slot < 2; ++slot) {
+    CHECK(world.GetDriven(slot).Velocity.X == Approx(-expected).margin(1e-3));
+  }
 }
 
 }  // namespace argos::planar_grips_test
