@@ -25,8 +25,11 @@ from typing import Optional
 
 sys.path.insert(0, str(Path(__file__).parent))
 from mutants import Mutant, find_mutants  # noqa: E402
+from test_programs import choose_programs  # noqa: E402
 
 REPO = Path(__file__).resolve().parents[2]
+# what tests run beside themselves and libraries
+_PROGRAMS = ("run", "argos3-campaign", "argos3-plot")
 
 
 def run(command: list[str], **options) -> str:
@@ -69,22 +72,6 @@ def copy_tree(tree: Path) -> None:
                 target.unlink()
 
 
-def derive_tests(tree: Path, path: str) -> list[str]:
-    """The test programs with the folders of tests that are named like the folders of a source, the most special first."""
-    text = (tree / "src/testing/CMakeLists.txt").read_text()
-    folders = path.split("/")[1:-1]
-    ranked = []
-    for name, body in re.findall(r"argos_add_test\((\w+)\n(.*?)\n  LABEL", text, re.S):
-        depth = 0
-        for source in re.findall(r"(?:unit|contract)/(\S+)/\w+_test\.cpp", body):
-            tested = source.split("/")
-            common = [i for i, folder in enumerate(folders) if folder in tested and i > 0]
-            depth = max(depth, len(common) and max(common))
-        if depth > 0:
-            ranked.append((-depth, name))
-    return [name for _, name in sorted(ranked)]
-
-
 class Build:
     def __init__(self, folder: Path, jobs: int):
         self.tree = folder / "tree"
@@ -110,8 +97,8 @@ class Build:
             targets.setdefault(Path(path).relative_to(self.tree).as_posix(), []).append(target)
         return targets
 
-    def find_libraries(self, target: str) -> list[str]:
-        """The shared libraries that a target is, or is a part of; none if programs contain its objects."""
+    def find_outputs(self, target: str) -> list[str]:
+        """What has to be built if a source of a target changes: shared libraries; else none, because programs contain its objects."""
         outputs = [line.split(":")[0] for line in self.query("-t", "targets", "all").splitlines()]
         if any(o.endswith(f"/lib{target}.so") for o in outputs):
             return [target]
@@ -146,15 +133,15 @@ class Build:
             sys.exit(f"mutate.sh: {program} fails without any change")
         self.limits[program] = 10.0 + 3.0 * (time.monotonic() - began)
 
-    def judge(self, mutant: Mutant, libraries: list[str], programs: list[str]) -> str:
-        """libraries: of all mutants, because that of the last one has to be built again without it."""
+    def judge(self, mutant: Mutant, outputs: list[str], programs: list[str]) -> str:
+        """outputs: of this mutant and of the last one, because that has to be built again without it."""
         path = self.tree / mutant.path
         original = path.read_text()
         lines = original.split("\n")
         lines[mutant.line - 1] = mutant.after
         try:
             path.write_text("\n".join(lines))
-            if not self.make(libraries):
+            if not self.make(outputs):
                 return "invalid"
             for program in programs:
                 if not self.passes(program, self.limits[program]):
@@ -175,7 +162,8 @@ def read_arguments() -> argparse.Namespace:
     parser.add_argument("--seed", type=int, default=1, metavar="N", help="of the choice; default 1")
     parser.add_argument("--skip", type=int, default=0, metavar="N", help="leave out the first N, to continue a run")
     parser.add_argument("--tests", metavar="PROGRAM[ [TAG]...],...",
-                        help="test programs, such as \"unit_core_tests,contract_tests [media]\"; default by the folder of the file")
+                        help="test programs, such as \"unit_core_tests,contract_tests [media]\"; default by the folder of the file,"
+                        " see test_programs.py")
     parser.add_argument("--build", type=Path, default=REPO / "build-mutate", metavar="DIR", help="default build-mutate")
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), metavar="N", help="of the build")
     parser.add_argument("--list", action="store_true", help="print the mutants and stop")
@@ -214,25 +202,28 @@ def main() -> None:
     build = Build(arguments.build.resolve(), arguments.jobs)
     paths = sorted({m.path for m in mutants})
     targets = build.configure(paths)
-    tests = {p: arguments.tests.split(",") if arguments.tests else derive_tests(build.tree, p) for p in paths}
-    for path in [p for p in paths if p not in targets or not tests[p]]:
-        print(f"left out {path}: {'no tests by its folder, name them with --tests' if path in targets else 'no source of a target'}")
+    tests = {p: arguments.tests.split(",") if arguments.tests else choose_programs(p) for p in paths}
+    for path in [p for p in paths if p not in targets]:
+        print(f"left out {path}: no source of a target")
         paths.remove(path)
     mutants = [m for m in mutants if m.path in paths]
     programs = sorted({t for p in paths for t in tests[p]})
-    found = {t: build.find_libraries(t) for p in paths for t in targets[p]}
-    libraries = sorted({x for xs in found.values() for x in xs})
-    if not all(found.values()):
-        libraries += [p.partition(" ")[0] for p in programs]
+    built = [p.partition(" ")[0] for p in programs]
+    found = {t: build.find_outputs(t) for p in paths for t in targets[p]}
+    # a program that tests run contains the objects of its target, as test programs do
+    outputs = {p: [o for t in targets[p] for o in found[t] or [*_PROGRAMS, *built]] for p in paths}
     print(f"{len(mutants)} mutants in {len(paths)} files; building {' '.join(programs)}", flush=True)
-    if not build.make(libraries + [p.partition(" ")[0] for p in programs]):
+    if not build.make(sorted({o for p in paths for o in outputs[p]}) + [*_PROGRAMS, *built]):
         sys.exit("mutate.sh: the tree does not build without any change")
     for program in programs:
         build.measure(program)
     results: dict[str, int] = {}
+    last: list[str] = []
     try:
         for mutant in mutants:
-            result = build.judge(mutant, libraries, tests[mutant.path])
+            own = outputs[mutant.path]
+            result = build.judge(mutant, [*own, *(o for o in last if o not in own)], tests[mutant.path])
+            last = own
             word = result.split()[0]
             results[word] = results.get(word, 0) + 1
             print(f"{word:8} {mutant.describe()}{'' if word == result else '  (' + result + ')'}", flush=True)

@@ -1,5 +1,5 @@
-# Included by scripts/mutate.sh into the project: compiles the targets of the files in MUTATED source by source, so that a
-# changed source is compiled alone, and writes "<file> <target>" for each into MUTATED_TARGETS.
+# Included by scripts/mutate.sh into the project: compiles each file in MUTATED alone, outside of the unit of its
+# neighbours, and writes "<file> <target>" for each into MUTATED_TARGETS.
 function(argos_visit_targets folder)
   get_property(targets DIRECTORY "${folder}" PROPERTY BUILDSYSTEM_TARGETS)
   foreach(target IN LISTS targets)
@@ -7,8 +7,9 @@ function(argos_visit_targets folder)
     foreach(source IN LISTS sources)
       get_filename_component(path "${source}" ABSOLUTE BASE_DIR "${folder}")
       if(path IN_LIST MUTATED)
-        set_target_properties(${target} PROPERTIES UNITY_BUILD OFF)
-        target_compile_options(${target} PRIVATE -w) # a change may leave something unused
+        # a change may leave something unused
+        set_source_files_properties("${source}" DIRECTORY "${folder}"
+          PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON COMPILE_OPTIONS -w)
         file(APPEND "${MUTATED_TARGETS}" "${path} ${target}\n")
       endif()
     endforeach()
