@@ -294,6 +294,23 @@ TEST_CASE("separation: the gap of two polygons is below their distance, and thei
   CHECK(overlapping > 500);
 }
 
+TEST_CASE("separation: the gap is the least distance of discs and rectangles, negative inside",
+          "[unit][kinematics2d]") {
+  const SFootprint disc = {1.0, 2.0, 1.0, 0.0, 0.25, 0.25, 0.25};
+  const SFootprint other = {4.0, 6.0, 1.0, 0.0, 0.5, 0.5, 0.5};
+  // a quarter turn: 0.25 m along x and 0.5 m along y on each side
+  const SFootprint box = MakeBox(2.0, 2.0, 0.5 * std::numbers::pi, 0.5, 0.25);
+  const SFootprint near = MakeBox(1.125, 2.0, 0.0, 0.5, 0.25);
+  const SFootprint far = MakeBox(4.0, 2.25, 0.0, 1.0, 0.5);
+  for (const auto& [a, b, gap] :
+       {std::tuple(disc, other, 4.25), std::tuple(disc, box, 0.5), std::tuple(box, far, 0.75),
+        // the disc leaves through the long side, which is 0.25 m from its centre
+        std::tuple(disc, near, -0.5), std::tuple(box, near, 0.125)}) {
+    CHECK_THAT(ComputeGap(a, b), WithinAbs(gap, kRounding));
+    CHECK_THAT(ComputeGap(b, a), WithinAbs(gap, kRounding));
+  }
+}
+
 TEST_CASE("footprints: half of the narrowest side seen from above", "[unit][kinematics2d]") {
   SBodyDescription description;
   const auto narrowest = [&description](const std::vector<SShapeDescription>& shapes) {

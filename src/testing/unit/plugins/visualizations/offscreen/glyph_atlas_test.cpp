@@ -215,4 +215,21 @@ TEST_CASE("glyph atlas: letters of all sizes have places of their own",
   }
 }
 
+TEST_CASE(
+    "glyph atlas: more letters than the atlas has room for are an error, up to the next picture",
+    "[visualizations][offscreen][text]") {
+  CGlyphAtlas atlas;
+  const auto fill = [&atlas] {
+    for (int size = 200; size > 100; --size) {
+      STextStyle style;
+      style.Size = size;
+      Set(atlas, MakeLabel("ABCDEFGHKMNOPQRSTUVWXYZ", style));
+    }
+  };
+  CHECK_THROWS_WITH(fill(), Catch::Contains("too many letters"));
+  CHECK(atlas.GetHeight() <= 8192);
+  atlas.BeginPicture();
+  CHECK(Set(atlas, MakeLabel("a")).size() == 2);
+}
+
 }  // namespace glyph_atlas_test

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <numbers>
 
 namespace renderer_test {
 
@@ -373,6 +374,44 @@ TEST_CASE("renderer: robots too small to be seen are discs",
   renderer.Render(scene, above, with);
   // 7 cm are 19 pixels wide from 1 m, and a third of a pixel from 60 m
   CHECK((with.Pixels != without.Pixels) == (height > 10.0));
+}
+
+TEST_CASE(
+    "renderer: discs of robots have 5 pixels of 960, less if they would cover much, and at least 2",
+    "[visualizations][offscreen][renderer]") {
+  struct SCase {
+    int Width, Height;  // pixels
+    std::size_t Count;  // of robots
+    double Diameter;  // pixels
+  };
+  // 1707 discs of 3 pixels are a twentieth of the picture, in squares around them
+  const SCase c = GENERATE(SCase{160, 120, 1, 2.0}, SCase{320, 960, 1, 5.0},
+                           SCase{320, 960, 1707, 3.0}, SCase{320, 960, 100000, 2.0});
+  CAPTURE(c.Width, c.Height, c.Count);
+  SRenderSettings settings;
+  settings.Width = c.Width;
+  settings.Height = c.Height;
+  CRenderer renderer(settings);
+  SPicture without;
+  SPicture with;
+  SScene scene = MakeEmptyScene();
+  const SCameraPlacement above = ViewFromAbove(60.0);
+  renderer.Render(scene, above, without);
+  // one is in the picture
+  scene.Markers.assign(c.Count, {{1000.0f, 0.0f, 0.0f}, 0.001f});
+  scene.Markers[0].Position[0] = 0.1f;
+  renderer.Render(scene, above, with);
+  double covered = 0.0;
+  const double contrast = Brightness(PixelOf(without, above, {0.1, 0.0, 0.0})) -
+                          settings.Look.Marker.R - settings.Look.Marker.G - settings.Look.Marker.B;
+  for (int y = 0; y < c.Height; ++y) {
+    for (int x = 0; x < c.Width; ++x) {
+      covered += (Brightness(without.At(x, y)) - Brightness(with.At(x, y))) / contrast;
+    }
+  }
+  CAPTURE(covered, contrast);
+  // the edge is smooth
+  CHECK(covered == Approx(0.25 * std::numbers::pi * c.Diameter * c.Diameter).epsilon(0.2));
 }
 
 TEST_CASE("renderer: the parts of the ground that are drawn without shadows have none",

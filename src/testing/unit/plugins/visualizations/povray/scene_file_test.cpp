@@ -320,6 +320,61 @@ TEST_CASE("povray scene: lines of blanks are no text", "[povray]") {
   CHECK(count == 2);
 }
 
+TEST_CASE("povray scene: labels behind the eye, or ten pictures away, are left out", "[povray]") {
+  // the picture shows 1 m of height and 4/3 m of width around the origin
+  SCameraPlacement view = ViewFromAbove(3.0);
+  view.OrthographicHeight = 1.0;
+  const auto isDrawn = [](const SCameraPlacement& from, const std::array<float, 3>& position) {
+    SScene scene = MakeEmptyScene();
+    scene.Labels.push_back({position, kRed, "robot", {}});
+    std::size_t numSkipped = 0;
+    const std::string file = MakeSceneFile(scene, from, Small(), {}, numSkipped);
+    return file.find("#declare Argos_Line") != std::string::npos;
+  };
+  CHECK(isDrawn(view, {0.0f, 0.0f, 0.0f}));
+  // places are shares of the picture from its upper left corner, where 0.5 m is half of its height
+  for (const float side : {-1.0f, 1.0f}) {
+    CHECK(isDrawn(view, {0.0f, 9.4f * side, 0.0f}));
+    CHECK_FALSE(isDrawn(view, {0.0f, 10.6f * side, 0.0f}));
+    CHECK(isDrawn(view, {12.5f * side, 0.0f, 0.0f}));
+    CHECK_FALSE(isDrawn(view, {14.1f * side, 0.0f, 0.0f}));
+  }
+  CHECK(isDrawn(ViewFromAbove(3.0), {0.0f, 0.0f, 2.0f}));
+  CHECK_FALSE(isDrawn(ViewFromAbove(3.0), {0.0f, 0.0f, 4.0f}));
+}
+
+TEST_CASE("povray scene: the look decides how bright sun, sky, lamps and LEDs are", "[povray]") {
+  struct SCase {
+    const char* Look;
+    const char* Sun;
+    const char* Fill;
+    const char* Lamp;
+    const char* LED;  // of one that stands for four
+    const char* Panel;
+  };
+  const SCase c = GENERATE(SCase{"light", "*1 }", "*0.16 ", "*0.6 ", "*1 ", "<1.6,1.6,1.6,0>"},
+                           SCase{"dark", "*0.26 }", "*0.05 ", "*1.1 ", "*2.2 ", "<1.1,1.1,1.1,0>"});
+  CAPTURE(c.Look);
+  SScene scene = MakeEmptyScene();
+  SGlow lamp{{0.0f, 0.0f, 1.0f}, 0.03f, kGreen, 4.5f};
+  lamp.IsLamp = true;
+  const SGlow led{{0.0f, -0.5f, 0.1f}, 0.01f, kRed, 3.6f, 0.0f, 1.0f};
+  scene.Glows = {led, led, led, led, lamp};
+  SPovraySettings settings = Small();
+  settings.Look = SLook::FromName(c.Look);
+  settings.IsDark = std::string(c.Look) == "dark";
+  settings.MostLights = 1;
+  std::size_t numSkipped = 0;
+  const std::string file = MakeSceneFile(scene, ObliqueView(), settings, {}, numSkipped);
+  CHECK_THAT(file, Catch::Contains(std::string("srgb <1,0.985,0.95>") + c.Sun));
+  CHECK_THAT(file, Catch::Contains(std::string("srgb <0.9,0.95,1>") + c.Fill));
+  CHECK_THAT(file, Catch::Contains(c.Panel));
+  for (const char* factor : {c.Lamp, c.LED}) {
+    CAPTURE(factor);
+    CHECK_THAT(file, Catch::Contains(std::string(factor) + "fade_distance"));
+  }
+}
+
 TEST_CASE("povray scene: the boundary is four strips across the edges of the arena", "[povray]") {
   SScene scene = MakeEmptyScene();
   scene.ShowBoundary = true;

@@ -356,6 +356,40 @@ TEST_CASE("floor image: edges that loop functions paint are filtered, areas are 
   world.GetSimulator().Destroy();
 }
 
+TEST_CASE("scene builder: the marker of a robot is the middle of its largest part, as wide as that",
+          "[visualizations][offscreen][scene]") {
+  class CUsersRobot : public CComposableEntity {
+   public:
+    explicit CUsersRobot(bool isRobot) : CComposableEntity(nullptr, "mine") {
+      AddComponent(
+          *new CEmbodiedEntity(this, "body", CVector3(1.0, 0.5, 0.25), CQuaternion(), false));
+      if (isRobot) {
+        AddComponent(*new CControllableEntity(this));
+      }
+      SVisualPart part;
+      part.Size = CVector3(0.125, 0.125, 0.125);
+      m_appearance.Parts.push_back(part);
+      part.Size = CVector3(0.5, 0.75, 1.0);
+      m_appearance.Parts.push_back(part);
+    }
+    const SAppearance* GetAppearance() const override { return &m_appearance; }
+
+   private:
+    SAppearance m_appearance;
+  };
+  const bool isRobot = GENERATE(true, false);
+  CWorld world;
+  CUsersRobot robot(isRobot);
+  world.GetSpace().GetRootEntityVector().push_back(&robot);
+  const SScene& scene = world.Build();
+  REQUIRE(scene.Markers.size() == (isRobot ? 1 : 0));
+  if (isRobot) {
+    CHECK(scene.Markers[0].Position == std::array<float, 3>{1.0f, 0.5f, 0.75f});
+    CHECK(scene.Markers[0].Radius == 0.375f);
+  }
+  world.GetSpace().GetRootEntityVector().pop_back();
+}
+
 TEST_CASE("scene builder: small parts of an entity are marked as details",
           "[visualizations][offscreen][scene]") {
   class CKnobbedBody : public CPositionalEntity {
