@@ -685,6 +685,11 @@ TEST_CASE("compat: every function of engines and models works", "[compat]") {
   CPhysicsEngine::SetSimulationClockTick(0.1);
   CHECK(cEngine.IsPointContained(CVector3(1, 1, 0)));
   CHECK_FALSE(cEngine.IsPointContained(CVector3(6, 1, 0)));
+  // a body without a description of its solids is a point
+  for (const Real fX : {1.0, 6.0}) {
+    const CEmbodiedEntity cBody(nullptr, "bare", CVector3(fX, 1, 0), CQuaternion(), false);
+    CHECK(cEngine.IsTouchedBy(cBody) == (fX < 5.0));
+  }
   CHECK(cEngine.GetNumPhysicsModels() == 1);
   CHECK_FALSE(cConst.IsEntityTransferNeeded());
   CHECK(cConst.IsEntityTransferActive());

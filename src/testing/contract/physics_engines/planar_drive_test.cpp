@@ -1,6 +1,7 @@
 // Robots with a drive that moves them to all sides, in every engine.
 
 #include <argos3/plugins/robots/generic/control_interface/ci_planar_drive_actuator.h>
+#include <argos3/plugins/simulator/entities/wheeled_entity.h>
 #include <argos3/testing/contract/physics_engines/drive_world.h>
 #include <argos3/testing/contract/physics_engines/engines.h>
 #include <argos3/testing/contract/physics_engines/rover.h>
@@ -282,6 +283,22 @@ TEST_CASE("planar drive: a command that is not finite is refused", "[contract][r
   CRoverWorld world(kKinematics2D.ToXml(), RoverXml("r", 0, 0));
   CHECK_THROWS_WITH(world.Rover().Drive(0.0, std::numeric_limits<Real>::infinity(), 0.0),
                     Contains("left = inf m/s"));
+}
+
+TEST_CASE("drive: wheels of opposite speeds whose difference is infinite are an error of the tick",
+          "[contract][robot]") {
+  const SEngineType engine = GENERATE(from_range(kEnginesWithContacts));
+  CAPTURE(engine);
+  SRobotExperiment experiment;
+  experiment.Engine = engine.ToXml();
+  experiment.Arena = Robot("foot-bot", "f", "position='0,0,0'");
+  CRobotWorld world(experiment);
+  world.Step();
+  const Real speeds[] = {-1e308, 1e308};  // m/s
+  world.Get<CComposableEntity>("f").GetComponent<CWheeledEntity>("wheels").SetVelocities(speeds);
+  CHECK_THROWS_WITH(
+      world.Step(),
+      Contains("robot \"f\"") && Contains("wheel speeds must be finite numbers, found left = -1"));
 }
 
 }  // namespace argos::planar_drive_test
