@@ -144,6 +144,12 @@ class Build:
             if not self.make(outputs):
                 return "invalid"
             for program in programs:
+                if program not in self.limits:
+                    path.write_text(original)
+                    self.make(outputs)
+                    self.measure(program)
+                    path.write_text("\n".join(lines))
+                    self.make(outputs)
                 if not self.passes(program, self.limits[program]):
                     return f"killed by {program}"
             return "survived"
@@ -215,8 +221,6 @@ def main() -> None:
     print(f"{len(mutants)} mutants in {len(paths)} files; building {' '.join(programs)}", flush=True)
     if not build.make(sorted({o for p in paths for o in outputs[p]}) + [*_PROGRAMS, *built]):
         sys.exit("mutate.sh: the tree does not build without any change")
-    for program in programs:
-        build.measure(program)
     results: dict[str, int] = {}
     last: list[str] = []
     try:

@@ -8,7 +8,7 @@ function(argos_visit_targets folder)
       get_filename_component(path "${source}" ABSOLUTE BASE_DIR "${folder}")
       if(path IN_LIST MUTATED)
         # a change may leave something unused
-        set_source_files_properties("${source}" DIRECTORY "${folder}"
+        set_source_files_properties("${path}" DIRECTORY "${folder}"
           PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON COMPILE_OPTIONS -w)
         file(APPEND "${MUTATED_TARGETS}" "${path} ${target}\n")
       endif()
