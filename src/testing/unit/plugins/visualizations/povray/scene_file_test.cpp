@@ -4,16 +4,22 @@
 #include <argos3/core/utility/files/file_replacement.h>
 #include <argos3/core/utility/processes/child_process.h>
 #include <argos3/plugins/simulator/visualizations/povray/povray_renderer.h>
+#include <argos3/testing/support/paths.h>
 #include <argos3/testing/support/pictures.h>
 #include <argos3/testing/support/temporary_folder.h>
 
 #include <FreeImage.h>
+#include <fmt/format.h>
 
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
 #include <limits>
 #include <memory>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -171,6 +177,22 @@ SScene MakeFullScene() {
   return scene;
 }
 
+// Each number with 5 digits: libraries may differ in the last ones of a cosine.
+std::string RoundNumbers(const std::string& line) {
+  std::string rounded;
+  for (const char* at = line.c_str(); *at != '\0';) {
+    char* end = nullptr;
+    const double number = std::strtod(at, &end);
+    if (end == at || std::isalpha(static_cast<unsigned char>(*at)) != 0) {
+      rounded += *at++;
+      continue;
+    }
+    rounded += fmt::format("{:.5g}", std::abs(number) < 1e-12 ? 0.0 : number);
+    at = end;
+  }
+  return rounded;
+}
+
 }  // namespace
 
 TEST_CASE("povray scene: silhouettes are those of the off-screen view", "[povray]") {
@@ -209,6 +231,45 @@ TEST_CASE("povray scene: POV-Ray accepts everything that a scene can hold", "[po
   settings.Quality = quality;
   settings.IsDark = quality == EPovrayQuality::Best;
   CHECK_NOTHROW(RenderWithPovray(MakeFullScene(), ObliqueView(), settings));
+}
+
+// After an intended change, ARGOS_RENEW_GOLDEN=1 unit_povray_tests replaces the texts; render them
+// before they are committed.
+TEST_CASE("povray scene: the texts of both looks are those in golden/", "[povray]") {
+  struct SCase {
+    const char* Name;
+    const char* Look;
+    EPovrayQuality Quality;
+  };
+  const SCase c = GENERATE(SCase{"light_draft", "light", EPovrayQuality::Draft},
+                           SCase{"light_best", "light", EPovrayQuality::Best},
+                           SCase{"dark_good", "dark", EPovrayQuality::Good});
+  SPovraySettings settings = Small();
+  settings.Quality = c.Quality;
+  settings.Look = SLook::FromName(c.Look);
+  settings.IsDark = std::string(c.Look) == "dark";
+  SScene scene = MakeFullScene();
+  std::size_t numSkipped = 0;
+  const std::string text =
+      MakeSceneFile(scene, ObliqueView(), settings, {{}, "floor.ppm"}, numSkipped);
+  const std::string path = InSourceTree("src/testing/unit/plugins/visualizations/povray/golden/" +
+                                        std::string(c.Name) + ".pov");
+  if (std::getenv("ARGOS_RENEW_GOLDEN") != nullptr) {
+    std::string problem;
+    REQUIRE(ReplaceFile(path, text, problem));
+  }
+  std::ifstream file(path);
+  const std::string golden((std::istreambuf_iterator<char>(file)), {});
+  std::istringstream expectedLines(golden);
+  std::istringstream foundLines(text);
+  std::string expected;
+  std::string found;
+  for (int line = 1; std::getline(expectedLines, expected); ++line) {
+    CAPTURE(c.Name, line);
+    REQUIRE(std::getline(foundLines, found));
+    REQUIRE(RoundNumbers(found) == RoundNumbers(expected));
+  }
+  CHECK_FALSE(std::getline(foundLines, found));
 }
 
 TEST_CASE("povray scene: a model appears at its place", "[povray]") {
