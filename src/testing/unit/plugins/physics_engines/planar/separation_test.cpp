@@ -302,8 +302,11 @@ TEST_CASE("separation: the gap is the least distance of discs and rectangles, ne
   const SFootprint box = MakeBox(2.0, 2.0, 0.5 * std::numbers::pi, 0.5, 0.25);
   const SFootprint near = MakeBox(1.125, 2.0, 0.0, 0.5, 0.25);
   const SFootprint far = MakeBox(4.0, 2.25, 0.0, 1.0, 0.5);
+  // its nearest corner is 0.5 m away in x and in y from the centre of the disc
+  const SFootprint aside = MakeBox(1.75, 2.75, 0.0, 0.25, 0.25);
   for (const auto& [a, b, gap] :
        {std::tuple(disc, other, 4.25), std::tuple(disc, box, 0.5), std::tuple(box, far, 0.75),
+        std::tuple(disc, aside, std::sqrt(0.5) - 0.25),
         // the disc leaves through the long side, which is 0.25 m from its centre
         std::tuple(disc, near, -0.5), std::tuple(box, near, 0.125)}) {
     CHECK_THAT(ComputeGap(a, b), WithinAbs(gap, kRounding));
