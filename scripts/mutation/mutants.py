@@ -62,6 +62,9 @@ def mutate_line(line: str) -> Iterator[tuple[str, str]]:
     """Each change of a line without comments, with its kind."""
     for old, new in _SWAPS:
         for match in re.finditer(re.escape(old), line):
+            # text is joined, not added
+            if old in (" + ", " += ") and "~" in (line[match.start() - 1], line[match.end() : match.end() + 1]):
+                continue
             yield "sign" if old.strip(" =") in ("+", "-") else "comparison", line[: match.start()] + new + line[match.end() :]
     for match in _CONDITION.finditer(line):
         end = find_end(line, match.end())

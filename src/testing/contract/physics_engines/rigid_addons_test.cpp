@@ -168,6 +168,37 @@ TEST_CASE("rigid errors: invalid elements are reported with their place",
   CHECK_NOTHROW(load("debug_file='x'", ""));
 }
 
+TEST_CASE("rigid errors: the ends of a range are in it", "[contract][engine][rigid][errors]") {
+  struct SCase {
+    const char* Before;  // of the value
+    const char* After;
+    const char* Least;
+    const char* Most;
+    const char* TooLittle;
+    const char* TooMuch;
+  };
+  const SCase c =
+      GENERATE(SCase{"<solver iterations='", "'/>", "1", "1000", "0", "1001"},
+               SCase{"<solver erp='", "'/>", "0.01", "1", "0.0099", "1.01"},
+               SCase{"<solver cfm='", "'/>", "1e-10", "1", "0.9e-10", "1.01"},
+               SCase{"<contacts restitution='", "'/>", "0", "1", "-0.01", "1.01"},
+               SCase{"<contacts bounce_speed='", "'/>", "0", "1000", "-0.01", "1001"},
+               SCase{"<contacts surface_layer='", "'/>", "0", "0.1", "-0.001", "0.101"},
+               SCase{"<contacts max_correcting_speed='", "'/>", "0.001", "1000", "0.0009", "1001"});
+  CAPTURE(c.Before);
+  const auto load = [&c](const char* value) {
+    const CRigidScene world(RigidEngine("", std::string(c.Before) + value + c.After), "");
+  };
+  for (const char* const value : {c.Least, c.Most}) {
+    CAPTURE(value);
+    CHECK_NOTHROW(load(value));
+  }
+  for (const char* const value : {c.TooLittle, c.TooMuch}) {
+    CAPTURE(value);
+    CHECK_THROWS_WITH(load(value), Contains("must be") && Contains("found "));
+  }
+}
+
 TEST_CASE("rigid errors: a body too far from the origin is reported",
           "[contract][engine][rigid][errors]") {
   CRigidScene world(RigidEngine("", "<gravity g='1e4'/>"),
