@@ -117,6 +117,30 @@ TEST_CASE("flight: a moved robot starts from rest at its new pose", "[contract][
   CHECK_THAT(world.Yaw(), WithinAbs(0.5 * std::numbers::pi + turn, kRounding));
 }
 
+TEST_CASE("flight: a motion that is set is that of the robot", "[contract][flight]") {
+  SFlightExperiment experiment;
+  experiment.Actuator = "quadrotor_speed";
+  experiment.Arena = EyeBotXml("r", CVector3(1, 1, 1), 90.0);
+  CFlightWorld world(experiment);
+  world.Step();
+  CPhysicsEngine& engine = world.Body().GetPhysicsModel(0).GetEngine();
+  SBodyMotion motion;
+  motion.Velocity = CVector3(0.5, -0.25, 0.125);
+  motion.Rotation = CVector3(0.0, 0.0, 0.75);
+  engine.SetMotion(world.Body(), motion);
+  SBodyMotion found;
+  REQUIRE(engine.GetMotion(world.Body(), found));
+  CHECK(found.Velocity == motion.Velocity);
+  CHECK(found.Rotation == motion.Rotation);
+  // the loops brake it
+  const CVector3 start = world.Position();
+  world.Step();
+  const CVector3 way = world.Position() - start;
+  CHECK(way.GetX() > 0.0);
+  CHECK(way.GetY() == Approx(-0.5 * way.GetX()));
+  CHECK(way.GetZ() == Approx(0.25 * way.GetX()));
+}
+
 TEST_CASE("flight: a moved robot flies back to its target", "[contract][flight]") {
   SFlightExperiment experiment;
   experiment.Arena = EyeBotXml("r", CVector3(1, 1, 1));

@@ -249,6 +249,34 @@ TEST_CASE("drawing over the picture: coordinates are pixels from the upper left 
   CHECK_FALSE(IsReddish(picture.At(103, 60)));
 }
 
+TEST_CASE("drawing over the picture: solids are their outlines from above, sizes are pixels",
+          "[visualizations][offscreen][drawing]") {
+  struct SCase {
+    std::function<void(CDrawing&)> Draw;
+    double Area;  // square pixels
+  };
+  const CVector3 middle(80.0, 60.0, 0.0);
+  const CQuaternion turned(CRadians(0.5), CVector3::Z);
+  const SCase c = GENERATE_COPY(
+      SCase{[&](CDrawing& drawing) { drawing.DrawBox(middle, turned, CVector3(60, 40, 5), kPen); },
+            2400.0},
+      SCase{[&](CDrawing& drawing) { drawing.DrawCylinder(middle, turned, 30.0, 5.0, kPen); },
+            900.0 * std::numbers::pi},
+      SCase{[&](CDrawing& drawing) { drawing.DrawCircle(middle, turned, 30.0, kPen); },
+            900.0 * std::numbers::pi},
+      SCase{[&](CDrawing& drawing) { drawing.DrawCircle(middle, turned, 30.0, kPen, true, 4); },
+            1800.0},
+      SCase{[&](CDrawing& drawing) { drawing.DrawPoint(middle, kPen, 30.0); },
+            225.0 * std::numbers::pi});
+  const SPicture picture = Draw([&c](CDrawing& drawing) {
+    drawing.SetOverlay();
+    c.Draw(drawing);
+  });
+  // 2 %: four samples a pixel along the circumference
+  CHECK_THAT(MeasureCovered(picture), WithinRel(c.Area, 0.02));
+  CHECK(IsReddish(picture.At(80, 60)));
+}
+
 TEST_CASE("drawing: equal drawings give equal pictures, and an empty one changes nothing",
           "[visualizations][offscreen][drawing]") {
   const auto draw = [](CDrawing& drawing) {

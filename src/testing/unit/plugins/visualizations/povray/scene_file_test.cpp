@@ -157,8 +157,12 @@ SScene MakeFullScene() {
   lamp.IsLamp = true;
   const SGlow off{{0.1f, -0.5f, 0.1f}, 0.01f, {46, 48, 54, 255}};
   const SGlow point{{0.2f, -0.5f, 0.1f}, 0.0f, kBlue, 0.0f, 5.0f};
-  scene.Glows = {led, lamp, off, point};
+  // at the rim of the nearer of two robots
+  const SGlow rim{{1.0f, -0.5f, 0.1f}, 0.01f, kGreen, 3.6f, 0.0f, 1.0f};
+  scene.Glows = {led, lamp, off, point, rim};
   scene.Markers.push_back({{0.0f, -0.5f, 0.1f}, 0.001f});
+  scene.Markers.push_back({{0.9f, -0.5f, 0.1f}, 0.1f});
+  scene.Markers.push_back({{0.95f, -0.45f, 0.1f}, 0.1f});
   scene.Lines.push_back({{0.0f, 0.0f, 0.5f}, {1.0f, 0.0f, 0.5f}, {200, 0, 0, 120}, 2.0f});
   scene.Lines.push_back({{0.0f, 0.0f, 0.5f}, {0.0f, 0.0f, 0.5f}, kRed, 2.0f});  // no length
   for (const std::array<float, 3>& corner :
@@ -172,7 +176,9 @@ SScene MakeFullScene() {
   style.Family = "monospace";
   style.Alignment = STextStyle::EAlignment::Center;
   scene.Labels.push_back({{0.0f, 0.0f, 0.3f}, kRed, "id\"}\\ #declare\n\n  \n\xC3\xA4", style});
-  scene.OverlayLabels.push_back({{5.0f, 20.0f, 0.0f}, {0, 0, 0, 255}, "\\", {}});
+  style.Family = "Times";
+  style.Alignment = STextStyle::EAlignment::Right;
+  scene.OverlayLabels.push_back({{5.0f, 20.0f, 0.0f}, {0, 0, 0, 255}, "\\", style});
   scene.OverlayLabels.push_back({{5.0f, 20.0f, 0.0f}, {0, 0, 0, 255}, "", {}});
   return scene;
 }
