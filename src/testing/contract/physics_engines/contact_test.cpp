@@ -263,34 +263,4 @@ TEST_CASE("drive: a robot stalls at a wall and does not penetrate it", "[contrac
   CHECK_THAT(world.Position("r").GetX() + kEPuckRadius, WithinAbs(0.4, 0.1 * kEPuckRadius));
 }
 
-TEST_CASE("contact: in a plane, a solid that lies reaches as far as it is seen from above",
-          "[contract][engine]") {
-  const SEngineType engine = GENERATE(from_range(kEnginesWithContacts));
-  if (IsSkipped(engine, engine.IsPlane, "a plane")) {
-    return;
-  }
-  // a robot that meets it 0.1 m beside its middle
-  struct SCase {
-    Real X, Y, Yaw;  // of the robot, m, degrees
-    Real EndX, EndY;  // m
-  };
-  constexpr Real kRadius = kEPuckRadius;
-  const SCase c = GENERATE(
-      SCase{0.8, 0.1, 0, 1.0 - kRadius, 0.1}, SCase{1.6, 0.1, 180, 1.4 + kRadius, 0.1},
-      SCase{1.3, 0.4, -90, 1.3, 0.15 + kRadius}, SCase{1.3, -0.4, 90, 1.3, -0.15 - kRadius});
-  CAPTURE(engine, c.X, c.Y);
-  CDriveWorld world(engine.ToPromptXml(),
-                    "<box id='b' size='0.1,0.1,0.1' movable='true' mass='1e6'>"
-                    "<body position='1,0,0'/></box>" +
-                        DriverXml("e-puck", "r", c.X, c.Y, c.Yaw, 10, 10));
-  // its upper side turned to +x: it begins at its place and ends 0.4 m ahead
-  SShapeDescription lying = SShapeDescription::Box(CVector3(0.2, 0.3, 0.4));
-  lying.Orientation = CQuaternion(CRadians::PI_OVER_TWO, CVector3::Y);
-  lying.Offset = CVector3(0.0, 0.0, 0.1);
-  world.Reshape("b", lying);
-  world.Step(40);
-  CHECK_THAT(world.Position("r").GetX(), WithinAbs(c.EndX, 0.02 * kRadius));
-  CHECK_THAT(world.Position("r").GetY(), WithinAbs(c.EndY, 0.02 * kRadius));
-}
-
 }  // namespace argos::contact_test

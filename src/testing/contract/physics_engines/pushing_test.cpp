@@ -181,6 +181,39 @@ TEST_CASE("pushing: several robots move what their forces together move", "[cont
   CHECK_THAT(scene.TurnOf(world, "b"), WithinAbs(0.0, 5e-3));
 }
 
+TEST_CASE("pushing: columns of robots that touch push as each column would alone",
+          "[contract][engine]") {
+  // together they are one cluster of several strips, which threads solve
+  const Real share = GENERATE(0.8, 1.2);  // of friction in the force of the drives of a column
+  CAPTURE(share);
+  constexpr int kColumns = 40;
+  constexpr int kRows = 15;
+  constexpr Real kGap = 1e-4;
+  constexpr Real kHalf = 0.08;
+  constexpr Real kMass = 1.0;
+  CScene scene(0.0, false);
+  for (int column = 0; column < kColumns; ++column) {
+    const Real y = (2.0 * kFootBot.Radius + kGap) * (column - 0.5 * kColumns);
+    for (int row = 0; row < kRows; ++row) {
+      scene.AddRobot(kFootBot, "r" + std::to_string(column) + "_" + std::to_string(row),
+                     -kHalf - kGap - kFootBot.Radius - row * (2.0 * kFootBot.Radius + kGap), y,
+                     0.0);
+    }
+    scene.AddBox("b" + std::to_string(column), 0.0, y, 2.0 * kHalf, 2.0 * kHalf, kMass);
+  }
+  const Real force = share * kRows * kFootBot.Force;
+  CDriveWorld world(MakeEngine(kDynamics2D, 0, {force, force}), scene.GetArena());
+  constexpr int kTicks = 20;
+  world.Step(kTicks);
+  const Real exact = ComputeWay(kDynamics2D, kFootBot, kRows, kMass, force, kTicks * kTick);
+  for (int column = 0; column < kColumns; ++column) {
+    CAPTURE(column);
+    const CVector3 way = scene.PlaceOf(world, "b" + std::to_string(column));
+    // the impacts of the rows, and the speed of a substep of half a tick
+    CHECK_THAT(way.GetX(), WithinAbs(exact, 0.03 * exact + kRows * kGap + 0.5 * kSpeed * kTick));
+  }
+}
+
 TEST_CASE("pushing: a robot moves as many objects in a row as its force moves",
           "[contract][engine]") {
   const SEngineType engine = GENERATE(from_range(kEnginesThatPush));

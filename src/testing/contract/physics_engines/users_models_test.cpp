@@ -78,6 +78,8 @@ class CCartEntity : public CModelledEntity {
  public:
   ENABLE_VTABLE();
   std::string GetTypeDescription() const override { return "cart"; }
+
+  bool IsStopped = false;
 };
 
 /** Uses what the reference protects, as a third party's car does. */
@@ -104,7 +106,12 @@ class CCartModel : public CDynamics2DSingleBodyObjectModel {
     m_control.AttachTo(body);
     SetBody(body, 0.1);
   }
-  void UpdateFromEntityStatus() override { m_control.Steer(m_cart.Speed, m_cart.Steering); }
+  void UpdateFromEntityStatus() override {
+    m_control.Steer(m_cart.Speed, m_cart.Steering);
+    if (m_cart.IsStopped) {
+      m_control.Reset();
+    }
+  }
 
  private:
   CCartEntity& m_cart;
@@ -124,6 +131,7 @@ class CTugEntity : public CModelledEntity {
   std::string GetTypeDescription() const override { return "tug"; }
 
   CWheeledEntity* Wheels = nullptr;
+  CVector2 Velocity;  // m/s, in the world; (0,0): as the wheels turn
 };
 
 class CTugModel : public CDynamics2DMultiBodyObjectModel {
@@ -176,6 +184,9 @@ class CTugModel : public CDynamics2DMultiBodyObjectModel {
   void UpdateFromEntityStatus() override {
     const Real* wheels = m_tug.Wheels->GetWheelVelocities();
     m_control.SetWheelVelocity(wheels[0], wheels[1]);
+    if (m_tug.Velocity != CVector2()) {
+      m_control.SetLinearVelocity(m_tug.Velocity);
+    }
   }
   void UpdateEntityStatus() override {
     CDynamics2DMultiBodyObjectModel::UpdateEntityStatus();
@@ -444,6 +455,27 @@ TEST_CASE("users' models: a car that sets velocities in the world moves straight
   const CVector3 position = world.Position("c");
   // in space, the robot settles on its casters
   CHECK(std::hypot(position.GetX() - x, position.GetY() - y) <= (type.Slip > 0.0 ? 1e-4 : 1e-9));
+  cart.IsStopped = true;
+  world.Step();
+  const CVector3 stopped = world.Position("c");
+  world.Step(10);
+  // single precision in dynamics2d; in space, it rolls out in a tick
+  CHECK(Distance(world.Position("c"), stopped) <= (type.Slip > 0.0 ? 1e-3 : 1e-6));
+}
+
+TEST_CASE("users' models: wheels that are given a velocity turn with its part along the heading",
+          "[contract][engine]") {
+  const SEngineType type = GENERATE(from_range(kEnginesWithWheels));
+  CAPTURE(type);
+  CDriveWorld world(type.ToPromptXml(), Placed("tug", "t", 0, 0, 60));
+  // 0.05 m/s of 0.1 m/s along x
+  world.Get<CTugEntity>("t").Velocity.Set(0.1, 0.0);
+  world.Step(20);
+  const Real way = world.Position("t").Length();
+  CHECK_THAT(way, WithinAbs(0.05 * 2.0, 1e-3 + type.Slip * 0.1));
+  CHECK_THAT(std::atan2(world.Position("t").GetY(), world.Position("t").GetX()),
+             WithinAbs(std::numbers::pi / 3.0, 0.01));
+  CHECK_THAT(world.Yaw("t"), WithinAbs(std::numbers::pi / 3.0, 0.01));
 }
 
 TEST_CASE("users' models: an object resists with the friction of its model", "[contract][engine]") {
