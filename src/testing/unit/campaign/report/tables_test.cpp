@@ -1,6 +1,7 @@
 #include "synthetic_campaign.h"
 
 #include <argos3/campaign/report/comparisons.h>
+#include <argos3/campaign/report/page_parts.h>
 #include <argos3/campaign/report/report_text.h>
 #include <argos3/campaign/report/summary_tables.h>
 #include <argos3/core/utility/errors/argos_exception.h>
@@ -9,6 +10,8 @@
 
 #include <cmath>
 #include <limits>
+#include <string>
+#include <utility>
 
 namespace argos::report_tables_test {
 
@@ -182,6 +185,94 @@ TEST_CASE("report text: users' text is escaped", "[campaign][report]") {
   CHECK(FormatPValue(0.0123) == "p = 0.012");
   CHECK(FormatPValue(1e-9) == "p < 0.001");
   CHECK(FormatDuration(3725) == "1 h 2 min");
+}
+
+namespace {
+
+// the cells of a page's rows, "a | b\n" for each
+std::string ListCells(std::string page) {
+  for (const auto& [tag, text] :
+       {std::pair("</td><td", " | <"), {"</li>\n", "\n"}, {"</b>", " "}}) {
+    for (size_t at = page.find(tag); at != std::string::npos; at = page.find(tag)) {
+      page.replace(at, std::string(tag).size(), text);
+    }
+  }
+  std::string cells;
+  bool isTag = false;
+  for (const char c : page) {
+    isTag = isTag || c == '<';
+    if (!isTag) {
+      cells += c;
+    }
+    isTag = isTag && c != '>';
+  }
+  return cells;
+}
+
+}  // namespace
+
+TEST_CASE("report page: overview and machines have the sums of all runs", "[campaign][report]") {
+  CSyntheticCampaign campaign({{"robots", {"5", "10"}}});
+  struct SRun {
+    size_t Combination;
+    const char* Machine;
+    Real RealTime, CPUTime;  // s
+    UInt64 Memory;  // MiB
+    ERunStatus Status;
+  };
+  UInt32 seed = 0;
+  for (const SRun& c : {SRun{0, "one", 10.5, 20.25, 64, ERunStatus::Done},
+                        SRun{0, "one", 30.0, 40.5, 256, ERunStatus::Crashed},
+                        SRun{1, "one", 2.0, 3.0, 128, ERunStatus::Done},
+                        SRun{1, "two", 4000.0, 0.5, 32, ERunStatus::Done}}) {
+    SStoredRun run;
+    run.Seed = ++seed;
+    run.Machine = c.Machine;
+    run.Version = "1.0";
+    run.Result.Status = c.Status;
+    run.Result.TotalWallTime = c.RealTime;
+    run.Result.CPUTime = c.CPUTime;
+    run.Result.PeakMemory = c.Memory << 20U;
+    campaign.AddRun(c.Combination, run);
+  }
+  const CReportData& data = campaign.Open();
+  const std::string overview = ListCells(MakeOverview(data));
+  // 4042.5 s, 64.25 s
+  CHECK_THAT(overview, Contains("; runs from 2026-01-31T12:00:00Z to 2026-01-31T12:00:00Z") &&
+                           Contains("4 runs\n1 failed\n2 combinations\n1 h 7 min real time") &&
+                           Contains("1 min 4 s CPU time"));
+  CHECK_THAT(overview, !Contains("no runs") && !Contains("left out"));
+  const std::string machines = ListCells(MakeMachines(data));
+  CHECK_THAT(machines, Contains("one | 1.0 | 3 | 42.5 s | 1 min 4 s | 256 MiB\n"));
+  CHECK_THAT(machines, Contains("two | 1.0 | 1 | 1 h 6 min | 0.5 s | 32 MiB\n"));
+}
+
+TEST_CASE("report page: the set-up lists factors, seeds and limits", "[campaign][report]") {
+  CSyntheticCampaign synthetic({{"robots", {"5", "10"}}, {"noise", {"0.5"}}});
+  SCampaign& campaign = synthetic.GetCampaign();
+  campaign.Constants = {{"//experiment/@length", "100"}};
+  const auto setUp = [&synthetic] { return ListCells(MakeSetUp(synthetic.Open())); };
+  std::string text = setUp();
+  CHECK_THAT(text, Contains("robots | 5, 10 | //robots/@value\nnoise | 0.5 | //noise/@value\n"));
+  CHECK_THAT(text, Contains("changed | //experiment/@length = 100\n"));
+  CHECK_THAT(text, Contains("combinations | 2\n") && Contains("seeds | 1 to 3, 7\n"));
+  CHECK_THAT(text, Contains("limits of a run | real time unlimited, output 10 MiB\n"));
+  CHECK_THAT(text, Contains("runs at the same time | one for each processor\n"));
+  campaign.Limits = {90.0, 512U << 20U, 1U << 20U};
+  campaign.NumExcluded = 3;
+  campaign.Jobs = 4;
+  campaign.Stopping.Metric = "food";
+  campaign.Stopping.Width = 2.5;
+  campaign.Stopping.FirstSeed = 20;
+  text = setUp();
+  CHECK_THAT(text, Contains("combinations | 2, 3 excluded\n"));
+  CHECK_THAT(text, Contains("real time 1 min 30 s, memory 512 MiB, output 1 MiB\n"));
+  CHECK_THAT(text, Contains("runs at the same time | 4\n"));
+  CHECK_THAT(text, Contains("from 20 on, until the 95 % interval of the mean of food is at most "
+                            "2.5 wide; 10 to 1000 runs\n"));
+  campaign.Stopping.Width = 0.0;
+  campaign.Stopping.Relative = 0.05;
+  CHECK_THAT(setUp(), Contains("is within 5 % of the mean to each side"));
 }
 
 }  // namespace argos::report_tables_test
