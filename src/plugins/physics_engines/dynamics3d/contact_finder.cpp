@@ -167,7 +167,7 @@ void CContactFinder::Find(const std::vector<SRigidBody*>& movables,
   }
   // ghosts support no body, and keep none awake
   ghosts.ForEachMeeting([this](const SRigidBody& body, const SRigidBody& ghost) {
-    if (IsActive(body)) {
+    if (IsActive(body) && !body.IsUpright) {
       TouchSolids(body, ghost);
     }
   });

@@ -437,7 +437,7 @@ an engine with any add-on has only those that are listed. <gravity g="0" /> alon
 )" + RequiredEngineXML(R"(<dynamics3d id="dyn3d" />)") +
         OptionalEngineXML(
             "dynamics3d",
-            R"(id="dyn3d" iterations="10" default_friction="1" sleep="true" free_robots="true" ghosts="true")",
+            R"(id="dyn3d" iterations="10" default_friction="1" sleep="true" free_robots="true" upright="true" ghosts="true")",
             R"(      <floor height="0" friction="1" />
       <gravity vector="0,0,-9.81" />
       <magnetism force_constant="7.0500949e-13" max_distance="0.5" />
@@ -460,6 +460,9 @@ ATTRIBUTES
   free_robots           "true" (default) or "false": if true, robots that roll upright on the floor and can touch
                         nothing else in a tick follow the arc of their drive, without ODE. Only with no other add-ons
                         than gravity and floor, unless these declare that they push nothing.
+  upright               "true" (default) or "false": if true, robots and objects that stand upright on the floor and
+                        touch others only sideways move in the plane, much faster. Only where robots may be free, with
+                        the stepper "mixed" and no restitution.
   floor                 an infinite plane that supports the bodies above it. height: m, default 0. friction: >= 0,
                         default 1.
   gravity               g: m/s^2, default 9.81, downward. Or vector: "x,y,z", m/s^2.

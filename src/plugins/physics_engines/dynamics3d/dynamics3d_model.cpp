@@ -81,6 +81,10 @@ bool CDynamics3DModel::IsFree() const {
   return m_body != nullptr && GetBody().IsFree;
 }
 
+bool CDynamics3DModel::IsUpright() const {
+  return m_body != nullptr && GetBody().IsUpright;
+}
+
 UInt32 CDynamics3DModel::FindLink(const SAnchor& anchor) const {
   const auto& articulation = m_cEmbodiedEntity.GetBodyDescription()->Articulation;
   if (articulation == nullptr) {

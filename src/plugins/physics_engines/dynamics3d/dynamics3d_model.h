@@ -36,6 +36,8 @@ class CDynamics3DModel : public CRobotBodyModel {
 
   /** @return true if the body is a free robot, which is not stepped by ODE: see the README. */
   bool IsFree() const;
+  /** @return true if the body stood upright in the last tick and moved in the plane. */
+  bool IsUpright() const;
   /** The link of an articulated body that carries an anchor; 0 for other bodies. */
   UInt32 FindLink(const SAnchor& anchor) const;
   /** The pose of an anchor in this substep. @param link  FindLink(anchor). */

@@ -181,7 +181,9 @@ void CFreeRobots::MarkOthers(const SBodies& bodies) {
   const auto mark = [this, path](const SRigidBody& body) {
     const SCircle circle = Enclose(body);
     const Real own = IsSeeking(body) ? std::max(circle.Radius, GetSeekReach(body)) : circle.Radius;
-    m_filter.MarkNear(circle.X, circle.Y, own + path);
+    // objects may be turned, or squeezed out
+    const Real most = body.HasDrive() ? path : kTurningReach * path;
+    m_filter.MarkNear(circle.X, circle.Y, own + most);
   };
   for (UInt32 i = 0; i < bodies.Movables.size(); ++i) {
     const SRigidBody& body = *bodies.Movables[i];

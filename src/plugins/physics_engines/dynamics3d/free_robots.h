@@ -55,6 +55,8 @@ class CFreeRobots {
    * @throws SBadDriveCommand
    */
   void StartTick(const SBodies& bodies, Real fastest, Real tick, CThreadPool* pool);
+  /** After StartTick(): how far an active body is expected to move in the tick, m. */
+  Real GetReach() const { return m_reach; }
   /** @return true if a free robot must become active in this tick. */
   bool MustActivate(const SRigidBody& robot) const;
   /** @return true if an active robot may become free; sets its state as a free one. */

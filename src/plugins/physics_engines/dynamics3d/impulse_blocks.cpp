@@ -67,7 +67,7 @@ SPair2 SolveFriction(Real kxx, Real kxy, Real kyy, const SPair2& b, Real limit) 
     return SPair2{scale * (yy * b.X - kxy * b.Y), scale * (xx * b.Y - kxy * b.X)};
   };
   SPair2 p = solve(0.0);
-  Real length = std::hypot(p.X, p.Y);
+  Real length = std::sqrt(p.X * p.X + p.Y * p.Y);
   if (length <= limit) {
     return p;
   }
@@ -81,7 +81,7 @@ SPair2 SolveFriction(Real kxx, Real kxy, Real kyy, const SPair2& b, Real limit) 
     const Real bent = scale * (yy * p.X * p.X - 2.0 * kxy * p.X * p.Y + xx * p.Y * p.Y);
     shift += (length * length / bent) * (length - limit) / limit;
     p = solve(shift);
-    length = std::hypot(p.X, p.Y);
+    length = std::sqrt(p.X * p.X + p.Y * p.Y);
   }
   const Real rest = limit / length;
   return {p.X * rest, p.Y * rest};

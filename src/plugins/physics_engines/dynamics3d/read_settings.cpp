@@ -63,6 +63,7 @@ void ReadRigidSettings(TConfigurationNode& tree, SRigidSettings& settings) {
   ReadInRange(tree, "default_friction", 0.0, 1e3, settings.Friction);
   GetNodeAttributeOrDefault(tree, "sleep", settings.Sleep, settings.Sleep);
   GetNodeAttributeOrDefault(tree, "free_robots", settings.FreeRobots, settings.FreeRobots);
+  GetNodeAttributeOrDefault(tree, "upright", settings.Upright, settings.Upright);
   // used by the debugger of another physics library
   NodeAttributeExists(tree, "debug_file");
   if (NodeExists(tree, "solver")) {

@@ -5,6 +5,7 @@
 #include <argos3/core/simulator/physics_engine/planar_motion.h>
 #include <argos3/core/utility/math/quaternion.h>
 #include <argos3/core/utility/math/vector3.h>
+#include <argos3/plugins/simulator/physics_engines/planar/footprints.h>
 
 #include <ode/ode.h>
 
@@ -98,6 +99,13 @@ struct SRollState {
   SDriveCommand Motion;  // of its origin
 };
 
+/** A solid of a body that may stand upright: what it covers of the floor, and its height. */
+struct SUprightPart {
+  SFootprint Footprint;  // frame of the body
+  Real Low = 0.0;  // m, above the origin
+  Real High = 0.0;
+};
+
 /**
  * A body in ODE: one rigid part, perhaps with a planar drive; or a chassis with two wheels on
  * hinges; or links on joints; or fixed geoms only. A free robot has no parts in ODE.
@@ -111,6 +119,11 @@ struct SRigidBody : SRigidParts {
   bool IsGripped = false;  // at the start of the tick: it holds a body or is held
   CVector3 ClaimLow;  // m, world frame; see CFreeRobots::Claim()
   CVector3 ClaimHigh;
+  bool IsUpright = false;  // CUprightCrowd moves it in this tick, and its parts in ODE are idle
+  Real TippingTime = 0.0;  // s: for so long it is not upright
+  std::vector<SUprightPart> UprightParts;  // once it may have been upright
+  // where the floor supported it in the last substep, from its centre of mass, m, its frame
+  std::array<Real, 2> Pressure{};
   bool HasGroundContact = false;  // of a caster, in this substep
   // of the robot; null if it has none; not owned
   CGripperEquippedEntity* Gripper = nullptr;
@@ -148,7 +161,8 @@ struct SRigidBody : SRigidParts {
   UInt64 Serial = 0;  // of no other body that ever was in the world
   UInt32 Owned = 0;  // its number among all bodies of the world
   UInt32 Number = 0;  // in the world's list of movable or of fixed bodies
-  UInt32 ActiveNumber = 0;  // of a movable body with parts: in the world's list of these
+  UInt32 PartsNumber = 0;  // of a movable body with parts: in the world's list of these
+  UInt32 ActiveNumber = 0;  // of those that are not upright either, in this tick
   // of the present substep, see CRigidStepper
   UInt32 SolverBody = 0;
   UInt32 SolverRotor = 0;  // the first of its rotors

@@ -35,6 +35,7 @@ struct SRigidSettings {
   Real SurfaceLayer = 1e-5;  // m; overlap of bodies at rest
   Real MaxCorrectingSpeed = 1.0;  // m/s; greatest speed at which overlaps are corrected
   bool Sleep = true;  // bodies at rest are not simulated until another body approaches
+  bool Upright = true;  // bodies that stand and touch others sideways move in the plane
   bool FreeRobots = true;  // robots that can touch nothing follow their arcs without ODE
 };
 
@@ -93,6 +94,21 @@ constexpr UInt32 kMaxRefined = 1000;
 constexpr UInt32 kMaxSweeps = 400;
 constexpr size_t kMaxBlockSweeps = 30000;
 constexpr Real kSweepTolerance = 1e-6;
+
+// of upright bodies: sweeps over an island at most, and sweeps times contacts over one for which
+// that is more than kFewUprightSweeps; the change of speeds with which sweeps end, m/s: over an
+// island of up to kSmallUprightIsland contacts, and over a crowd, where errors do not add up
+constexpr UInt32 kMaxUprightSweeps = 150;
+constexpr UInt32 kFewUprightSweeps = 32;
+constexpr size_t kMaxUprightContactSweeps = 1200;
+constexpr size_t kSmallUprightIsland = 16;
+constexpr Real kUprightTolerance = 2e-4;
+constexpr Real kUprightCrowdTolerance = 2e-3;
+// the rim of a body that is no disc may move farther in a tick than the fastest body, by this
+// factor
+constexpr Real kTurningReach = 2.0;
+// s: a body whose edge would have lifted is not upright for so long
+constexpr Real kTippingTime = 0.3;
 
 // an island is at rest if all its bodies were slower than this for this time
 constexpr Real kQuietTime = 0.5;  // s

@@ -76,7 +76,8 @@ CRigidWorld::CRigidWorld(const SRigidSettings& settings, std::function<void()> b
       m_world(dWorldCreate()),
       m_threading(dThreadingAllocateSelfThreadedImplementation()),
       m_stepper(m_settings),
-      m_free(m_settings) {
+      m_free(m_settings),
+      m_upright(m_settings) {
   dWorldSetStepThreadingImplementation(m_world, dThreadingImplementationGetFunctions(m_threading),
                                        m_threading);
   dWorldSetERP(m_world, m_settings.ErrorReduction);
@@ -169,8 +170,9 @@ SRigidBody& CRigidWorld::Add(const SRigidSource& source, const SRigidPose& pose)
   }
   if (!source.Movable) {
     m_free.MarkFixedChanged();
+    m_upright.MarkFixedChanged();
   } else if (!body.IsFree) {
-    body.ActiveNumber = static_cast<UInt32>(m_active.size());
+    body.PartsNumber = static_cast<UInt32>(m_active.size());
     m_active.push_back(&body);
   }
   if (body.HasDrive()) {
@@ -203,6 +205,8 @@ void CRigidWorld::HardenJoints(const SRigidBody& body) {
 // Any number of the robots may be active in a tick.
 void CRigidWorld::Reserve() {
   m_active.reserve(m_movables.capacity());
+  m_loose.reserve(m_movables.capacity());
+  m_listed.reserve(m_movables.capacity());
   m_large.reserve(m_movables.capacity());
   m_stepper.Reserve(m_movables.capacity());
   m_struck.reserve(m_movables.capacity());
@@ -229,6 +233,7 @@ void CRigidWorld::Remove(SRigidBody& body) {
   m_grips->SetManipulator(body);
   if (!body.Source.Movable) {
     m_free.MarkFixedChanged();
+    m_upright.MarkFixedChanged();
   } else if (!body.IsFree) {
     TakeFromActive(body);
   }
@@ -254,8 +259,10 @@ void CRigidWorld::Place(SRigidBody& body, const SRigidPose& pose, const SRigidMo
   }
   if (!body.Source.Movable) {
     m_free.MarkFixedChanged();
+    m_upright.MarkFixedChanged();
   }
   m_contacts->ForgetForces();
+  m_upright.ForgetForces();
   PlaceRigidBody(body, pose, motion);
   UpdateBounds(body);
 }
@@ -271,6 +278,7 @@ void CRigidWorld::WakeAll() {
 void CRigidWorld::Advance(CThreadPool* pool) {
   StartTick(pool);
   m_grips->StartTick(m_active, m_settings.Tick);
+  SelectUpright();
   for (UInt32 i = 0; i < m_numSubsteps; ++i) {
     m_beforeSubstep();
     for (SRigidBody* body : m_flying) {
@@ -279,14 +287,13 @@ void CRigidWorld::Advance(CThreadPool* pool) {
     for (const SRigidBody* body : m_articulated) {
       DriveJoints(*body, m_substep);
     }
+    if (!m_upright.IsEmpty() && m_upright.Step(m_substep, pool)) {
+      ListLoose();
+    }
     // what sleeps is woken by others that are awake
-    if (std::any_of(m_active.begin(), m_active.end(),
+    if (std::any_of(m_loose.begin(), m_loose.end(),
                     [](const auto* body) { return !body->Asleep; })) {
-      m_contacts->Find(m_active, m_fixed, m_planes, *m_grips, m_ghosts, m_gravity, m_substep);
-      SetPlanarMotors();
-      Step(pool);
-      m_contacts->Clear();
-      m_grips->BreakOverloadedGrips();
+      StepLoose(pool);
       if (i + 1 < m_numSubsteps) {
         ActivateStruck(i + 1);
       }
@@ -296,15 +303,25 @@ void CRigidWorld::Advance(CThreadPool* pool) {
     }
   }
   m_grips->EndTick(m_settings.Tick);
-  if (m_settings.Sleep && !m_active.empty()) {
+  m_upright.EndTick();
+  if (m_settings.Sleep && !m_loose.empty()) {
     UpdateSleep();
   }
   RollFree(pool);
 }
 
+// Moves the active bodies that are not upright by a substep.
+void CRigidWorld::StepLoose(CThreadPool* pool) {
+  m_contacts->Find(m_loose, m_fixed, m_planes, *m_grips, m_ghosts, m_gravity, m_substep);
+  SetPlanarMotors();
+  Step(pool);
+  m_contacts->Clear();
+  m_grips->BreakOverloadedGrips();
+}
+
 // Drives get their targets in each substep, when it is known whether they touch the ground.
 void CRigidWorld::SetPlanarMotors() {
-  for (SRigidBody* body : m_active) {
+  for (SRigidBody* body : m_loose) {
     if (body->HasPlanarDrive() && !body->Asleep) {
       SetPlanarMotor(*body, m_substep);
     }
@@ -414,7 +431,7 @@ void CRigidWorld::Step(CThreadPool* pool) {
     StepDirectly();
     return;
   }
-  m_stepper.Step({m_active, *m_contacts, *m_grips, m_gravity, m_substep}, pool);
+  m_stepper.Step({m_loose, *m_contacts, *m_grips, m_gravity, m_substep}, pool);
   if (!m_articulated.empty()) {
     StepJoints();
   }
@@ -426,13 +443,13 @@ void CRigidWorld::StepJoints() {
     return m_contacts->GetIsland(body).HasJoints;
   };
   m_contacts->CreateInODE(false);
-  for (SRigidBody* body : m_active) {
+  for (SRigidBody* body : m_loose) {
     if (!body->Asleep && !isOfODE(*body)) {
       ForEachPart(*body, &dBodyDisable);
     }
   }
   StepByIslands();
-  for (SRigidBody* body : m_active) {
+  for (SRigidBody* body : m_loose) {
     if (!body->Asleep) {
       ForEachPart(*body, &dBodyEnable);
     }
@@ -456,7 +473,7 @@ void CRigidWorld::StepByIslands() {
   using enum SRigidSettings::EStepper;
   const UInt32 most = m_settings.Stepper == Iterative ? 0 : m_mostDirectRows;
   m_large.clear();
-  for (SRigidBody* body : m_active) {
+  for (SRigidBody* body : m_loose) {
     const CContactFinder::SIsland& island = m_contacts->GetIsland(*body);
     if (!body->Asleep && island.HasJoints && island.Rows > most) {
       m_large.push_back(body);
@@ -467,7 +484,7 @@ void CRigidWorld::StepByIslands() {
   if (m_large.empty()) {
     return;
   }
-  for (SRigidBody* body : m_active) {
+  for (SRigidBody* body : m_loose) {
     if (!body->Asleep) {
       ForEachPart(*body, &dBodyDisable);
     }
@@ -485,7 +502,7 @@ void CRigidWorld::StepIteratively() {
 
 // Uses the islands of the last substep. An island without contact to a fixed body never sleeps.
 void CRigidWorld::UpdateSleep() {
-  for (SRigidBody* body : m_active) {
+  for (SRigidBody* body : m_loose) {
     if (body->Asleep) {
       continue;
     }
@@ -497,7 +514,7 @@ void CRigidWorld::UpdateSleep() {
       m_contacts->GetIsland(*body).Quiet = false;
     }
   }
-  for (SRigidBody* body : m_active) {
+  for (SRigidBody* body : m_loose) {
     if (!body->Asleep) {
       const CContactFinder::SIsland& island = m_contacts->GetIsland(*body);
       if (island.Quiet && island.Supported) {

@@ -9,6 +9,7 @@
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_grips.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_settings.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_stepper.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/upright_crowd.h>
 
 #include <functional>
 #include <memory>
@@ -97,6 +98,9 @@ class CRigidWorld {
   void ActivateStruck(UInt32 substeps);
   void ActivateAt(SRigidBody& body, UInt32 substeps);
   void RollFree(CThreadPool* pool);
+  void SelectUpright();
+  void ListLoose();
+  void StepLoose(CThreadPool* pool);
   void SetPlanarMotors();
   static Real FindFastest(const std::vector<SRigidBody*>& bodies);
   Real ComputeLongestPath(Real fastest) const;
@@ -120,12 +124,15 @@ class CRigidWorld {
   std::unique_ptr<CRigidGrips> m_grips;
   CRigidGhosts m_ghosts;
   CFreeRobots m_free;
+  CUprightCrowd m_upright;
   CPartsPool m_spares;
   std::vector<std::unique_ptr<SRigidBody>> m_owned;
   std::vector<SRigidBody*> m_planes;
   std::vector<SRigidBody*> m_fixed;  // by number
   std::vector<SRigidBody*> m_movables;  // by number
-  std::vector<SRigidBody*> m_active;  // by active number: movable bodies with parts in ODE
+  std::vector<SRigidBody*> m_active;  // by PartsNumber: movable bodies with parts in ODE
+  std::vector<SRigidBody*> m_loose;  // by ActiveNumber: those of them that are not upright
+  std::vector<SRigidBody*> m_listed;  // scratch
   std::vector<UInt32> m_struck;  // numbers of movable bodies
   std::vector<SRigidBody*> m_flying;
   std::vector<SRigidBody*> m_articulated;

@@ -1,12 +1,14 @@
-// The part of CRigidWorld that has to do with free robots.
+// The part of CRigidWorld that selects free robots and upright bodies.
 
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_world.h>
 
 #include <argos3/core/utility/threads/thread_pool.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/body_builder.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace argos {
 
@@ -39,9 +41,9 @@ void CRigidWorld::SetGround() {
 
 void CRigidWorld::TakeFromActive(const SRigidBody& body) {
   m_contacts->MarkChanged();
-  const UInt32 number = body.ActiveNumber;
+  const UInt32 number = body.PartsNumber;
   m_active[number] = m_active.back();
-  m_active[number]->ActiveNumber = number;
+  m_active[number]->PartsNumber = number;
   m_active.pop_back();
 }
 
@@ -59,8 +61,11 @@ void CRigidWorld::Activate(SRigidBody& body) {
   body.QuietTime = 0.0;
   UpdateBounds(body);
   m_contacts->MarkChanged();
-  body.ActiveNumber = static_cast<UInt32>(m_active.size());
+  body.PartsNumber = static_cast<UInt32>(m_active.size());
   m_active.push_back(&body);
+  body.IsUpright = false;
+  body.ActiveNumber = static_cast<UInt32>(m_loose.size());
+  m_loose.push_back(&body);
 }
 
 // Its state as a free robot is set.
@@ -68,6 +73,7 @@ void CRigidWorld::Deactivate(SRigidBody& body) {
   TakeFromActive(body);
   m_spares.Return(body, m_active.size() + kFewSpareParts);
   body.IsFree = true;
+  body.IsUpright = false;
   body.Asleep = false;
 }
 
@@ -96,14 +102,40 @@ void CRigidWorld::SelectFree(CThreadPool* pool) {
   }
 }
 
+// After SelectFree(), and grips have started.
+void CRigidWorld::SelectUpright() {
+  m_grips->ForEachGrip(
+      [](SRigidBody& holder, SRigidBody& held) { holder.IsGripped = held.IsGripped = true; });
+  for (SRigidBody* body : m_active) {
+    body->TippingTime = std::max(0.0, body->TippingTime - m_settings.Tick);
+  }
+  m_upright.StartTick({m_active, m_fixed, m_ghosts.Get()}, m_free.GetGround(), m_free.GetReach());
+  ListLoose();
+}
+
+// Lists the active bodies that are not upright.
+void CRigidWorld::ListLoose() {
+  m_listed.clear();
+  for (SRigidBody* body : m_active) {
+    if (!body->IsUpright) {
+      body->ActiveNumber = static_cast<UInt32>(m_listed.size());
+      m_listed.push_back(body);
+    }
+  }
+  if (m_listed != m_loose) {
+    std::swap(m_listed, m_loose);
+    m_contacts->MarkChanged();
+  }
+}
+
 // After a number of substeps: activates the free robots near bodies that move farther than
 // expected.
 void CRigidWorld::ActivateStruck(UInt32 substeps) {
   const Real rest = (m_numSubsteps - substeps) * m_substep;
   // those that are activated may be added to the list
-  for (size_t i = 0; m_free.GetGround() && i < m_active.size(); ++i) {
+  for (size_t i = 0; m_free.GetGround() && i < m_loose.size(); ++i) {
     m_struck.clear();
-    if (m_active[i]->Asleep || !m_free.ExtendClaim(*m_active[i], m_substep, rest, m_struck)) {
+    if (m_loose[i]->Asleep || !m_free.ExtendClaim(*m_loose[i], m_substep, rest, m_struck)) {
       continue;
     }
     for (const UInt32 number : m_struck) {

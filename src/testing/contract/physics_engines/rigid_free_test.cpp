@@ -192,9 +192,9 @@ TEST_CASE("rigid free robots: they hand over as much momentum as active ones",
   CHECK_FALSE(reference.WasFree);
   // a contact occurs up to a substep of 0.01 s earlier or later: 2 mm, of which the solver corrects
   // 20 % in a substep
-  CHECK_THAT(push.Fastest, WithinRel(reference.Fastest, 0.02));
   CHECK_THAT(push.Place, WithinAbs(reference.Place, 3e-3));
-  CHECK(push.Fastest > 0.19);
+  // upright bodies, whose contacts are anticipated, do not rebound
+  CHECK_THAT(push.Fastest, WithinRel(0.2, 0.02));
 }
 
 TEST_CASE("rigid free robots: two that collide head-on stop as active ones do",
