@@ -103,7 +103,7 @@ constexpr UInt32 kFewUprightSweeps = 32;
 constexpr size_t kMaxUprightContactSweeps = 1200;
 constexpr size_t kSmallUprightIsland = 16;
 constexpr Real kUprightTolerance = 2e-4;
-constexpr Real kUprightCrowdTolerance = 2e-3;
+constexpr Real kUprightCrowdTolerance = 1e-3;
 // the rim of a body that is no disc may move farther in a tick than the fastest body, by this
 // factor
 constexpr Real kTurningReach = 2.0;

@@ -190,6 +190,24 @@ void ReadLean(SUprightBody& body, const SRigidPose& pose, const SRollGround& gro
   body.OriginZ = floor + fade(pose.Position.GetZ() - floor);
 }
 
+// Wheels and feet start with the impulses of the last substep; what rests, without any.
+void ApplyLastFriction(SUprightBody& body, SUprightSupport* supports) {
+  const bool rests =
+      body.VX == 0.0 && body.VY == 0.0 && body.W == 0.0 && body.Kind == SUprightBody::EKind::Object;
+  for (UInt32 i = 0; i < body.NumSupports; ++i) {
+    SUprightSupport& at = supports[i];
+    const Real length = std::sqrt(at.Impulse1 * at.Impulse1 + at.Impulse2 * at.Impulse2);
+    Real share = length > at.Grip ? at.Grip / length : 1.0;
+    share = rests ? 0.0 : share;
+    at.Impulse1 *= share;
+    at.Impulse2 *= share;
+    body.DriveX += at.Impulse1 * at.EX - at.Impulse2 * at.EY;
+    body.DriveY += at.Impulse1 * at.EY + at.Impulse2 * at.EX;
+    body.DriveTurn += at.Impulse1 * at.Lever1 + at.Impulse2 * at.Lever2;
+  }
+  body.Push(body.DriveX, body.DriveY, body.DriveTurn);
+}
+
 }  // namespace
 
 bool AreSolidsUpright(const SRigidBody& body) {
@@ -345,10 +363,12 @@ void StartUprightSubstep(SUprightBody& body, SUprightSupport* supports, const SR
     }
     support.Lever1 = armX * support.EY - armY * support.EX;
     support.Lever2 = armX * support.EX + armY * support.EY;
-    // by the greatest eigenvalue of the changes of speeds for impulses of 1
-    support.Share = 1.0 / (body.InverseMass + body.InverseInertia * (armX * armX + armY * armY));
+    // by the greatest eigenvalue of the changes of speeds for impulses of 1: at one foot, or at
+    // both wheels together
+    const Real turning = body.InverseInertia * (armX * armX + armY * armY);
+    support.Share =
+        hasWheels ? 0.5 / std::max(body.InverseMass, turning) : 1.0 / (body.InverseMass + turning);
     support.Grip = support.Load * body.Rigid->Friction * ground.Friction * substep;
-    support.Impulse1 = support.Impulse2 = 0.0;
   }
   if (hasWheels) {
     // the middle of the axle moves along the first direction only
@@ -359,6 +379,7 @@ void StartUprightSubstep(SUprightBody& body, SUprightSupport* supports, const SR
     body.TargetX = along * left.EX - across * left.EY;
     body.TargetY = along * left.EY + across * left.EX;
   }
+  ApplyLastFriction(body, supports);
 }
 
 // Contacts act between their lowest and highest points, where they tilt the body least: all at one

@@ -33,18 +33,19 @@ struct SUprightSupport {
 };
 
 /** A body that stands upright on the floor, as the planar solver moves it: its centre of mass. */
-struct SUprightBody {
+struct alignas(64) SUprightBody {
   enum class EKind : UInt8 { Object, Wheels, PlanarDrive };
 
   Real VX = 0.0, VY = 0.0, W = 0.0;  // m/s, rad/s
   Real InverseMass = 0.0, InverseInertia = 0.0;  // 1/kg, 1/(kg m^2)
   Real Mass = 0.0, Inertia = 0.0;  // kg, kg m^2
+  UInt32 LastSweep = 0;  // of the solver, in which its velocity has changed
+  // the line of the cache that sweeps over contacts need ends here
   SPlanarPose Pose;  // of the centre of mass
   EKind Kind = EKind::Object;
   UInt8 NumSupports = 0;
   UInt32 FirstSupport = 0;
   UInt32 FirstPart = 0, NumParts = 0;
-  UInt32 LastSweep = 0;  // of the solver, in which its velocity has changed
   Real Extent = 0.0;  // m, radius of the circle around the centre of mass
   Real Sweep = 0.0;  // m: the same, or 0 for a disc, which covers the same place when it turns
   // of a drive: what it aims at; of a planar one: its bounds, N s and N m s in the substep

@@ -32,6 +32,12 @@ void SetImpulse(SUprightSupport& support, Real first, Real second) {
   support.Impulse2 = second;
 }
 
+// The speed of a support against the floor, m/s.
+SPair2 GetSlip(const SUprightBody& body, const SUprightSupport& at) {
+  return {body.VX * at.EX + body.VY * at.EY + body.W * at.Lever1,
+          body.VY * at.EX - body.VX * at.EY + body.W * at.Lever2};
+}
+
 // Shortens a pair of impulses to the friction that a support has. @return false if it is enough.
 bool LimitToGrip(SPair2& impulse, Real grip) {
   const Real square = impulse.X * impulse.X + impulse.Y * impulse.Y;
@@ -201,31 +207,41 @@ void CUprightSolver::SolvePlanarDrive(SUprightBody& body) const {
 }
 
 // A step of the projected gradient: the same share of both slips, so that friction is opposite to
-// the slip when that does not change any more. A motor that is not at its limit keeps its speed;
-// else the wheel rolls as fast as the floor lets it.
-void CUprightSolver::SolveSupport(SUprightBody& body, SUprightSupport& at) const {
-  const Real speed1 = body.VX * at.EX + body.VY * at.EY + body.W * at.Lever1;
-  const Real speed2 = body.VY * at.EX - body.VX * at.EY + body.W * at.Lever2;
-  SPair2 next{at.Impulse1 - at.Share * speed1, at.Impulse2 - at.Share * speed2};
-  if (body.Kind == EKind::Object) {
-    LimitToGrip(next, at.Grip);
-  } else {
-    next.X += at.Share * at.Target;
+// the slip when that does not change any more.
+void CUprightSolver::SolveFoot(SUprightBody& body, SUprightSupport& foot) const {
+  const SPair2 slip = GetSlip(body, foot);
+  SPair2 next{foot.Impulse1 - foot.Share * slip.X, foot.Impulse2 - foot.Share * slip.Y};
+  LimitToGrip(next, foot.Grip);
+  PushAt(body, foot, next.X - foot.Impulse1, next.Y - foot.Impulse2);
+  SetImpulse(foot, next.X, next.Y);
+}
+
+// The same for both wheels at once, so that none has an advantage: a robot that is pushed from
+// behind would turn. A motor that is not at its limit keeps its speed; else the wheel rolls as fast
+// as the floor lets it.
+void CUprightSolver::SolveWheels(SUprightBody& body, SUprightSupport* wheels) const {
+  SPair2 next[2];
+  for (UInt32 i = 0; i < 2; ++i) {
+    SUprightSupport& at = wheels[i];
+    const SPair2 speed = GetSlip(body, at);
+    next[i] = {at.Impulse1 - at.Share * (speed.X - at.Target), at.Impulse2 - at.Share * speed.Y};
     // the impulse of the motor is that of the floor, and what changes the spin
-    const Real motor = next.X + at.Own;
+    const Real motor = next[i].X + at.Own;
     const bool isWeak = std::abs(motor) > at.Motor;
     const Real most = std::copysign(at.Motor, motor);
     at.Spin = at.Target;
     if (isWeak) {
-      next.X = most - (speed1 - at.StartSpin) * at.Rim;
-      at.Spin = speed1;
+      next[i].X = most - (speed.X - at.StartSpin) * at.Rim;
+      at.Spin = speed.X;
     }
-    if (LimitToGrip(next, at.Grip) && isWeak) {
-      at.Spin = at.StartSpin + (most - next.X) / at.Rim;
+    if (LimitToGrip(next[i], at.Grip) && isWeak) {
+      at.Spin = at.StartSpin + (most - next[i].X) / at.Rim;
     }
   }
-  PushAt(body, at, next.X - at.Impulse1, next.Y - at.Impulse2);
-  SetImpulse(at, next.X, next.Y);
+  for (UInt32 i = 0; i < 2; ++i) {
+    PushAt(body, wheels[i], next[i].X - wheels[i].Impulse1, next[i].Y - wheels[i].Impulse2);
+    SetImpulse(wheels[i], next[i].X, next[i].Y);
+  }
 }
 
 // @return the change of its velocity, m/s.
@@ -236,10 +252,11 @@ Real CUprightSolver::SolveDrive(SUprightBody& body) const {
   SUprightSupport* const supports = m_supports.data() + body.FirstSupport;
   if (body.Kind == EKind::PlanarDrive) {
     SolvePlanarDrive(body);
-  } else if (!(body.Kind == EKind::Object ? HoldFeet(body, supports)
-                                          : HoldWheels(body, supports))) {
+  } else if (body.Kind == EKind::Wheels && !HoldWheels(body, supports)) {
+    SolveWheels(body, supports);
+  } else if (body.Kind == EKind::Object && !HoldFeet(body, supports)) {
     for (UInt32 i = 0; i < body.NumSupports; ++i) {
-      SolveSupport(body, supports[i]);
+      SolveFoot(body, supports[i]);
     }
   }
   return std::max(

@@ -13,18 +13,18 @@ struct SUprightContact {
   static constexpr UInt32 kNone = ~UInt32(0);
 
   UInt32 A = 0, B = kNone;  // bodies; B is kNone for something immovable
-  UInt32 Source = 0;  // whose force it is: see CUprightCrowd
   Real NX = 0.0, NY = 0.0;  // from A to B
   // of the normal and of the tangent about the centres of mass, m
   Real NormalLeverA = 0.0, TangentLeverA = 0.0, NormalLeverB = 0.0, TangentLeverB = 0.0;
   Real Approach = 0.0;  // greatest speed of approach, m/s; negative: they must part
   Real Friction = 0.0;
-  Real Low = 0.0, High = 0.0;  // between which it acts above the floor, m
-  Real Normal = 0.0, Tangent = 0.0;  // impulses, N s
   Real Mass = 0.0, TangentMass = 0.0;  // that resist, kg; set by the solver
-  UInt32 LastSweep = 0;  // in which it was solved
+  Real Normal = 0.0, Tangent = 0.0;  // impulses, N s
   // the search: impulses before the sweep, and the direction in which they change
   Real LastNormal = 0.0, LastTangent = 0.0, StepNormal = 0.0, StepTangent = 0.0;
+  UInt32 LastSweep = 0;  // in which it was solved
+  UInt32 Source = 0;  // whose force it is: see CUprightCrowd
+  Real Low = 0.0, High = 0.0;  // between which it acts above the floor, m
 };
 
 /**
@@ -73,7 +73,8 @@ class CUprightSolver {
   bool HoldFeet(SUprightBody& body, SUprightSupport* feet) const;
   bool HoldWheels(SUprightBody& body, SUprightSupport* wheels) const;
   void SolvePlanarDrive(SUprightBody& body) const;
-  void SolveSupport(SUprightBody& body, SUprightSupport& support) const;
+  void SolveFoot(SUprightBody& body, SUprightSupport& foot) const;
+  void SolveWheels(SUprightBody& body, SUprightSupport* wheels) const;
   Real SolveContact(SUprightContact& contact) const;
   void Apply(const SUprightContact& contact, Real normal, Real tangent) const;
   Real MeasureChange(const SIsland& island, const SSweep& sweep) const;
