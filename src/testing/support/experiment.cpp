@@ -14,7 +14,8 @@ std::string SExperiment::ToXml() const {
       << LoopFunctions << "\n"
       << "<physics_engines>" << Engines << "</physics_engines>\n"
       << "<media>" << Media << "</media>\n"
-      << "<arena size='" << ArenaSize << "'>\n"
+      << "<arena size='" << ArenaSize << "'"
+      << (ArenaCenter.empty() ? "" : " center='" + ArenaCenter + "'") << ">\n"
       << Arena << "\n</arena>\n"
       << "</argos-configuration>\n";
   return xml.str();

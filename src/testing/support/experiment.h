@@ -26,6 +26,7 @@ struct SExperiment {
   std::string Engines = ""; /**< children of <physics_engines> */
   std::string Media = ""; /**< children of <media> */
   std::string ArenaSize = "10,10,2";
+  std::string ArenaCenter = ""; /**< empty: as if the attribute is absent */
   std::string Arena = ""; /**< children of <arena> */
 
   std::string ToXml() const;

@@ -1,5 +1,7 @@
 #include <argos3/core/simulator/physics_engine/described_body_engine.h>
 
+#include <argos3/core/simulator/context/arena.h>
+#include <argos3/core/simulator/context/simulation_context.h>
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/entity/robots_code.h>
@@ -8,8 +10,10 @@
 #include <argos3/core/utility/memory/room.h>
 #include <argos3/core/utility/configuration/value_range.h>
 #include <argos3/core/utility/plugins/factory.h>
+#include <argos3/core/utility/spatial/planar_grid.h>
 
 #include <algorithm>
+#include <cmath>
 #include <typeinfo>
 
 namespace argos {
@@ -18,6 +22,13 @@ namespace {
 
 // spare capacity of an engine with borders, in addition to half of its initial number of bodies
 constexpr size_t kSpareBodies = 64;
+// m; the origins of frames are multiples of this power of two, so differences from places around
+// them are exact
+constexpr Real kFrameGrid = 1.0 / 1024.0;
+// m; nearer to the world's origin, the frame is that of the world
+constexpr Real kNearOrigin = 64.0;
+// m; in a wider area the frame is near the bodies, in any other one near the area's centre
+constexpr Real kWideArea = 256.0;
 
 // of an articulated body the links have masses; engines may accept bodies without a mass
 void CheckMass(const CEmbodiedEntity& body) {
@@ -176,7 +187,46 @@ void CDescribedBodyEngine::FinishRecordedBodies() {
   }
 }
 
+void CDescribedBodyEngine::ChooseFrame(bool useBodies) {
+  const CRange<CVector3>& arena = GetContext().Arena.Limits;
+  SPlanarArea area = {arena.GetMin().GetX(), arena.GetMin().GetY(), arena.GetMax().GetX(),
+                      arena.GetMax().GetY()};
+  SPlanarArea region = SPlanarArea::Empty();
+  for (const CVector2& corner : GetVolume().GetCorners()) {
+    region.Include(corner.GetX(), corner.GetY());
+  }
+  if (region.MinX <= region.MaxX) {
+    const SPlanarArea common = {std::max(area.MinX, region.MinX), std::max(area.MinY, region.MinY),
+                                std::min(area.MaxX, region.MaxX), std::min(area.MaxY, region.MaxY)};
+    area = common.MinX <= common.MaxX && common.MinY <= common.MaxY ? common : region;
+  }
+  SPlanarArea bodies = SPlanarArea::Empty();
+  if (useBodies) {
+    for (const auto& model : m_models) {
+      if (model->GetEmbodiedEntity().IsMovable()) {
+        const CVector3& position = model->GetEmbodiedEntity().GetOriginAnchor().Position;
+        bodies.Include(position.GetX(), position.GetY());
+      }
+    }
+  }
+  if (bodies.MinX <= bodies.MaxX) {
+    // bodies may be outside of the arena, too
+    SPlanarArea all = area;
+    all.Include(bodies.MinX, bodies.MinY);
+    all.Include(bodies.MaxX, bodies.MaxY);
+    area = std::max(all.MaxX - all.MinX, all.MaxY - all.MinY) > kWideArea ? bodies : area;
+  }
+  const Real x = 0.5 * area.MinX + 0.5 * area.MaxX;
+  const Real y = 0.5 * area.MinY + 0.5 * area.MaxY;
+  m_frameOrigin.Set(0.0, 0.0, 0.0);
+  if (std::max(std::abs(x), std::abs(y)) >= kNearOrigin) {
+    m_frameOrigin.Set(kFrameGrid * std::round(x / kFrameGrid),
+                      kFrameGrid * std::round(y / kFrameGrid), 0.0);
+  }
+}
+
 std::vector<CDescribedBodyModel*> CDescribedBodyEngine::ListModelsForWorld() {
+  ChooseFrame(true);
   m_models.reserve(AddSpareCapacity(m_models.size()));
   std::vector<CDescribedBodyModel*> models;
   models.reserve(m_models.size());

@@ -58,6 +58,12 @@ class CDescribedBodyEngine : public CPhysicsEngine {
   /** Does nothing: all bodies are in the space's index. */
   void CheckIntersectionWithRay(TEmbodiedEntityIntersectionData&, const CRay3&) const override {}
   bool HasBodiesOutsideIndex() const override { return false; }
+  /**
+   * Origin of the frame in which the engine computes, m, world frame; its axes are those of the
+   * world, its height is 0. Coordinates are small there, however far from the world's origin the
+   * engine's region is.
+   */
+  const CVector3& GetFrameOrigin() const { return m_frameOrigin; }
 
  protected:
   using TBodies = std::vector<CEmbodiedEntity*>;
@@ -131,6 +137,25 @@ class CDescribedBodyEngine : public CPhysicsEngine {
    * independent of earlier transfers. Reserves memory for arrivals.
    */
   std::vector<CDescribedBodyModel*> ListModelsForWorld();
+  /**
+   * Chooses the frame, for a world without bodies: near the centre of the part of the arena that is
+   * in the region or, where that is large, of the movable bodies, if @p useBodies is set. It is so
+   * rounded that nearby places are moved from one frame to the other without a rounding error.
+   * ListModelsForWorld() does it.
+   */
+  void ChooseFrame(bool useBodies);
+  /** The same pose in the frame of the engine. */
+  SPlanarPose ToFrame(SPlanarPose pose) const {
+    pose.X -= m_frameOrigin.GetX();
+    pose.Y -= m_frameOrigin.GetY();
+    return pose;
+  }
+  /** A pose in the frame of the engine, in that of the world. */
+  SPlanarPose ToWorld(SPlanarPose pose) const {
+    pose.X += m_frameOrigin.GetX();
+    pose.Y += m_frameOrigin.GetY();
+    return pose;
+  }
   /** @return @p bodies plus spare capacity for bodies that arrive from neighbouring engines. */
   size_t AddSpareCapacity(size_t bodies) const;
   void DestroyModels();
@@ -153,6 +178,7 @@ class CDescribedBodyEngine : public CPhysicsEngine {
   std::vector<CDescribedBodyModel*> m_displaced;
   std::vector<std::unique_ptr<CBodyRecorder>> m_recorders;  // one of each registered class
   std::vector<CDescribedBodyModel*> m_recorded;  // models with a recorded body
+  CVector3 m_frameOrigin;  // m, world frame
   // scratch of transfers
   TBodies m_cluster;
   std::vector<SGripTransfer> m_grips;

@@ -99,7 +99,7 @@ void CDynamics2DEngine::Reposition(CDescribedBodyModel& model) {
 bool CDynamics2DEngine::IsAtLastPose(const CDescribedBodyModel& model) const {
   const SAnchor& origin = model.GetEmbodiedEntity().GetOriginAnchor();
   return m_world->IsAt(static_cast<const CDynamics2DBody&>(model).m_handle,
-                       MakePlanarPose(origin.Position, origin.Orientation));
+                       MakePlanarPose(origin.Position, origin.Orientation), GetFrameOrigin());
 }
 
 void CDynamics2DEngine::FindCluster(CEmbodiedEntity& body, TBodies& cluster) const {
@@ -177,7 +177,7 @@ void CDynamics2DEngine::Build() {
   m_walls.assign(walls.size(), SPlanarHandle());
   for (size_t i = 0; i < walls.size(); ++i) {
     m_world->AddImmovable({nullptr, nullptr, &m_walls[i]}, *walls[i].Description,
-                          MakePlanarPose(walls[i].Position, walls[i].Orientation));
+                          ToFrame(MakePlanarPose(walls[i].Position, walls[i].Orientation)));
   }
   m_world->ReserveForTick();
 }
@@ -202,7 +202,7 @@ void CDynamics2DEngine::AddToWorld(CDynamics2DBody& model) {
   const CEmbodiedEntity& body = model.GetEmbodiedEntity();
   const SBodyDescription& description = *body.GetBodyDescription();
   const SAnchor& origin = body.GetOriginAnchor();
-  const SPlanarPose pose = MakePlanarPose(origin.Position, origin.Orientation);
+  const SPlanarPose pose = ToFrame(MakePlanarPose(origin.Position, origin.Orientation));
   const SPlanarOwner owner{&model, &model.GetEmbodiedEntity(), &model.m_handle};
   if (!body.IsMovable()) {
     m_world->AddImmovable(owner, description, pose);
@@ -232,7 +232,7 @@ void CDynamics2DEngine::UpdateWorld() {
   }
   WriteBackDriven(pool);
   m_world->ForEachPassive([this](const SPassiveBody& body) {
-    if (body.Moved && WriteBack(*body.Owner.Model, body.Pose, 0.0)) {
+    if (body.Moved && WriteBack(*body.Owner.Model, ToWorld(body.Pose), 0.0)) {
       ScheduleIfLeading(*body.Owner.Body);
     }
   });
@@ -255,7 +255,9 @@ void CDynamics2DEngine::WriteBackDriven(CThreadPool& pool) {
         LoadAhead(*ahead.Body);
       }
       m_hasLeft[slot] =
-          WriteBack(*body.Owner.Model, body.Pose, body.IsDisc ? body.BoundingRadius : 0.0) ? 1 : 0;
+          WriteBack(*body.Owner.Model, ToWorld(body.Pose), body.IsDisc ? body.BoundingRadius : 0.0)
+              ? 1
+              : 0;
     });
   });
   if (IsEntityTransferActive()) {
@@ -274,6 +276,7 @@ void CDynamics2DEngine::ScheduleIfLeading(CEmbodiedEntity& body) {
   }
 }
 
+// @param pose  world frame.
 // @param radius  of a disc around the origin, m; 0 for another body.
 // @return true if the body has left the region.
 bool CDynamics2DEngine::WriteBack(CDynamics2DBody& model, const SPlanarPose& pose, Real radius) {

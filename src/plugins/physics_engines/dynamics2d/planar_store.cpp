@@ -268,7 +268,8 @@ SPlanarVelocity CPlanarStore::GetVelocity(const SPlanarHandle& handle) const {
   }
 }
 
-bool CPlanarStore::IsAt(const SPlanarHandle& handle, const SPlanarPose& pose) const {
+bool CPlanarStore::IsAt(const SPlanarHandle& handle, const SPlanarPose& pose,
+                        const CVector3& origin) const {
   if (handle.Kind == EPlanarKind::Immovable) {
     return false;
   }
@@ -278,8 +279,8 @@ bool CPlanarStore::IsAt(const SPlanarHandle& handle, const SPlanarPose& pose) co
   // half angles that differ by pi are the same heading
   const Real cosine = mine.HalfCos * pose.HalfCos + mine.HalfSin * pose.HalfSin;
   const Real sine = mine.HalfSin * pose.HalfCos - mine.HalfCos * pose.HalfSin;
-  return mine.X == pose.X && mine.Y == pose.Y && std::abs(sine) < kRounding &&
-         std::abs(cosine) > 0.5;
+  return mine.X + origin.GetX() == pose.X && mine.Y + origin.GetY() == pose.Y &&
+         std::abs(sine) < kRounding && std::abs(cosine) > 0.5;
 }
 
 }  // namespace argos

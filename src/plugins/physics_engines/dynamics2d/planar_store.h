@@ -85,8 +85,12 @@ class CPlanarStore {
   /**
    * @return true if the body ended the last tick at that pose (within 1e-12); false for immovable
    * bodies.
+   * @param pose    world frame.
+   * @param origin  of the frame of this world, m, world frame: positions are compared as they were
+   * written.
    */
-  bool IsAt(const SPlanarHandle& handle, const SPlanarPose& pose) const;
+  bool IsAt(const SPlanarHandle& handle, const SPlanarPose& pose,
+            const CVector3& origin = CVector3()) const;
   /** Greatest bounding radius of all movable bodies that ever were in this world, m. */
   Real GetWidestMovable() const { return m_widestMovable; }
 

@@ -69,8 +69,8 @@ class CPlanarWorld {
     }
   }
   /** See CPlanarStore::IsAt(). */
-  bool IsAt(const SPlanarHandle& handle, const SPlanarPose& pose) const {
-    return m_store.IsAt(handle, pose);
+  bool IsAt(const SPlanarHandle& handle, const SPlanarPose& pose, const CVector3& origin) const {
+    return m_store.IsAt(handle, pose, origin);
   }
   CPlanarGrips& GetGrips() { return m_grips; }
   const CPlanarGrips& GetGrips() const { return m_grips; }

@@ -290,13 +290,15 @@ bool CDynamics3DEngine::IsAtLastPose(const CDescribedBodyModel& model) const {
 
 void CDynamics3DEngine::PlaceAtAnchor(CDynamics3DModel& model, const SRigidMotion& motion) {
   const SRigidPose pose = PoseOf(model.m_cEmbodiedEntity);
-  m_world->Place(model.GetBody(), pose, motion);
+  m_world->Place(model.GetBody(), {pose.Position - GetFrameOrigin(), pose.Orientation}, motion);
   model.m_lastPosition = pose.Position;
   model.m_lastOrientation = pose.Orientation;
 }
 
 void CDynamics3DEngine::Build() {
   const std::vector<CDescribedBodyModel*> models = ListModelsForWorld();
+  m_settings->OriginX = GetFrameOrigin().GetX();
+  m_settings->OriginY = GetFrameOrigin().GetY();
   m_world = std::make_unique<CRigidWorld>(*m_settings, [this] { UpdatePlugins(); });
   m_world->SetGravity(m_gravity);
   for (const SGroundPlane& plane : m_planes) {
@@ -320,7 +322,7 @@ void CDynamics3DEngine::AddToWorld(CDynamics3DModel& model) {
   source.Joints = FindJoints(body);
   source.LinkPoses = body.GetLinkPoses();
   const SRigidPose pose = PoseOf(body);
-  model.m_body = &m_world->Add(source, pose);
+  model.m_body = &m_world->Add(source, {pose.Position - GetFrameOrigin(), pose.Orientation});
   if (source.Movable) {
     UpdateManipulator(model);
   }
@@ -395,8 +397,8 @@ void CDynamics3DEngine::ReportFailures() {
 void CDynamics3DEngine::WriteBack(CDynamics3DModel& model) {
   CEmbodiedEntity& entity = model.m_cEmbodiedEntity;
   if (!model.GetBody().Asleep || model.m_wasAwake) {
-    SRigidPose pose = GetRigidPose(model.GetBody());
-    pose.Orientation = Straighten(pose.Orientation);
+    const SRigidPose own = GetRigidPose(model.GetBody());
+    const SRigidPose pose{own.Position + GetFrameOrigin(), Straighten(own.Orientation)};
     if (IsFar(pose.Position)) {
       THROW_ARGOSEXCEPTION(NameOf(entity)
                            << " is now at (" << pose.Position << "), farther than " << kFarthest
@@ -404,7 +406,7 @@ void CDynamics3DEngine::WriteBack(CDynamics3DModel& model) {
                               "is a force on it too great?");
     }
     entity.SetOriginPose(pose.Position, pose.Orientation);
-    const SBodyPose toOrigin = Invert({pose.Position, pose.Orientation});
+    const SBodyPose toOrigin = Invert({own.Position, pose.Orientation});
     for (UInt32 link = 1; link <= model.GetBody().Links.size(); ++link) {
       entity.SetLinkPose(link, Compose(toOrigin, GetLinkFrame(model.GetBody(), link)));
     }

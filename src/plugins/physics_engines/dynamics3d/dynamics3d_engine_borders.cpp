@@ -70,7 +70,7 @@ void CDynamics3DEngine::BuildWalls() {
   }
   m_walls = GetVolume().DescribeWalls();
   for (const SWallSlab& wall : m_walls) {
-    m_world->AddWall(*wall.Description, {wall.Position, wall.Orientation});
+    m_world->AddWall(*wall.Description, {wall.Position - GetFrameOrigin(), wall.Orientation});
   }
 }
 
@@ -85,7 +85,8 @@ void CDynamics3DEngine::UpdateGhosts() {
   for (const SGhost& ghost : GetGhosts()) {
     const SBodyDescription& description = *ghost.Body->GetBodyDescription();
     if (description.HasDrive() || description.Propellers) {
-      m_ghostCylinders.push_back(EncloseRobot(description, {ghost.Position, ghost.Orientation}));
+      m_ghostCylinders.push_back(
+          EncloseRobot(description, {ghost.Position - GetFrameOrigin(), ghost.Orientation}));
     }
   }
   m_world->SetGhosts(m_ghostCylinders);

@@ -28,13 +28,19 @@ bool CDynamics3DModel::IsMoved() const {
   return m_body != nullptr && GetBody().IsMovable();
 }
 
+const CVector3& CDynamics3DModel::GetFrameOrigin() const {
+  return static_cast<const CDynamics3DEngine&>(GetEngine()).GetFrameOrigin();
+}
+
 CVector3 CDynamics3DModel::GetCentreOfMass() const {
   if (!IsMoved()) {
     return GetOriginPosition();
   }
   const SRigidPose pose = GetRigidPose(GetBody());
-  return GetBody().IsFree ? pose.Position + Rotated(GetBody().CentreOfMass, pose.Orientation)
-                          : FromODE(dBodyGetPosition(GetBody().Body));
+  const CVector3 centre = GetBody().IsFree
+                              ? pose.Position + Rotated(GetBody().CentreOfMass, pose.Orientation)
+                              : FromODE(dBodyGetPosition(GetBody().Body));
+  return centre + GetFrameOrigin();
 }
 
 CQuaternion CDynamics3DModel::GetOrientation() const {
@@ -51,7 +57,7 @@ CVector3 CDynamics3DModel::GetAngularVelocity() const {
 }
 
 CVector3 CDynamics3DModel::GetOriginPosition() const {
-  return IsMoved() ? GetRigidPose(GetBody()).Position
+  return IsMoved() ? GetRigidPose(GetBody()).Position + GetFrameOrigin()
                    : m_cEmbodiedEntity.GetOriginAnchor().Position;
 }
 
@@ -66,8 +72,9 @@ dxBody* CDynamics3DModel::WakeLink(const CVector3& push, UInt32 link) {
 
 void CDynamics3DModel::AddForce(const CVector3& force, const CVector3& point, UInt32 link) {
   if (const dBodyID part = WakeLink(force, link)) {
-    dBodyAddForceAtPos(part, force.GetX(), force.GetY(), force.GetZ(), point.GetX(), point.GetY(),
-                       point.GetZ());
+    const CVector3 own = point - GetFrameOrigin();
+    dBodyAddForceAtPos(part, force.GetX(), force.GetY(), force.GetZ(), own.GetX(), own.GetY(),
+                       own.GetZ());
   }
 }
 
@@ -99,6 +106,7 @@ SBodyPose CDynamics3DModel::ComputePose(const SAnchor& anchor, UInt32 link) cons
   if (link > 0 && m_body != nullptr) {
     // the offset of an anchor on a link is that of the last tick
     frame = Compose(GetLinkFrame(GetBody(), link), Invert(m_cEmbodiedEntity.GetLinkPoses()[link]));
+    frame.Position += GetFrameOrigin();
   }
   return Compose(frame, {anchor.OffsetPosition, anchor.OffsetOrientation});
 }

@@ -53,6 +53,8 @@ class CDynamics3DModel : public CRobotBodyModel {
   SRigidBody& GetBody() const;
   // @return true if the body is in the engine's world, and movable
   bool IsMoved() const;
+  // of the frame of the engine's world, m
+  const CVector3& GetFrameOrigin() const;
   // to push a link of a movable body with a force or torque; null if there is nothing to push
   dxBody* WakeLink(const CVector3& push, UInt32 link);
 

@@ -53,7 +53,8 @@ void Hold(SRigidBody& body) {
 
 }  // namespace
 
-void PushFlyingBody(SRigidBody& body, const CVector3& gravity, Real substep) {
+void PushFlyingBody(SRigidBody& body, const CVector3& gravity, Real substep,
+                    const CVector3& origin) {
   const SBodyDescription& description = *body.Source.Description;
   const SPropellersDescription& propellers = *description.Propellers;
   const CQuadRotorEntity& quadrotor = *body.Source.Quadrotor;
@@ -76,7 +77,8 @@ void PushFlyingBody(SRigidBody& body, const CVector3& gravity, Real substep) {
     const auto& target = quadrotor.GetPositionControlData();
     const SSubstepGains gains = ComputePositionGains(propellers.Position, mass, substep);
     for (UInt32 i = 0; i < kYaw; ++i) {
-      wanted[i] = gains.Error * (target.Position[i] - pose.Position[i]) - gains.Speed * velocity[i];
+      const Real place = target.Position[i] - origin[i];
+      wanted[i] = gains.Error * (place - pose.Position[i]) - gains.Speed * velocity[i];
     }
     const SSubstepGains yawGains = ComputePositionGains(propellers.Yaw, inertia, substep);
     const Real yaw = WrapAngle(target.Yaw.GetValue() - ComputeYaw(pose.Orientation));

@@ -11,8 +11,10 @@ namespace argos {
  * yaw (SPropellersDescription), and of one that keeps it upright.
  * @param gravity  m/s^2: the weight that the propellers counter.
  * @param substep  s.
+ * @param origin   of the frame in which the body is, m, world frame: that of targets of positions.
  */
-void PushFlyingBody(SRigidBody& body, const CVector3& gravity, Real substep);
+void PushFlyingBody(SRigidBody& body, const CVector3& gravity, Real substep,
+                    const CVector3& origin);
 
 }  // namespace argos
 

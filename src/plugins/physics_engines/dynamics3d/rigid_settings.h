@@ -37,6 +37,8 @@ struct SRigidSettings {
   bool Sleep = true;  // bodies at rest are not simulated until another body approaches
   bool Upright = true;  // bodies that stand and touch others sideways move in the plane
   bool FreeRobots = true;  // robots that can touch nothing follow their arcs without ODE
+  // m, world frame; of the frame in which the bodies are
+  Real OriginX = 0.0, OriginY = 0.0;
 };
 
 // A robot may be free if it deviates from a free one by at most this: height and lean at rest, and

@@ -282,7 +282,8 @@ void CRigidWorld::Advance(CThreadPool* pool) {
   for (UInt32 i = 0; i < m_numSubsteps; ++i) {
     m_beforeSubstep();
     for (SRigidBody* body : m_flying) {
-      PushFlyingBody(*body, m_gravity, m_substep);
+      PushFlyingBody(*body, m_gravity, m_substep,
+                     CVector3(m_settings.OriginX, m_settings.OriginY, 0.0));
     }
     for (const SRigidBody* body : m_articulated) {
       DriveJoints(*body, m_substep);

@@ -121,7 +121,7 @@ void CKinematics2DEngine::Reposition(CDescribedBodyModel& model) {
     m_world->Remove(displaced.m_handle);
     AddToWorld(displaced);
   } else {
-    m_world->SetPose(displaced.m_handle, ReadPose(displaced.m_cEmbodiedEntity));
+    m_world->SetPose(displaced.m_handle, ToFrame(ReadPose(displaced.m_cEmbodiedEntity)));
   }
 }
 
@@ -154,7 +154,7 @@ void CKinematics2DEngine::Build() {
     AddToWorld(static_cast<CKinematics2DModel&>(*model));
   }
   for (const SWallSlab& wall : GetVolume().DescribeWalls()) {
-    m_world->AddWall(*wall.Description, MakePlanarPose(wall.Position, wall.Orientation));
+    m_world->AddWall(*wall.Description, ToFrame(MakePlanarPose(wall.Position, wall.Orientation)));
   }
   if (FeelsGhosts()) {
     m_world->ReserveForGhosts(AddSpareCapacity(numDriven));
@@ -170,7 +170,7 @@ Real CKinematics2DEngine::GetGhostReach() const {
 void CKinematics2DEngine::AddToWorld(CKinematics2DModel& model) {
   const CEmbodiedEntity& body = model.GetEmbodiedEntity();
   const SBodyDescription& description = *body.GetBodyDescription();
-  const SPlanarPose pose = ReadPose(body);
+  const SPlanarPose pose = ToFrame(ReadPose(body));
   const SKinematicOwner owner{&model, &model.m_handle, &model.GetEmbodiedEntity()};
   if (!body.IsMovable()) {
     m_world->AddImmovable(owner, description, pose);
@@ -250,7 +250,7 @@ void CKinematics2DEngine::WriteBackDiscs(size_t begin, size_t end) {
   for (size_t i = begin; i < end; ++i) {
     const UInt32 slot = static_cast<UInt32>(i);
     discs.Commit(slot);
-    const SPlanarPose pose = discs.GetPose(slot);
+    const SPlanarPose pose = ToWorld(discs.GetPose(slot));
     const Real radius = discs.GetRadius(slot);
     CKinematics2DModel& model = *discs.GetOwner(slot).Model;
     CEmbodiedEntity& body = *discs.GetOwner(slot).Body;
@@ -277,12 +277,13 @@ void CKinematics2DEngine::WriteBackSolids() {
     solid.HasMoved = false;
     CKinematics2DModel& model = *solid.Owner.Model;
     CEmbodiedEntity& body = model.m_cEmbodiedEntity;
-    body.SetOriginPose(CVector3(solid.Pose.X, solid.Pose.Y, GetElevation()),
-                       CQuaternion(solid.Pose.HalfCos, 0.0, 0.0, solid.Pose.HalfSin));
+    const SPlanarPose pose = ToWorld(solid.Pose);
+    body.SetOriginPose(CVector3(pose.X, pose.Y, GetElevation()),
+                       CQuaternion(pose.HalfCos, 0.0, 0.0, pose.HalfSin));
     if (body.GetEnabledAnchors().size() > 1) {
       model.CalculateAnchors();
     }
-    model.m_sBoundingBox = ComputePlanarBounds(body, solid.Pose);
+    model.m_sBoundingBox = ComputePlanarBounds(body, pose);
     if (body.HasFollowers()) {
       model.m_root.Update();
     }

@@ -19,8 +19,8 @@ namespace {
 
 // m; positions in files are rounded
 constexpr Real kElevationTolerance = 1e-4;
-// m; farther away, the resolution of the solvers' single precision is coarser than a robot
-constexpr Real kMaxExtent = 1e5;
+// m; farther away, positions in the world are resolved to less than 1e-10 m
+constexpr Real kMaxExtent = 1e6;
 // moments of inertia, forces and torques; their inverses are numbers of single precision
 constexpr SValueRange kPlanarPositive = {1e-18, 1e18};
 

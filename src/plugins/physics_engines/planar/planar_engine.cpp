@@ -45,6 +45,10 @@ void CPlanarEngine::Adopt(CDescribedBodyModel& model) {
 
 const std::vector<SGhostDisc>& CPlanarEngine::ListGhosts() {
   ListGhostDiscs(*this, m_elevation, m_ghostDiscs);
+  for (SGhostDisc& disc : m_ghostDiscs) {
+    disc.X -= GetFrameOrigin().GetX();
+    disc.Y -= GetFrameOrigin().GetY();
+  }
   return m_ghostDiscs;
 }
 

@@ -56,7 +56,7 @@ class CDrivers : public CPointMassHandles {
   }
 
   // all (bodies)
-  std::vector<SPlanarPose> m_poses;  // world frame; written by Advance()
+  std::vector<SPlanarPose> m_poses;  // frame of the engine; written by Advance()
   std::vector<Real> m_heights;  // m
   std::vector<CDriveSource> m_drives;
   std::vector<CPointMass3DBody*> m_owners;

@@ -173,7 +173,7 @@ void CFlyers::ReadCommand(UInt32 number, Real substep) {
   if (robot.Quadrotor->GetControlMethod() == CQuadRotorEntity::POSITION_CONTROL) {
     const auto& data = robot.Quadrotor->GetPositionControlData();
     for (size_t i = 0; i < kYaw; ++i) {
-      order(i, data.Position[i], true, robot.Position);
+      order(i, data.Position[i] - m_origin[i], true, robot.Position);
     }
     order(kYaw, WrapTurn(data.Yaw.GetValue()), true, robot.Yaw);
   } else {

@@ -13,7 +13,7 @@ namespace argos {
 class CPointMass3DBody;
 class CQuadRotorEntity;
 
-/** The pose of a flying body, world frame. */
+/** The pose of a flying body. */
 struct SFlightPose {
   CVector3 Position; /**< m */
   Real Yaw = 0.0; /**< rad, in [0, 2 pi) */
@@ -77,6 +77,11 @@ class CFlyers : public CPointMassHandles {
   /** The longest substep that suits all bodies, s; infinite without bodies. */
   Real ComputeMaxSubstep() const;
 
+  /**
+   * Sets the origin of the frame in which the bodies are, m, world frame; to be called while there
+   * are no bodies. Targets of positions are in the world frame.
+   */
+  void SetOrigin(const CVector3& origin) { m_origin = origin; }
   /** Selects the law of motion; to be called while there are no bodies. */
   void SetLaw(EFlightLaw law) { m_law = law; }
   /** Moves all bodies by @p substeps substeps. @param substep s. */
@@ -139,6 +144,7 @@ class CFlyers : public CPointMassHandles {
   std::vector<SBlock> m_blocks;
   std::vector<SRobot> m_robots;
   EFlightLaw m_law = EFlightLaw::Stable;
+  CVector3 m_origin;  // m, world frame
 };
 
 }  // namespace argos

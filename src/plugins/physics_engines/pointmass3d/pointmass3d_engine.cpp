@@ -80,8 +80,8 @@ SPlanarPose GetPlanarPose(const CEmbodiedEntity& body) {
   return MakePlanarPose(origin.Position, origin.Orientation);
 }
 
-SFlightPose GetFlightPose(const CEmbodiedEntity& body) {
-  return {body.GetOriginAnchor().Position, GetPlanarPose(body).ComputeYaw()};
+SFlightPose GetFlightPose(const CEmbodiedEntity& body, const CVector3& frameOrigin) {
+  return {body.GetOriginAnchor().Position - frameOrigin, GetPlanarPose(body).ComputeYaw()};
 }
 
 UInt32 CountSubsteps(Real tick, Real longest) {
@@ -207,6 +207,10 @@ void CPointMass3DEngine::Enter(CDescribedBodyModel& model) {
   auto& entering = static_cast<CPointMass3DBody&>(model);
   CEmbodiedEntity& body = entering.m_cEmbodiedEntity;
   const SBodyDescription& description = *body.GetBodyDescription();
+  if (m_flyers->GetCount() + m_drivers->GetCount() == 0) {
+    ChooseFrame(false);
+    m_flyers->SetOrigin(GetFrameOrigin());
+  }
   if (entering.m_kind == EKind::Flyer) {
     CFlyers::SSettings settings;
     settings.Owner = &entering;
@@ -214,10 +218,12 @@ void CPointMass3DEngine::Enter(CDescribedBodyModel& model) {
     settings.Body = &description;
     settings.Gravity = m_gravity;
     std::tie(settings.Lowest, settings.Highest) = ComputeFlightSpace(body);
-    entering.m_handle = m_flyers->Add(settings, GetFlightPose(body));
+    settings.Lowest -= GetFrameOrigin();
+    settings.Highest -= GetFrameOrigin();
+    entering.m_handle = m_flyers->Add(settings, GetFlightPose(body, GetFrameOrigin()));
     m_substeps = 0;
   } else if (entering.m_kind == EKind::Driver) {
-    entering.m_handle = m_drivers->Add(entering, entering.m_drive, GetPlanarPose(body),
+    entering.m_handle = m_drivers->Add(entering, entering.m_drive, ToFrame(GetPlanarPose(body)),
                                        body.GetOriginAnchor().Position.GetZ());
   }
 }
@@ -262,9 +268,9 @@ void CPointMass3DEngine::Reposition(CDescribedBodyModel& model) {
   const auto& displaced = static_cast<CPointMass3DBody&>(model);
   const CEmbodiedEntity& body = displaced.m_cEmbodiedEntity;
   if (displaced.m_kind == EKind::Flyer) {
-    m_flyers->Place(m_flyers->GetNumber(displaced.m_handle), GetFlightPose(body));
+    m_flyers->Place(m_flyers->GetNumber(displaced.m_handle), GetFlightPose(body, GetFrameOrigin()));
   } else if (displaced.m_kind == EKind::Driver) {
-    m_drivers->Place(m_drivers->GetNumber(displaced.m_handle), GetPlanarPose(body),
+    m_drivers->Place(m_drivers->GetNumber(displaced.m_handle), ToFrame(GetPlanarPose(body)),
                      body.GetOriginAnchor().Position.GetZ());
   }
 }
@@ -276,8 +282,11 @@ void CPointMass3DEngine::Adopt(CDescribedBodyModel& model) {
     return;
   }
   const auto& from = static_cast<CPointMass3DEngine&>(model.GetEngine());
-  const SFlightState state = from.m_flyers->GetState(from.m_flyers->GetNumber(adopted.m_handle));
+  SFlightState state = from.m_flyers->GetState(from.m_flyers->GetNumber(adopted.m_handle));
   CDescribedBodyEngine::Adopt(model);
+  for (UInt32 axis = 0; axis < 3; ++axis) {
+    state[axis].Place += from.GetFrameOrigin()[axis] - GetFrameOrigin()[axis];
+  }
   m_flyers->SetState(m_flyers->GetNumber(adopted.m_handle), state);
 }
 
@@ -341,7 +350,7 @@ void CPointMass3DEngine::UpdateWorld() {
     HoldInsideWalls();
   }
   for (UInt32 i = 0; i < m_drivers->GetCount(); ++i) {
-    const SPlanarPose& pose = m_drivers->GetPose(i);
+    const SPlanarPose pose = ToWorld(m_drivers->GetPose(i));
     CTurretEntity* const turret = m_drivers->GetOwner(i).m_turret;
     if (turret != nullptr) {
       turret->Advance(tick);
@@ -352,7 +361,8 @@ void CPointMass3DEngine::UpdateWorld() {
   for (UInt32 i = 0; i < m_flyers->GetCount(); ++i) {
     const SFlightPose pose = m_flyers->GetPose(i);
     const Real yaw = pose.Yaw > ARGOS_PI ? pose.Yaw - 2.0 * ARGOS_PI : pose.Yaw;
-    WriteBack(m_flyers->GetOwner(i), pose.Position, std::cos(0.5 * yaw), std::sin(0.5 * yaw));
+    WriteBack(m_flyers->GetOwner(i), pose.Position + GetFrameOrigin(), std::cos(0.5 * yaw),
+              std::sin(0.5 * yaw));
   }
   if (!m_userModels.empty()) {
     UpdateUserModels();
@@ -368,22 +378,22 @@ void CPointMass3DEngine::HoldInsideWalls() {
                                   box.MaxCorner.GetZ());
   };
   for (UInt32 i = 0; i < m_drivers->GetCount(); ++i) {
-    SPlanarPose pose = m_drivers->GetPose(i);
+    SPlanarPose pose = ToWorld(m_drivers->GetPose(i));
     CVector3 position(pose.X, pose.Y, m_drivers->GetHeight(i));
     CVector3 velocity;
     if (hold(m_drivers->GetOwner(i), position, velocity)) {
       pose.X = position.GetX();
       pose.Y = position.GetY();
-      m_drivers->Place(i, pose, position.GetZ());
+      m_drivers->Place(i, ToFrame(pose), position.GetZ());
     }
   }
   for (UInt32 i = 0; i < m_flyers->GetCount(); ++i) {
     SFlightState state = m_flyers->GetState(i);
-    CVector3 position(state[0].Place, state[1].Place, state[2].Place);
+    CVector3 position = CVector3(state[0].Place, state[1].Place, state[2].Place) + GetFrameOrigin();
     CVector3 velocity(state[0].Speed, state[1].Speed, state[2].Speed);
     if (hold(m_flyers->GetOwner(i), position, velocity)) {
       for (UInt32 axis = 0; axis < 3; ++axis) {
-        state[axis].Place = position[axis];
+        state[axis].Place = position[axis] - GetFrameOrigin()[axis];
         state[axis].Speed = velocity[axis];
       }
       m_flyers->SetState(i, state);

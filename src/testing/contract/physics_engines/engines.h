@@ -28,7 +28,7 @@ struct SEngineType {
   bool IsPlane = false; /**< all bodies stand at its `elevation` */
   bool HasSlopes = false; /**< bodies can lie on tilted bodies and fall off */
   EGround Ground = EGround::Nothing;
-  Real Farthest = 1e5; /**< m: greatest distance of bodies from the origin */
+  Real Farthest = 1e6; /**< m: greatest distance of bodies from the origin */
   Real GripRigidity = 0.0; /**< N/m: stiffness of grips; 0: rigid */
   Real Push = 15.0; /**< N: greatest force of a foot-bot's wheels */
   Real Precision = 0.0; /**< relative error of the solver in forces and speeds */
@@ -88,7 +88,6 @@ inline const SEngineType kDynamics3D{
     .Slip = 0.02,
     .HasSlopes = true,
     .Ground = EGround::Weight,
-    .Farthest = 1e6,
     // the wheels bear 80 % of 1.6 kg and do not slip below that load
     .Push = 12.5,
     .Precision = 2e-3,

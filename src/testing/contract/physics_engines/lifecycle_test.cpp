@@ -420,7 +420,7 @@ TEST_CASE(
   }
   CHECK_THROWS_WITH(
       CDriveWorld(engine.ToXml(),
-                  "<box id='b' size='1e5,1,1' movable='false'><body position='9e4,0,0'/></box>"),
+                  "<box id='b' size='1e5,1,1' movable='false'><body position='9.9e5,0,0'/></box>"),
       Contains("\"b\" is too large or too far away"));
 }
 
