@@ -85,6 +85,7 @@ class CBodyIndex {
     }
   }
   size_t GetNumBodies() const { return m_numAlive; }
+  size_t GetEndOfNumbers() const { return m_bodies.size(); } /**< numbers of bodies are less */
 
   /**
    * Calls visit(const SIndexedShape&) for every solid whose footprint comes within @p reach (m) of

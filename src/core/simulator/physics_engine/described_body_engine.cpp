@@ -152,6 +152,11 @@ std::unique_ptr<CDescribedBodyModel> CDescribedBodyEngine::TakeOut(CDescribedBod
   if (model.m_recordedBody != nullptr) {
     std::erase(m_recorded, &model);
   }
+  if (model.m_isBundled) {
+    model.m_isBundled = false;
+    std::erase(m_bundled, &model);
+    std::erase(m_strays, &model.GetEmbodiedEntity());
+  }
   const size_t number = model.m_number;
   std::swap(m_models[number], m_models.back());
   m_models[number]->m_number = number;
@@ -163,6 +168,8 @@ std::unique_ptr<CDescribedBodyModel> CDescribedBodyEngine::TakeOut(CDescribedBod
 void CDescribedBodyEngine::DestroyModels() {
   m_displaced.clear();
   m_recorded.clear();
+  m_bundled.clear();
+  m_strays.clear();
   m_models.clear();
   m_recorders.clear();
 }
@@ -255,7 +262,7 @@ void CDescribedBodyEngine::TransferEntity(CEmbodiedEntity& body) {
     CPhysicsEngine::TransferEntity(body);
     return;
   }
-  if (!PrepareTransfer(*model)) {
+  if (model->m_isBundled || !PrepareTransfer(*model)) {
     return;
   }
   CDescribedBodyEngine* const next = FindNextOfSameType(body);
@@ -264,16 +271,37 @@ void CDescribedBodyEngine::TransferEntity(CEmbodiedEntity& body) {
     return;
   }
   FindCluster(body, m_cluster);
-  CopyGrips(m_cluster, m_grips);
-  for (CEmbodiedEntity* each : m_cluster) {
-    next->CheckBody(*each);
+  next->AdoptCluster(*this, m_cluster);
+}
+
+void CDescribedBodyEngine::AdoptCluster(CDescribedBodyEngine& from, const TBodies& cluster) {
+  from.CopyGrips(cluster, m_grips);
+  for (CEmbodiedEntity* each : cluster) {
+    CheckBody(*each);
   }
-  for (const CEmbodiedEntity* each : m_cluster) {
-    next->Adopt(*FindModel(*each));
+  for (const CEmbodiedEntity* each : cluster) {
+    Adopt(*from.FindModel(*each));
   }
   for (const SGripTransfer& grip : m_grips) {
-    next->RestoreGrip(grip);
+    RestoreGrip(grip);
   }
+}
+
+void CDescribedBodyEngine::NoteBundled(CDescribedBodyModel& model) {
+  model.m_isBundled = true;
+  m_bundled.push_back(&model);
+  CEmbodiedEntity& body = model.GetEmbodiedEntity();
+  if (!ContainsOriginOf(body)) {
+    m_strays.push_back(&body);
+  }
+}
+
+void CDescribedBodyEngine::ForgetBundles() {
+  for (CDescribedBodyModel* model : m_bundled) {
+    model->m_isBundled = false;
+  }
+  m_bundled.clear();
+  m_strays.clear();
 }
 
 // The engine that receives a body, if that is another engine of this type.

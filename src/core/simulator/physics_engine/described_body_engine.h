@@ -165,6 +165,17 @@ class CDescribedBodyEngine : public CPhysicsEngine {
 
  private:
   friend class CDescribedBodyModel;
+  friend class CBorderBundles;
+
+  /*
+   * For CBorderBundles.
+   */
+  /** A body of this engine is in a bundle in this tick: it stays here. */
+  void NoteBundled(CDescribedBodyModel& model);
+  /** There are no bundles. */
+  void ForgetBundles();
+  /** Takes over bodies of another engine of this type, with the grips between them. */
+  void AdoptCluster(CDescribedBodyEngine& from, const TBodies& cluster);
 
   void NoticeMove(CDescribedBodyModel& model);
   void NoticeConfirmedMove(CDescribedBodyModel& model);
@@ -178,6 +189,7 @@ class CDescribedBodyEngine : public CPhysicsEngine {
   std::vector<CDescribedBodyModel*> m_displaced;
   std::vector<std::unique_ptr<CBodyRecorder>> m_recorders;  // one of each registered class
   std::vector<CDescribedBodyModel*> m_recorded;  // models with a recorded body
+  std::vector<CDescribedBodyModel*> m_bundled;  // models in bundles of this tick
   CVector3 m_frameOrigin;  // m, world frame
   // scratch of transfers
   TBodies m_cluster;

@@ -48,6 +48,7 @@ class CDescribedBodyModel : public CPhysicsModel {
 
  private:
   friend class CDescribedBodyEngine;
+  friend class CBorderBundles;
   using CPhysicsModel::m_cEngine;  // stale after a transfer: use GetEngine()
 
   CDescribedBodyEngine& GetDescribedBodyEngine();
@@ -55,6 +56,7 @@ class CDescribedBodyModel : public CPhysicsModel {
 
   size_t m_number = 0;  // in the engine's list of models
   bool m_isDisplaced = false;  // in the engine's list of displaced models
+  bool m_isBundled = false;  // in the engine's list of bundled models
   std::unique_ptr<CRecordedBody> m_recordedBody;
 };
 

@@ -136,6 +136,26 @@ void CPhysicsEngine::CollectGhosts() {
   const Real reach = GetGhostReach();
   const CBodyIndex& index = *m_context.Index;
   m_nearBorder.clear();
+  ListNearBorders(reach);
+  ListNearStrays(reach);
+  // a body may be near two borders, and have several solids
+  std::sort(m_nearBorder.begin(), m_nearBorder.end());
+  m_nearBorder.erase(std::unique(m_nearBorder.begin(), m_nearBorder.end()), m_nearBorder.end());
+  m_ghosts.clear();
+  for (const UInt32 number : m_nearBorder) {
+    CEmbodiedEntity& body = index.GetBody(number);
+    if (body.IsMovable() && body.GetPhysicsModelsNum() > 0 &&
+        &body.GetPhysicsModel(size_t(0)).GetEngine() != this) {
+      const SAnchor& origin = body.GetOriginAnchor();
+      const SBodyDescription& description = *body.GetBodyDescription();
+      m_ghosts.push_back({&body, origin.Position, origin.Orientation,
+                          !description.HasDrive() && !description.Propellers});
+    }
+  }
+}
+
+// Appends the numbers of bodies near the borders to m_nearBorder.
+void CPhysicsEngine::ListNearBorders(Real reach) {
   for (const CRay2& border : m_borders) {
     const CVector2& start = border.GetStart();
     const CVector2& end = border.GetEnd();
@@ -144,7 +164,7 @@ void CPhysicsEngine::CollectGhosts() {
     const Real length = border.GetLength();
     CVector2 along;
     border.GetDirection(along);
-    index.ForShapesAlongRay(ray, reach, [&](const SIndexedShape& shape) {
+    m_context.Index->ForShapesAlongRay(ray, reach, [&](const SIndexedShape& shape) {
       const CVector2 offset(shape.X - start.GetX(), shape.Y - start.GetY());
       const Real far = reach + shape.Radius;
       const Real place = along.DotProduct(offset);
@@ -156,16 +176,26 @@ void CPhysicsEngine::CollectGhosts() {
       }
     });
   }
-  // a body may be near two borders, and have several solids
-  std::sort(m_nearBorder.begin(), m_nearBorder.end());
-  m_nearBorder.erase(std::unique(m_nearBorder.begin(), m_nearBorder.end()), m_nearBorder.end());
-  m_ghosts.clear();
-  for (const UInt32 number : m_nearBorder) {
-    CEmbodiedEntity& body = index.GetBody(number);
-    if (body.IsMovable() && body.GetPhysicsModelsNum() > 0 &&
-        &body.GetPhysicsModel(size_t(0)).GetEngine() != this) {
-      const SAnchor& origin = body.GetOriginAnchor();
-      m_ghosts.push_back({&body, origin.Position, origin.Orientation});
+}
+
+// The same for bodies near those of this engine that are outside of its region, and for bodies of
+// other engines that are outside of theirs. A body may have been moved back since it was listed.
+void CPhysicsEngine::ListNearStrays(Real reach) {
+  for (const CEmbodiedEntity* stray : m_strays) {
+    if (ContainsOriginOf(*stray)) {
+      continue;
+    }
+    const SBoundingBox& box = stray->GetBoundingBox();
+    m_context.Index->ForShapesInArea(
+        {box.MinCorner.GetX() - reach, box.MinCorner.GetY() - reach, box.MaxCorner.GetX() + reach,
+         box.MaxCorner.GetY() + reach},
+        [this](const SIndexedShape& shape) { m_nearBorder.push_back(shape.Body); });
+  }
+  for (CPhysicsEngine* other : m_context.Engines) {
+    for (const CEmbodiedEntity* stray : other->m_strays) {
+      if (other != this && !other->ContainsOriginOf(*stray)) {
+        m_nearBorder.push_back(stray->GetBodyNumber());
+      }
     }
   }
 }

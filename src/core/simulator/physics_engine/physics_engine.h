@@ -39,6 +39,7 @@ struct SGhost {
   CEmbodiedEntity* Body;
   CVector3 Position; /**< of the origin anchor, m, world frame */
   CQuaternion Orientation;
+  bool IsObject; /**< it has neither a drive nor propellers */
 };
 
 /**
@@ -218,12 +219,17 @@ class CPhysicsEngine : public CBaseConfigurableResource {
     return FindNextEngine(body, [](const CPhysicsEngine&) { return true; });
   }
 
+  bool ContainsOriginOf(const CEmbodiedEntity& body);
+
   CSimulator& m_cSimulator;
   CSpace& m_cSpace;
+  /** Bodies of this engine outside of its region, because they are in a bundle: CBorderBundles. */
+  std::vector<CEmbodiedEntity*> m_strays;
 
  private:
   const TVector& GetAllEngines() const;
-  bool ContainsOriginOf(const CEmbodiedEntity& body);
+  void ListNearBorders(Real reach);
+  void ListNearStrays(Real reach);
 
   SSimulationContext& m_context;
   std::string m_id;

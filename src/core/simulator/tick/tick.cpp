@@ -162,7 +162,8 @@ CTick::CTick(SSimulationContext& context)
       m_senseCost(CSpace::kRobotsPerRun),
       m_ghostCost(1),
       m_engineCost(1),
-      m_mediumCost(1) {}
+      m_mediumCost(1),
+      m_bundles(context) {}
 
 void CTick::SetGrain(size_t robots) {
   m_actCost.SetGrain(robots);
@@ -281,6 +282,14 @@ void CTick::CollectGhosts() {
                    [](const CPhysicsEngine* engine) { return engine->FeelsGhosts(); })) {
     return;
   }
+  CollectGhostsOfEngines();
+  if (m_bundles.Update()) {
+    CollectGhostsOfEngines();
+  }
+}
+
+void CTick::CollectGhostsOfEngines() {
+  const CPhysicsEngine::TVector& engines = m_context.Engines;
   m_context.Pool->ParallelFor(engines.size(), m_ghostCost, [&](size_t begin, size_t end, UInt32) {
     for (size_t i = begin; i < end; ++i) {
       if (engines[i]->FeelsGhosts()) {

@@ -1,6 +1,7 @@
 #ifndef ARGOS3_CORE_SIMULATOR_TICK_TICK_H
 #define ARGOS3_CORE_SIMULATOR_TICK_TICK_H
 
+#include <argos3/core/simulator/physics_engine/border_bundles.h>
 #include <argos3/core/simulator/tick/look_ahead.h>
 #include <argos3/core/utility/threads/phase_cost.h>
 
@@ -33,6 +34,7 @@ class CTick {
   void PlanVisits();
   void Act();
   void CollectGhosts();
+  void CollectGhostsOfEngines();
   void UpdatePhysics();
   void TransferBodies();
   void UpdateMedia();
@@ -47,6 +49,7 @@ class CTick {
   std::vector<SRobotVisit> m_visits;
   UInt64 m_robotsOfVisits = ~UInt64(0);  // version of the list of robots that m_visits has
   CLookAhead m_lookAhead;
+  CBorderBundles m_bundles;
 };
 
 }  // namespace argos

@@ -1,0 +1,268 @@
+#include <argos3/core/simulator/physics_engine/border_bundles.h>
+
+#include <argos3/core/simulator/context/simulation_context.h>
+#include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/core/simulator/geometry/body_description.h>
+#include <argos3/core/simulator/geometry/body_index.h>
+#include <argos3/core/simulator/geometry/shape_overlap.h>
+#include <argos3/core/simulator/physics_engine/described_body_engine.h>
+
+#include <algorithm>
+#include <typeinfo>
+
+namespace argos {
+
+namespace {
+
+// m; bodies at rest that are nearer may touch in the next tick, because robots start to drive
+constexpr Real kNear = 0.03;
+// how much faster bodies may become from one tick to the next
+constexpr Real kFaster = 1.5;
+// m; fixed bodies in this distance of a body outside of its engine's region are added to the engine
+constexpr Real kFixedReach = 0.3;
+
+bool IsObject(const CEmbodiedEntity& body) {
+  const SBodyDescription& description = *body.GetBodyDescription();
+  return !description.HasDrive() && !description.Propellers;
+}
+
+// the longest way of a point of the body in a tick at its present speed, m
+Real ComputePath(const CPhysicsEngine& engine, const CEmbodiedEntity& body, Real tick) {
+  SBodyMotion motion;
+  if (!engine.GetMotion(body, motion)) {
+    return 0.0;
+  }
+  return tick * (motion.Velocity.Length() +
+                 motion.Rotation.Length() * body.GetBodyDescription()->ComputeBoundingRadius());
+}
+
+SIndexedShape Grown(SIndexedShape shape, Real margin) {
+  shape.HalfX += margin;
+  shape.HalfY += margin;
+  shape.Radius += 2.0 * margin;
+  shape.ZMin -= margin;
+  shape.ZMax += margin;
+  return shape;
+}
+
+}  // namespace
+
+bool CBorderBundles::Update() {
+  ForgetBundles();
+  bool hasMoved = false;
+  if (FindSeeds()) {
+    for (const UInt32 seed : m_seeds) {
+      SMember member;
+      if (m_isVisited[seed] == 0 && Find(seed, member)) {
+        FindBundle(member);
+        hasMoved = MoveBundle() || hasMoved;
+      }
+    }
+    for (const UInt32 number : m_visited) {
+      m_isVisited[number] = 0;
+    }
+    m_visited.clear();
+  }
+  return ReturnStrays() || hasMoved;
+}
+
+void CBorderBundles::ForgetBundles() {
+  m_strays.clear();
+  for (CPhysicsEngine* engine : m_context.Engines) {
+    if (auto* const described = dynamic_cast<CDescribedBodyEngine*>(engine)) {
+      for (CEmbodiedEntity* body : described->m_strays) {
+        m_strays.push_back({body, described->FindModel(*body), described});
+      }
+      described->ForgetBundles();
+    }
+  }
+}
+
+// Bodies that have left their bundle move to the engine of their region. @return true if one has.
+bool CBorderBundles::ReturnStrays() {
+  bool hasMoved = false;
+  for (const SMember& stray : m_strays) {
+    if (&stray.Model->GetEngine() == stray.Engine && !stray.Model->m_isBundled &&
+        !stray.Engine->ContainsOriginOf(*stray.Body)) {
+      stray.Engine->TransferEntity(*stray.Body);
+      hasMoved = true;
+    }
+  }
+  return hasMoved;
+}
+
+// Objects near borders, and bodies outside of their engine's region. @return false if none.
+bool CBorderBundles::FindSeeds() {
+  m_seeds.clear();
+  for (const SMember& stray : m_strays) {
+    m_seeds.push_back(stray.Body->GetBodyNumber());
+  }
+  m_reach = 0.0;
+  for (CPhysicsEngine* engine : m_context.Engines) {
+    if (!engine->FeelsGhosts()) {
+      continue;
+    }
+    m_reach = std::max(m_reach, engine->GetGhostReach());
+    for (const SGhost& ghost : engine->GetGhosts()) {
+      if (ghost.IsObject) {
+        m_seeds.push_back(ghost.Body->GetBodyNumber());
+      }
+    }
+  }
+  std::sort(m_seeds.begin(), m_seeds.end());
+  m_seeds.erase(std::unique(m_seeds.begin(), m_seeds.end()), m_seeds.end());
+  if (m_seeds.empty()) {
+    return false;
+  }
+  if (m_isVisited.size() < m_context.Index->GetEndOfNumbers()) {
+    m_isVisited.resize(m_context.Index->GetEndOfNumbers(), 0);
+  }
+  return true;
+}
+
+// @return false if the body is not movable, or in an engine without ghosts.
+bool CBorderBundles::Find(UInt32 number, SMember& member) const {
+  CEmbodiedEntity& body = m_context.Index->GetBody(number);
+  if (!body.IsMovable() || body.GetPhysicsModelsNum() == 0) {
+    return false;
+  }
+  CPhysicsModel& model = body.GetPhysicsModel(size_t(0));
+  auto* const engine = dynamic_cast<CDescribedBodyEngine*>(&model.GetEngine());
+  auto* const described = dynamic_cast<CDescribedBodyModel*>(&model);
+  if (engine == nullptr || described == nullptr || !engine->FeelsGhosts()) {
+    return false;
+  }
+  member = {&body, described, engine};
+  return true;
+}
+
+void CBorderBundles::Include(const SMember& member) {
+  const UInt32 number = member.Body->GetBodyNumber();
+  m_isVisited[number] = 1;
+  m_visited.push_back(number);
+  m_bundle.push_back(member);
+}
+
+// sets m_bundle to all bodies that are connected to the seed
+void CBorderBundles::FindBundle(const SMember& seed) {
+  m_bundle.clear();
+  Include(seed);
+  for (size_t i = 0; i < m_bundle.size(); ++i) {
+    const SMember member = m_bundle[i];
+    AddNeighbours(member);
+    AddGripped(member);
+  }
+}
+
+void CBorderBundles::AddNeighbours(const SMember& member) {
+  const UInt32 number = member.Body->GetBodyNumber();
+  const bool isObject = IsObject(*member.Body);
+  const Real tick = m_context.TickLength;
+  const Real path = ComputePath(*member.Engine, *member.Body, tick);
+  const SBoundingBox& box = member.Body->GetBoundingBox();
+  const Real far = m_reach + path;
+  m_own.clear();
+  m_near.clear();
+  m_context.Index->ForShapesInArea({box.MinCorner.GetX() - far, box.MinCorner.GetY() - far,
+                                    box.MaxCorner.GetX() + far, box.MaxCorner.GetY() + far},
+                                   [&](const SIndexedShape& shape) {
+                                     if (shape.Body == number) {
+                                       m_own.push_back(shape);
+                                     } else if (m_isVisited[shape.Body] == 0) {
+                                       m_near.push_back(shape);
+                                     }
+                                   });
+  for (const SIndexedShape& shape : m_near) {
+    SMember other;
+    if (m_isVisited[shape.Body] != 0 || !Find(shape.Body, other) ||
+        (!isObject && !IsObject(*other.Body)) || typeid(*other.Engine) != typeid(*member.Engine)) {
+      continue;
+    }
+    const Real margin = kNear + kFaster * (path + ComputePath(*other.Engine, *other.Body, tick));
+    const bool isNear =
+        std::any_of(m_own.begin(), m_own.end(), [&shape, margin](const SIndexedShape& own) {
+          return ShapesOverlap(Grown(own, margin), shape);
+        });
+    if (isNear) {
+      Include(other);
+    }
+  }
+}
+
+void CBorderBundles::AddGripped(const SMember& member) {
+  member.Engine->FindCluster(*member.Body, m_gripped);
+  for (CEmbodiedEntity* body : m_gripped) {
+    SMember other;
+    if (m_isVisited[body->GetBodyNumber()] == 0 && Find(body->GetBodyNumber(), other)) {
+      Include(other);
+    }
+  }
+}
+
+// @return true if a body of m_bundle has changed its engine.
+bool CBorderBundles::MoveBundle() {
+  if (m_bundle.size() < 2) {
+    return false;
+  }
+  std::sort(m_bundle.begin(), m_bundle.end(), [](const SMember& a, const SMember& b) {
+    return a.Body->GetIndex() < b.Body->GetIndex();
+  });
+  const SMember& leader = m_bundle.front();
+  CDescribedBodyEngine* engine = leader.Engine;
+  if (!engine->ContainsOriginOf(*leader.Body)) {
+    if (CDescribedBodyEngine* const next = engine->FindNextOfSameType(*leader.Body)) {
+      engine = next;
+    }
+  }
+  bool hasMoved = false;
+  for (SMember& member : m_bundle) {
+    if (!MayBeIn(*engine, *member.Body)) {
+      continue;
+    }
+    if (&member.Model->GetEngine() != engine) {
+      member.Engine->FindCluster(*member.Body, m_gripped);
+      engine->AdoptCluster(*member.Engine, m_gripped);
+      hasMoved = true;
+    }
+    engine->NoteBundled(*member.Model);
+    if (!engine->ContainsOriginOf(*member.Body)) {
+      AddFixedNear(member, *engine);
+    }
+  }
+  return hasMoved;
+}
+
+// @return false if the body is beyond a wall of the engine, or in a region of another type.
+bool CBorderBundles::MayBeIn(CDescribedBodyEngine& engine, const CEmbodiedEntity& body) {
+  if (!engine.Accepts(body)) {
+    return false;
+  }
+  if (engine.ContainsOriginOf(body)) {
+    return true;
+  }
+  const SFace* const exit = engine.GetVolume().FindExit(body.GetOriginAnchor().Position);
+  return (exit == nullptr || !exit->IsWall) && engine.FindNextOfSameType(body) != nullptr;
+}
+
+// Fixed bodies are in the engines whose regions they touch; others move here.
+void CBorderBundles::AddFixedNear(const SMember& member, CDescribedBodyEngine& engine) const {
+  const SBoundingBox& box = member.Body->GetBoundingBox();
+  const CBodyIndex& index = *m_context.Index;
+  std::vector<CEmbodiedEntity*> missing;
+  index.ForShapesInArea({box.MinCorner.GetX() - kFixedReach, box.MinCorner.GetY() - kFixedReach,
+                         box.MaxCorner.GetX() + kFixedReach, box.MaxCorner.GetY() + kFixedReach},
+                        [&](const SIndexedShape& shape) {
+                          CEmbodiedEntity& body = index.GetBody(shape.Body);
+                          if (!body.IsMovable() && engine.FindModel(body) == nullptr &&
+                              engine.Accepts(body) &&
+                              std::find(missing.begin(), missing.end(), &body) == missing.end()) {
+                            missing.push_back(&body);
+                          }
+                        });
+  std::sort(missing.begin(), missing.end(), SEntityComparator());
+  for (CEmbodiedEntity* body : missing) {
+    engine.AddEntity(body->GetRootEntity());
+  }
+}
+
+}  // namespace argos

@@ -1,0 +1,226 @@
+// Objects at the border of two engines are pushed, stop and stay apart as in one engine.
+
+#include <argos3/testing/contract/physics_engines/drive_world.h>
+#include <argos3/testing/contract/physics_engines/regions.h>
+
+#include <argos3/core/simulator/physics_engine/physics_engine.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
+namespace argos::bundles_test {
+
+using Catch::Matchers::WithinAbs;
+
+namespace {
+
+constexpr Real kFootBotRadius = 0.085036758;
+// depth of robots and objects that press each other in any engine: 2 % of the radius
+constexpr Real kDeepest = 0.02 * kFootBotRadius;
+
+std::string ObjectXml(const std::string& id, Real x, Real y, Real sizeX, Real sizeY,
+                      bool isMovable = true) {
+  std::ostringstream xml;
+  xml << std::setprecision(17) << "<box id='" << id << "' size='" << sizeX << "," << sizeY
+      << ",0.1' " << (isMovable ? "movable='true' mass='0.2'" : "movable='false'")
+      << "><body position='" << x << "," << y << ",0'/></box>";
+  return xml.str();
+}
+
+std::string Halves(const SEngineType& engine) {
+  return RegionXml(engine, "west", {{-20, -20}, {0, -20}, {0, 20}, {-20, 20}}) +
+         RegionXml(engine, "east", {{0, -20}, {20, -20}, {20, 20}, {0, 20}});
+}
+
+/** Bodies in a row along x, with half of their lengths. */
+using TRow = std::vector<std::pair<std::string, Real>>;
+
+/** What happens to a row: its greatest overlap, and where its bodies end. */
+struct SOutcome {
+  Real Deepest = -HUGE_VAL;  // m
+  std::vector<Real> Ends;  // m, x
+};
+
+SOutcome Run(const std::string& engines, const std::string& arena, const TRow& row, int ticks) {
+  CDriveWorld world(engines, arena);
+  SOutcome outcome;
+  for (int tick = 0; tick < ticks; ++tick) {
+    world.Step();
+    for (size_t i = 1; i < row.size(); ++i) {
+      const Real gap =
+          world.Position(row[i].first).GetX() - world.Position(row[i - 1].first).GetX();
+      outcome.Deepest = std::max(outcome.Deepest, row[i].second + row[i - 1].second - gap);
+    }
+  }
+  for (const auto& [id, half] : row) {
+    outcome.Ends.push_back(world.Position(id).GetX());
+  }
+  return outcome;
+}
+
+// the same in two engines as in one
+void CheckAsInOne(const SSharingEngine& engine, const std::string& arena, const TRow& row,
+                  int ticks) {
+  const SOutcome one = Run(engine.ToPromptXml(), arena, row, ticks);
+  const SOutcome two = Run(Halves(engine), arena, row, ticks);
+  CHECK(two.Deepest <= std::max(one.Deepest, kDeepest) + engine.Slack);
+  for (size_t i = 0; i < row.size(); ++i) {
+    CAPTURE(row[i].first, one.Ends[i], two.Ends[i]);
+    // forces of contacts start anew when a body changes its engine
+    CHECK(std::abs(one.Ends[i] - two.Ends[i]) <= 2e-3 + engine.Slack);
+  }
+}
+
+bool IsSkippedHere(const SSharingEngine& engine) {
+  return IsSkipped(engine, engine.HasGhosts, "contacts across borders");
+}
+
+}  // namespace
+
+TEST_CASE("bundles: two objects that robots push together at a border stop each other",
+          "[contract][engine][partition]") {
+  const SSharingEngine engine = GENERATE(from_range(kSharingEngines));
+  const Real shift = GENERATE(0.0, 0.04, -0.13);  // of all from the border, m
+  const bool isFirst = GENERATE(true, false);  // the robots have the lowest indices
+  CAPTURE(engine, shift, isFirst);
+  if (IsSkippedHere(engine)) {
+    return;
+  }
+  const std::string robots = DriverXml("foot-bot", "a", shift - 0.6, 0, 0, 10, 10) +
+                             DriverXml("foot-bot", "b", shift + 0.6, 0, 180, 10, 10);
+  const std::string objects =
+      ObjectXml("left", shift - 0.3, 0, 0.2, 0.3) + ObjectXml("right", shift + 0.3, 0, 0.2, 0.3);
+  const TRow row{{"a", kFootBotRadius}, {"left", 0.1}, {"right", 0.1}, {"b", kFootBotRadius}};
+  CheckAsInOne(engine, isFirst ? robots + objects : objects + robots, row, 50);
+}
+
+TEST_CASE("bundles: a robot pushes a row of objects over a border, and a wall behind it stops them",
+          "[contract][engine][partition]") {
+  const SSharingEngine engine = GENERATE(from_range(kSharingEngines));
+  const bool hasWall = GENERATE(false, true);
+  CAPTURE(engine, hasWall);
+  if (IsSkippedHere(engine)) {
+    return;
+  }
+  std::string arena = DriverXml("foot-bot", "robot", -0.4, 0, 0, 10, 10);
+  TRow row{{"robot", kFootBotRadius}};
+  // three boxes whose friction the robot overcomes; the border is below the first
+  for (int i = 0; i < 3; ++i) {
+    const std::string id = "box" + std::to_string(i);
+    arena += ObjectXml(id, -0.15 + 0.21 * i, 0, 0.2, 0.3);
+    row.emplace_back(id, 0.1);
+  }
+  if (hasWall) {
+    arena += ObjectXml("wall", 1.0, 0, 0.2, 2.0, false);
+    row.emplace_back("wall", 0.1);
+  }
+  CheckAsInOne(engine, arena, row, 100);
+}
+
+TEST_CASE("bundles: an object at rest on a border is pushed from either side",
+          "[contract][engine][partition]") {
+  const SSharingEngine engine = GENERATE(from_range(kSharingEngines));
+  const Real side = GENERATE(1.0, -1.0);
+  CAPTURE(engine, side);
+  if (IsSkippedHere(engine)) {
+    return;
+  }
+  const std::string arena =
+      ObjectXml("box", 0, 0, 0.2, 0.3) +
+      DriverXml("foot-bot", "robot", side * 0.4, 0, side > 0 ? 180 : 0, 10, 10);
+  TRow row{{"robot", kFootBotRadius}, {"box", 0.1}};
+  if (side > 0.0) {
+    std::reverse(row.begin(), row.end());
+  }
+  CheckAsInOne(engine, arena, row, 80);
+}
+
+TEST_CASE("bundles: a robot far from the border pushes the end of a long object of another engine",
+          "[contract][engine][partition]") {
+  const SSharingEngine engine = GENERATE(from_range(kSharingEngines));
+  CAPTURE(engine);
+  if (IsSkippedHere(engine)) {
+    return;
+  }
+  // its middle is in the west; it reaches 1.5 m into the east
+  const std::string arena = ObjectXml("bar", -0.25, 0, 3.5, 0.1) +
+                            DriverXml("foot-bot", "robot", 1.9, 0, 180, 10, 10) +
+                            DriverXml("foot-bot", "other", 1.2, -0.4, 90, 5, 5) +
+                            ObjectXml("fixed", -0.3, 0.2, 0.2, 0.1, false);
+  CheckAsInOne(engine, arena, {{"bar", 1.75}, {"robot", kFootBotRadius}}, 40);
+}
+
+TEST_CASE("bundles: bodies at borders are the same with any number of threads",
+          "[contract][engine][partition]") {
+  const SSharingEngine engine = GENERATE(from_range(kSharingEngines));
+  CAPTURE(engine);
+  std::string arena;
+  for (int i = 0; i < 3; ++i) {
+    const Real y = 0.45 * i;
+    arena += DriverXml("foot-bot", "a" + std::to_string(i), -0.45, y, 10.0 * i, 10, 10) +
+             DriverXml("foot-bot", "b" + std::to_string(i), 0.5, y, 180, 10, 9) +
+             ObjectXml("l" + std::to_string(i), -0.15, y + 0.02 * i, 0.2, 0.2) +
+             ObjectXml("r" + std::to_string(i), 0.15, y, 0.2, 0.2);
+  }
+  const auto run = [&](UInt32 threads) {
+    CDriveWorld world(Halves(engine), arena, threads);
+    std::vector<UInt64> digests;
+    for (int second = 0; second < 5; ++second) {
+      world.Step(10);
+      digests.push_back(world.ComputeDigest());
+    }
+    world.GetSimulator().Reset();
+    world.Step(50);
+    digests.push_back(world.ComputeDigest());
+    return digests;
+  };
+  const std::vector<UInt64> alone = run(0);
+  CHECK(alone[5] == alone[4]);
+  CHECK(run(2) == alone);
+}
+
+TEST_CASE("bundles: a wall between two regions keeps objects on its sides apart",
+          "[contract][engine][partition]") {
+  const SSharingEngine engine = GENERATE(from_range(kSharingEngines));
+  CAPTURE(engine);
+  if (IsSkippedHere(engine)) {
+    return;
+  }
+  const std::string wall = "wall='true'";
+  const std::string engines =
+      RegionXml(engine, "west", {{-20, -20}, {0, -20, wall}, {0, 20}, {-20, 20}}) +
+      RegionXml(engine, "east", {{0, -20}, {20, -20}, {20, 20}, {0, 20, wall}});
+  CDriveWorld world(engines, ObjectXml("left", -0.2, 0, 0.2, 0.3) +
+                                 ObjectXml("right", 0.101, 0, 0.2, 0.3) +
+                                 DriverXml("foot-bot", "robot", -0.5, 0, 0, 10, 10));
+  world.Step(60);
+  CHECK(world.EngineOf("left") == "west");
+  CHECK(world.EngineOf("right") == "east");
+  CHECK_THAT(world.Position("left").GetX(), WithinAbs(-0.1, kDeepest + engine.Slack));
+  CHECK_THAT(world.Position("right").GetX(), WithinAbs(0.101, engine.Slack));
+}
+
+TEST_CASE("bundles: bodies return to the engines of their regions",
+          "[contract][engine][partition]") {
+  const SSharingEngine engine = GENERATE(from_range(kSharingEngines));
+  CAPTURE(engine);
+  if (IsSkippedHere(engine)) {
+    return;
+  }
+  CDriveWorld world(Halves(engine), DriverXml("foot-bot", "robot", -0.3, 0, 0, 10, 10) +
+                                        ObjectXml("box", 0.05, 0, 0.2, 0.3));
+  world.Step(25);
+  // the robot pushes the box, and is still in the west
+  CHECK(world.EngineOf("robot") == "west");
+  CHECK(world.EngineOf("box") == "west");
+  world.Driver("robot").Left = world.Driver("robot").Right = -10.0;
+  world.Step(20);
+  CHECK(world.EngineOf("robot") == "west");
+  CHECK(world.EngineOf("box") == "east");
+}
+
+}  // namespace argos::bundles_test
