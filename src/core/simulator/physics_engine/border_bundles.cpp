@@ -95,7 +95,10 @@ bool CBorderBundles::ReturnStrays() {
 bool CBorderBundles::FindSeeds() {
   m_seeds.clear();
   for (const SMember& stray : m_strays) {
-    m_seeds.push_back(stray.Body->GetBodyNumber());
+    // it may have been moved since
+    if (!stray.Engine->ContainsOriginOf(*stray.Body)) {
+      m_seeds.push_back(stray.Body->GetBodyNumber());
+    }
   }
   m_reach = 0.0;
   for (CPhysicsEngine* engine : m_context.Engines) {
