@@ -1,5 +1,8 @@
 // Add-ons of dynamics3d: magnets, defaults, and errors in files.
 
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/dynamics3d_engine.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/dynamics3d_model.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/dynamics3d_plugin.h>
 #include <argos3/testing/contract/physics_engines/rigid_scene.h>
 #include <argos3/testing/support/captured_logs.h>
 #include <argos3/testing/support/robot_sizes.h>
@@ -12,6 +15,7 @@
 
 #include <array>
 #include <cmath>
+#include <vector>
 
 namespace argos::rigid_addons_test {
 
@@ -31,6 +35,57 @@ std::string MagnetXml(const std::string& id, Real x, const std::string& field) {
 }
 
 }  // namespace
+
+/** "test_probe": turns the last body that was added, and stores its motion before each substep. */
+class CProbe : public CDynamics3DPlugin {
+ public:
+  static constexpr Real kTorque = 0.01;  // N m
+
+  void RegisterModel(CDynamics3DModel& model) override { m_model = &model; }
+  void Update() override {
+    Engine = &GetEngine();
+    Velocities.push_back(m_model->GetVelocity());
+    Rotations.push_back(m_model->GetAngularVelocity());
+    m_model->AddTorque(CVector3(0.0, 0.0, kTorque));
+  }
+
+  inline static CDynamics3DEngine* Engine = nullptr;
+  inline static std::vector<CVector3> Velocities, Rotations;  // m/s, rad/s
+
+ private:
+  CDynamics3DModel* m_model = nullptr;
+};
+
+REGISTER_DYNAMICS3D_PLUGIN(CProbe, "test_probe", "tests", "1.0", "For tests.", "For tests.",
+                           "Usable")
+
+TEST_CASE("rigid add-ons: they read the motion of bodies, and change the engine during a run",
+          "[contract][engine][rigid]") {
+  CProbe::Velocities.clear();
+  CProbe::Rotations.clear();
+  CRigidScene world(
+      RigidEngine("default_friction='0.25' iterations='5'", "<test_probe/><gravity g='2'/>"),
+      SBoxXml{"b", CVector3(0.2, 0.4, 0.2), CVector3(0, 0, 1), CVector3(), 3.0}.ToXml());
+  world.Step(2);
+  CHECK(CProbe::Engine->GetDefaultFriction() == 0.25);
+  CHECK(CProbe::Engine->GetNumSubsteps() == 5);
+  REQUIRE(CProbe::Velocities.size() == 10);
+  constexpr Real kSubstep = 0.02;  // s
+  const Real inertia = 3.0 / 12.0 * (0.04 + 0.16);
+  for (size_t i = 0; i < 10; ++i) {
+    CHECK_THAT(CProbe::Velocities[i].GetZ(), WithinAbs(-2.0 * kSubstep * i, 1e-12));
+    CHECK_THAT(CProbe::Rotations[i].GetZ(),
+               WithinAbs(CProbe::kTorque / inertia * kSubstep * i, 1e-12));
+  }
+  // up again, to a plane that was not there
+  CProbe::Engine->SetGravity(CVector3(0.0, 0.0, 4.0));
+  world.Step();
+  CHECK_THAT(CProbe::Velocities.back().GetZ(), WithinAbs((-20.0 + 16.0) * kSubstep, 1e-12));
+  CProbe::Engine->SetGravity(CVector3(0.0, 0.0, -4.0));
+  CProbe::Engine->AddGroundPlane(0.9, 1.0);
+  world.Step(30);
+  CHECK_THAT(world.Position("b").GetZ(), WithinAbs(0.9, 1e-3));
+}
 
 TEST_CASE("rigid magnets: two collinear dipoles attract each other with 2 K a b / r^4",
           "[contract][engine][rigid]") {
