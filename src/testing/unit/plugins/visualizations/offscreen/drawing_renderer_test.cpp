@@ -258,15 +258,15 @@ TEST_CASE("drawing over the picture: solids are their outlines from above, sizes
   const CVector3 middle(80.0, 60.0, 0.0);
   const CQuaternion turned(CRadians(0.5), CVector3::Z);
   const SCase c = GENERATE_COPY(
-      SCase{[&](CDrawing& drawing) { drawing.DrawBox(middle, turned, CVector3(60, 40, 5), kPen); },
+      SCase{[=](CDrawing& drawing) { drawing.DrawBox(middle, turned, CVector3(60, 40, 5), kPen); },
             2400.0},
-      SCase{[&](CDrawing& drawing) { drawing.DrawCylinder(middle, turned, 30.0, 5.0, kPen); },
+      SCase{[=](CDrawing& drawing) { drawing.DrawCylinder(middle, turned, 30.0, 5.0, kPen); },
             900.0 * std::numbers::pi},
-      SCase{[&](CDrawing& drawing) { drawing.DrawCircle(middle, turned, 30.0, kPen); },
+      SCase{[=](CDrawing& drawing) { drawing.DrawCircle(middle, turned, 30.0, kPen); },
             900.0 * std::numbers::pi},
-      SCase{[&](CDrawing& drawing) { drawing.DrawCircle(middle, turned, 30.0, kPen, true, 4); },
+      SCase{[=](CDrawing& drawing) { drawing.DrawCircle(middle, turned, 30.0, kPen, true, 4); },
             1800.0},
-      SCase{[&](CDrawing& drawing) { drawing.DrawPoint(middle, kPen, 30.0); },
+      SCase{[=](CDrawing& drawing) { drawing.DrawPoint(middle, kPen, 30.0); },
             225.0 * std::numbers::pi});
   const SPicture picture = Draw([&c](CDrawing& drawing) {
     drawing.SetOverlay();
