@@ -133,11 +133,15 @@ class CFarScene {
   struct SRecord {
     std::vector<Real> Poses, Readings;
   };
-  SRecord Run(const SExperiment& experiment, UInt32 ticks) const {
+  SRecord Run(const SExperiment& experiment, UInt32 ticks, bool testsPlaces = false) const {
     CTestWorld world(experiment);
     const CSimulator::CScope scope(world.GetSimulator());
     SRecord record;
     for (UInt32 tick = 0; tick < ticks; ++tick) {
+      for (size_t i = 0; testsPlaces && i < m_ids.size(); ++i) {
+        auto& body = world.Get<CComposableEntity>(m_ids[i]).GetComponent<CEmbodiedEntity>("body");
+        body.MoveTo(At(4.0, 4.0), CQuaternion(), true);
+      }
       world.Step();
       for (const std::string& id : m_ids) {
         auto& body = world.Get<CComposableEntity>(id).GetComponent<CEmbodiedEntity>("body");
@@ -234,6 +238,15 @@ TEST_CASE("far: robots push and grip as at the origin, to the rounding of positi
   CHECK(FindGreatestDifference(far.Poses, near.Poses) <= kRounding);
   // the slope of a reading of proximity is up to 200 a metre, that of a bearing below 10
   CHECK(FindGreatestDifference(far.Readings, near.Readings) <= 1e3 * kRounding);
+}
+
+TEST_CASE("far: a place that is tested and not taken has no effect", "[contract][engine]") {
+  const SEngineType engine = GENERATE(from_range(kEnginesWithGrips));
+  CAPTURE(engine);
+  const CFarScene scene = MakeContactScene(engine, CVector3(1e5, -1e4, 0.0));
+  const SExperiment experiment = scene.Make(engine.ToXml());
+  const CFarScene::SRecord without = scene.Run(experiment, 40);
+  CHECK(scene.Run(experiment, 40, true).Poses == without.Poses);
 }
 
 TEST_CASE("far: an engine of an arena that reaches to the origin computes near its robots",
