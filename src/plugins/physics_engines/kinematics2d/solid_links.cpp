@@ -11,7 +11,7 @@ namespace argos {
 namespace {
 
 // of the solution in a tick
-constexpr int kCorrections = 3;
+constexpr int kCorrections = 2;
 // greatest one of the path of a pushed point, in half narrowest sides
 constexpr Real kTurnError = 2e-3;
 // of which contacts are linear enough to be corrected from there, rad

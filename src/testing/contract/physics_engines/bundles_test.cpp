@@ -22,7 +22,7 @@ constexpr Real kFootBotRadius = 0.085036758;
 // depth of robots and objects that press each other in any engine: 2 % of the radius
 constexpr Real kDeepest = 0.02 * kFootBotRadius;
 // m: what is known of contacts is lost when a body changes its engine
-constexpr Real kDifference = 1e-4;
+constexpr Real kDifference = 3e-4;
 
 std::string ObjectXml(const std::string& id, Real x, Real y, Real sizeX, Real sizeY,
                       bool isMovable = true) {
