@@ -209,7 +209,7 @@ TEST_CASE("objects: none is lost or enters another while they are gripped, added
     turnover.Tick();
     turnover.Check();
   }
-  CHECK(turnover.GetNumHeld() > ticks * kRobots / 20);
+  CHECK(turnover.GetNumHeld() > ticks * kRobots / 100);
   CHECK(turnover.GetDeepest() <= 0.01);
 }
 
