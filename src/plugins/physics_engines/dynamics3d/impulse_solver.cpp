@@ -58,6 +58,13 @@ TTriple SolveLaw(const CImpulseSolver::SBlock& block, const SSymmetric3& k, cons
 
 }  // namespace
 
+void CImpulseSolver::Reserve(size_t bodies, size_t blocks) {
+  Bodies.reserve(bodies + 1);
+  Rotors.reserve(4 * bodies);
+  Blocks.reserve(blocks);
+  m_mixing.Start(4 * bodies + 3 * blocks);
+}
+
 void CImpulseSolver::Clear() {
   Bodies.clear();
   Bodies.emplace_back();

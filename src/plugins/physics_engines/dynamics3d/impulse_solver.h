@@ -89,6 +89,8 @@ class CImpulseSolver {
     std::array<Real, 3> Changes{};  // of the impulses in the last sweep
   };
 
+  /** Allocates for an island of that many bodies and blocks. */
+  void Reserve(size_t bodies, size_t blocks);
   /** Removes everything but the ground. */
   void Clear();
   /** Sets what follows from the masses, and applies the impulses of the last substep. */

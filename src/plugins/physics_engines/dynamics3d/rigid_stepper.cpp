@@ -115,7 +115,11 @@ void CRigidStepper::Step(const SSubstep& substep, CThreadPool* pool) {
   Sort(substep);
   const size_t threads = pool != nullptr ? pool->GetNumThreads() : 1;
   if (m_spaces.size() < threads) {
+    const size_t old = m_spaces.size();
     m_spaces.resize(threads);
+    for (size_t i = old; i < threads; ++i) {
+      m_spaces[i].Reserve();
+    }
   }
   const size_t count = m_islands.size() - 1;
   const auto step = [&](size_t begin, size_t end, UInt32 thread) {

@@ -54,6 +54,15 @@ class CRigidStepper {
     CImpulseSolver Solver;
     std::vector<SMember> Members;  // by number in the solver
     std::vector<UInt32> Blocks;  // of contacts: their number
+
+    // for an island of usual size: one may be the first that is not solved in the plane
+    void Reserve() {
+      constexpr size_t kBodies = 32;
+      constexpr size_t kBlocks = 8 * kBodies;
+      Solver.Reserve(kBodies, kBlocks);
+      Members.reserve(kBodies + 1);
+      Blocks.reserve(kBlocks);
+    }
   };
 
   void Sort(const SSubstep& substep);
