@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace argos {
 
@@ -32,18 +31,14 @@ void CCrowdClusters::Reserve(size_t items) {
 }
 
 void CCrowdClusters::Unite(UInt32 a, UInt32 b) {
-  // the first item is the root
-  const UInt32 rootA = FindRoot(a);
-  const UInt32 rootB = FindRoot(b);
-  m_parent[std::max(rootA, rootB)] = std::min(rootA, rootB);
+  Connect(m_parent, a, b);
 }
 
 void CCrowdClusters::Unite(const CDiscPairs& discPairs, const CCrowdSolids& solids) {
   m_discPairs = &discPairs;
   m_solids = &solids;
   const size_t count = discPairs.GetDiscs().size() + solids.GetSolids().size();
-  m_parent.resize(count);
-  std::iota(m_parent.begin(), m_parent.end(), 0U);
+  ResetForest(m_parent, count);
   m_isExcluded.assign(count, 0);
   m_hasExcluded = false;
   for (const CDiscPairs::SPart& part : discPairs.GetParts()) {

@@ -3,6 +3,7 @@
 
 #include <argos3/core/utility/spatial/counting_sort.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/crowd_solids.h>
+#include <argos3/plugins/simulator/physics_engines/planar/body_forest.h>
 #include <argos3/plugins/simulator/physics_engines/planar/disc_pairs.h>
 
 #include <vector>
@@ -99,13 +100,7 @@ class CCrowdClusters {
     Real StripsPerMetre = 0.0;
   };
 
-  UInt32 FindRoot(UInt32 item) {
-    while (m_parent[item] != item) {
-      m_parent[item] = m_parent[m_parent[item]];
-      item = m_parent[item];
-    }
-    return item;
-  }
+  UInt32 FindRoot(UInt32 item) { return FindRootOf(m_parent, item); }
   void Unite(UInt32 a, UInt32 b);
   size_t GetNumItems() const { return m_parent.size(); }
   SPlanarVector GetCentre(UInt32 item) const;
@@ -120,7 +115,7 @@ class CCrowdClusters {
 
   const CDiscPairs* m_discPairs = nullptr;
   const CCrowdSolids* m_solids = nullptr;
-  std::vector<UInt32> m_parent;  // by item
+  TBodyForest m_parent;  // by item
   std::vector<UInt8> m_isExcluded;  // by item, of the root
   std::vector<UInt8> m_isAwake;  // by item, of the root
   bool m_hasExcluded = false;

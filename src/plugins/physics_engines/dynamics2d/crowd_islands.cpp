@@ -37,20 +37,6 @@ void CCrowdSolver::ForRanges(const SCrowdCluster& cluster, VISIT&& visit) const 
   }
 }
 
-UInt32 CCrowdSolver::FindIsland(UInt32 member) {
-  while (m_islandParent[member] != member) {
-    m_islandParent[member] = m_islandParent[m_islandParent[member]];
-    member = m_islandParent[member];
-  }
-  return member;
-}
-
-void CCrowdSolver::UniteIslands(UInt32 a, UInt32 b) {
-  const UInt32 rootA = FindIsland(a);
-  const UInt32 rootB = FindIsland(b);
-  m_islandParent[std::max(rootA, rootB)] = std::min(rootA, rootB);
-}
-
 // Bodies are in one island if contacts with a force connect them. The contacts of an island are
 // those between its bodies, and with what does not move. @return the number of islands, which begin
 // at the number of the first member.
@@ -65,18 +51,18 @@ UInt32 CCrowdSolver::BuildIslands(const SCrowdCluster& cluster) {
             [this](const SCrowdRange& contacts, const SCrowdRange& touches, const SCrowdRange&) {
               for (UInt32 i = contacts.First; i < contacts.End; ++i) {
                 if (m_contacts[i].Normal > 0.0F) {
-                  UniteIslands(m_contacts[i].A, m_contacts[i].B);
+                  Connect(m_islandParent, m_contacts[i].A, m_contacts[i].B);
                 }
               }
               for (UInt32 i = touches.First; i < touches.End; ++i) {
                 if (m_touches[i].Normal > 0.0F && m_touches[i].B != CCrowdSolids::kNone) {
-                  UniteIslands(m_touches[i].A, m_touches[i].B);
+                  Connect(m_islandParent, m_touches[i].A, m_touches[i].B);
                 }
               }
             });
   UInt32 next = first;
   for (UInt32 member = first; member < end; ++member) {
-    const UInt32 root = FindIsland(member);
+    const UInt32 root = FindRootOf(m_islandParent, member);
     m_islandOf[member] = root == member ? next++ : m_islandOf[root];
   }
   SortIntoIslands(cluster, first, next);

@@ -2,11 +2,12 @@
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_CROWD_SOLVER_H
 
 #include <argos3/core/utility/threads/thread_pool.h>
-#include <argos3/plugins/simulator/physics_engines/planar/contact_island.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/contact_memory.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/crowd_bodies.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/crowd_clusters.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/touch_memory.h>
+#include <argos3/plugins/simulator/physics_engines/planar/body_forest.h>
+#include <argos3/plugins/simulator/physics_engines/planar/contact_island.h>
 #include <argos3/plugins/simulator/physics_engines/planar/separation.h>
 
 #include <limits>
@@ -174,8 +175,6 @@ class CCrowdSolver {
   bool HasTouches(const SCrowdCluster& cluster) const;
   template <typename VISIT>
   void ForRanges(const SCrowdCluster& cluster, VISIT&& visit) const;
-  UInt32 FindIsland(UInt32 member);
-  void UniteIslands(UInt32 a, UInt32 b);
   UInt32 BuildIslands(const SCrowdCluster& cluster);
   void SortIntoIslands(const SCrowdCluster& cluster, UInt32 first, UInt32 end);
   std::span<SBody> CopyBodies(UInt32 island);
@@ -203,7 +202,8 @@ class CCrowdSolver {
   std::vector<UInt8> m_isTouching;  // something, in this substep
   std::vector<UInt8> m_isPushed;  // in this tick
   std::vector<UInt8> m_isLoaded;  // by a contact, in this substep
-  std::vector<UInt32> m_islandParent, m_islandOf;
+  TBodyForest m_islandParent;
+  std::vector<UInt32> m_islandOf;
   // from the number of the first member of a cluster
   std::vector<SIsland> m_islands;
   std::vector<UInt32> m_memberOrder;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 
 namespace argos {
 
@@ -25,20 +24,11 @@ void CGripTies::Reserve(size_t active) {
   m_members.reserve(active);
 }
 
-UInt32 CGripTies::FindRoot(UInt32 number) {
-  while (m_parents[number] != number) {
-    m_parents[number] = m_parents[m_parents[number]];
-    number = m_parents[number];
-  }
-  return number;
-}
-
 // A group is what grips connect; its root is the robot with the lowest number.
 void CGripTies::FindGroups(CPlanarStore& store, const CActiveSet& active,
                            const CPlanarGrips& grips) {
   const size_t count = active.GetBodies().size();
-  m_parents.resize(count);
-  std::iota(m_parents.begin(), m_parents.end(), 0U);
+  ResetForest(m_parents, count);
   m_holdsObject.assign(count, 0);
   m_changes.assign(count, b2Vec2_zero);
   grips.ForEachHold([&](const SManipulator& each) {
@@ -47,15 +37,13 @@ void CGripTies::FindGroups(CPlanarStore& store, const CActiveSet& active,
       m_holdsObject[holder] = 1;
       return;
     }
-    const UInt32 first = FindRoot(holder);
-    const UInt32 second = FindRoot(store.GetDriven(*each.Held.Handle).ActiveNumber);
-    m_parents[std::max(first, second)] = std::min(first, second);
+    Connect(m_parents, holder, store.GetDriven(*each.Held.Handle).ActiveNumber);
   });
   m_members.clear();
   for (UInt32 number = 0; number < count; ++number) {
     if (active.GetRobot(active.GetBodies()[number]).NumGrips > 0) {
       m_members.push_back(number);
-      m_parents[number] = FindRoot(number);
+      m_parents[number] = FindRootOf(m_parents, number);
     }
   }
   std::sort(m_members.begin(), m_members.end(), [this](UInt32 a, UInt32 b) {

@@ -2,6 +2,7 @@
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_GRIP_TIES_H
 
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_grips.h>
+#include <argos3/plugins/simulator/physics_engines/planar/body_forest.h>
 
 #include <vector>
 
@@ -30,13 +31,12 @@ class CGripTies {
 
  private:
   void FindGroups(CPlanarStore& store, const CActiveSet& active, const CPlanarGrips& grips);
-  UInt32 FindRoot(UInt32 number);
   b2Vec2 ComputeChange(const CPlanarStore& store, const CActiveSet& active, size_t begin,
                        size_t end) const;
   bool TouchesOthers(const CActiveSet& active, size_t begin, size_t end) const;
 
   // by number in the active set
-  std::vector<UInt32> m_parents;
+  TBodyForest m_parents;
   std::vector<UInt8> m_holdsObject;
   std::vector<b2Vec2> m_changes;  // of the roots, Box2D units / s
   std::vector<UInt32> m_members;  // robots in grips, by group

@@ -140,10 +140,7 @@ void CContactFinder::Find(const std::vector<SRigidBody*>& movables,
   m_gravity = gravity;
   m_substep = substep;
   m_list.StartSubstep();
-  m_parents.resize(movables.size());
-  for (UInt32 i = 0; i < m_parents.size(); ++i) {
-    m_parents[i] = i;
-  }
+  ResetForest(m_parents, movables.size());
   m_islands.assign(movables.size(), {});
   const std::vector<SRigidPair>& pairs = m_broadPhase.FindPairs(movables, fixed);
   WakeNeighbours(pairs, grips);
@@ -199,10 +196,7 @@ void CContactFinder::WakeNeighbours(const std::vector<SRigidPair>& pairs,
 }
 
 void CContactFinder::Unite(const SRigidBody& first, const SRigidBody& second) {
-  const UInt32 a = FindRoot(first.ActiveNumber);
-  const UInt32 b = FindRoot(second.ActiveNumber);
-  // the lower number leads
-  m_parents[std::max(a, b)] = std::min(a, b);
+  Connect(m_parents, first.ActiveNumber, second.ActiveNumber);
 }
 
 void CContactFinder::Touch(SRigidBody& first, SRigidBody& second) {
@@ -497,11 +491,7 @@ void CContactFinder::SetDirectionInODE(SRigidContact& added) const {
 
 UInt32 CContactFinder::FindRoot(UInt32 body) {
   ARGOS_ASSERT(body < m_parents.size(), "there is no movable body with the number " << body);
-  while (m_parents[body] != body) {
-    m_parents[body] = m_parents[m_parents[body]];
-    body = m_parents[body];
-  }
-  return body;
+  return FindRootOf(m_parents, body);
 }
 
 void CContactFinder::CountRows(const std::vector<SRigidBody*>& movables) {

@@ -5,6 +5,7 @@
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/broad_phase.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_body.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_contacts.h>
+#include <argos3/plugins/simulator/physics_engines/planar/body_forest.h>
 
 #include <vector>
 
@@ -108,7 +109,7 @@ class CContactFinder {
   UInt32 m_mostRows = 0;
   CVector3 m_gravity;
   Real m_substep = 0.0;
-  std::vector<UInt32> m_parents;  // of a forest of islands, by number of body
+  TBodyForest m_parents;  // of a forest of islands, by number of body
   std::vector<SIsland> m_islands;  // by number of body; of roots
 };
 

@@ -2,7 +2,7 @@
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS3D_UPRIGHT_CROWD_H
 
 #include <argos3/core/utility/spatial/planar_grid.h>
-#include <argos3/plugins/simulator/physics_engines/dynamics3d/body_forest.h>
+#include <argos3/plugins/simulator/physics_engines/planar/body_forest.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/upright_solver.h>
 #include <argos3/plugins/simulator/physics_engines/planar/cell_lists.h>
 #include <argos3/plugins/simulator/physics_engines/planar/separation.h>

@@ -33,6 +33,7 @@ Real CPushSolver::ComputeMotion(const SContact& contact) const {
 
 void CPushSolver::Clear() {
   m_bodies.clear();
+  m_parents.clear();
   m_contacts.clear();
 }
 
@@ -43,7 +44,7 @@ UInt32 CPushSolver::AddBody(const STwist& target, Real force, Real torque, Real 
   body.Force = force;
   body.Torque = torque;
   body.SquaredGyration = squaredGyration;
-  body.Parent = number;
+  m_parents.push_back(number);
   return number;
 }
 
@@ -51,9 +52,7 @@ UInt32 CPushSolver::AddContact(const SContact& contact) {
   CheckNumber(contact.Pushed);
   if (contact.Pushing != kNone) {
     CheckNumber(contact.Pushing);
-    const UInt32 a = FindRoot(contact.Pushing);
-    const UInt32 b = FindRoot(contact.Pushed);
-    m_bodies[std::max(a, b)].Parent = std::min(a, b);
+    Connect(m_parents, contact.Pushing, contact.Pushed);
   }
   m_contacts.push_back({contact});
   return static_cast<UInt32>(m_contacts.size() - 1);
@@ -69,22 +68,14 @@ void CPushSolver::SetContact(UInt32 contact, const SContact& replacement) {
   m_contacts[contact] = {replacement, true, m_contacts[contact].Force};
 }
 
-UInt32 CPushSolver::FindRoot(UInt32 body) {
-  while (m_bodies[body].Parent != body) {
-    m_bodies[body].Parent = m_bodies[m_bodies[body].Parent].Parent;
-    body = m_bodies[body].Parent;
-  }
-  return body;
-}
-
 void CPushSolver::SortByIslands() {
   m_bodyOrder.clear();
   m_contactOrder.clear();
   for (UInt32 i = 0; i < m_bodies.size(); ++i) {
-    m_bodyOrder.push_back({FindRoot(i), i});
+    m_bodyOrder.push_back({FindRootOf(m_parents, i), i});
   }
   for (UInt32 i = 0; i < m_contacts.size(); ++i) {
-    m_contactOrder.push_back({FindRoot(m_contacts[i].Pushed), i});
+    m_contactOrder.push_back({FindRootOf(m_parents, m_contacts[i].Pushed), i});
   }
   std::sort(m_bodyOrder.begin(), m_bodyOrder.end());
   std::sort(m_contactOrder.begin(), m_contactOrder.end());

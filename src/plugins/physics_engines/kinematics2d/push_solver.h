@@ -3,6 +3,7 @@
 
 #include <argos3/core/utility/configuration/argos_exception.h>
 #include <argos3/core/utility/datatypes/datatypes.h>
+#include <argos3/plugins/simulator/physics_engines/planar/body_forest.h>
 #include <argos3/plugins/simulator/physics_engines/planar/contact_island.h>
 
 #include <limits>
@@ -68,7 +69,7 @@ class CPushSolver {
   /** After Solve(): the number of the first body that contacts connect with a body. */
   UInt32 GetIsland(UInt32 body) {
     CheckNumber(body);
-    return FindRoot(body);
+    return FindRootOf(m_parents, body);
   }
   const STwist& GetTwist(UInt32 body) const {
     CheckNumber(body);
@@ -84,7 +85,6 @@ class CPushSolver {
     STwist Target;
     Real Force, Torque;  // N, N m
     Real SquaredGyration;  // m^2
-    UInt32 Parent;  // of the tree of connected bodies
     UInt32 Place;  // in its island
     Real Need = 0.0;  // of the island that begins with it: see SIsland
     Real Give, TurnGive;  // m/N, rad/(N m): compliance
@@ -113,7 +113,6 @@ class CPushSolver {
   void CheckNumber([[maybe_unused]] UInt32 body) const {
     ARGOS_ASSERT(body < m_bodies.size(), "the solver has no body with the number " << body);
   }
-  UInt32 FindRoot(UInt32 body);
   void SortByIslands();
   void SolveIsland(SIsland island);
   void Prepare(SIsland& island);
@@ -124,6 +123,7 @@ class CPushSolver {
   Real ComputeMotion(const SContact& contact) const;
 
   std::vector<SBody> m_bodies;
+  TBodyForest m_parents;
   std::vector<SRequirement> m_contacts;
   std::vector<SMember> m_bodyOrder, m_contactOrder;
   // of the island that is solved; behind the bodies is what does not move

@@ -72,7 +72,7 @@ bool CSolids::Correct(SLink& link) {
     return contact.NormalX * (pushed.X - pushing.X) + contact.NormalY * (pushed.Y - pushing.Y) +
            contact.LeverPushed * pushed.Turn - contact.LeverPushing * pushing.Turn;
   };
-  // bodies that do not turn relative to each other move as the contact says
+  // bodies that do not turn move as the contact says, or, if they are round, farther apart
   if (pushing.Turn == 0.0 && pushed.Turn == 0.0) {
     return false;
   }

@@ -76,6 +76,8 @@ void CSolids::Reserve(size_t solids) {
   m_pushed.reserve(solids);
   m_nearDiscs.reserve(256);
   m_pushers.reserve(256);
+  m_links.reserve(256);
+  m_members.reserve(solids);
   m_pushes.reserve(256);
   m_obstacles.reserve(256);
   m_ghosts.reserve(256);
@@ -215,8 +217,9 @@ void CSolids::Step(CDiscSwarm& discs) {
 // Moves the bodies of each island together, because one may have to make space for another that
 // makes space for it: two boxes that turn face to face.
 void CSolids::MoveTogether(const CDiscSwarm& discs) {
-  std::stable_sort(m_members.begin(), m_members.end(),
-                   [](const SMember& a, const SMember& b) { return a.Island < b.Island; });
+  std::sort(m_members.begin(), m_members.end(), [](const SMember& a, const SMember& b) {
+    return std::tie(a.Island, a.Slot) < std::tie(b.Island, b.Slot);
+  });
   for (size_t first = 0; first < m_members.size();) {
     size_t end = first;
     while (end < m_members.size() && m_members[end].Island == m_members[first].Island) {
