@@ -36,6 +36,10 @@ Real ComputePath(const CPhysicsEngine& engine, const CEmbodiedEntity& body, Real
                  motion.Rotation.Length() * body.GetBodyDescription()->ComputeBoundingRadius());
 }
 
+bool IsSameType(const CPhysicsEngine& a, const CPhysicsEngine& b) {
+  return typeid(a) == typeid(b);
+}
+
 SIndexedShape Grown(SIndexedShape shape, Real margin) {
   shape.HalfX += margin;
   shape.HalfY += margin;
@@ -71,7 +75,7 @@ void CBorderBundles::ForgetBundles() {
   for (CPhysicsEngine* engine : m_context.Engines) {
     if (auto* const described = dynamic_cast<CDescribedBodyEngine*>(engine)) {
       for (CEmbodiedEntity* body : described->m_strays) {
-        m_strays.push_back({body, described->FindModel(*body), described});
+        m_strays.push_back({body, described});
       }
       described->ForgetBundles();
     }
@@ -82,8 +86,8 @@ void CBorderBundles::ForgetBundles() {
 bool CBorderBundles::ReturnStrays() {
   bool hasMoved = false;
   for (const SMember& stray : m_strays) {
-    if (&stray.Model->GetEngine() == stray.Engine && !stray.Model->m_isBundled &&
-        !stray.Engine->ContainsOriginOf(*stray.Body)) {
+    const CDescribedBodyModel* const model = stray.Engine->FindModel(*stray.Body);
+    if (model != nullptr && !model->m_isBundled && !stray.Engine->ContainsOriginOf(*stray.Body)) {
       stray.Engine->TransferEntity(*stray.Body);
       hasMoved = true;
     }
@@ -129,13 +133,12 @@ bool CBorderBundles::Find(UInt32 number, SMember& member) const {
   if (!body.IsMovable() || body.GetPhysicsModelsNum() == 0) {
     return false;
   }
-  CPhysicsModel& model = body.GetPhysicsModel(size_t(0));
-  auto* const engine = dynamic_cast<CDescribedBodyEngine*>(&model.GetEngine());
-  auto* const described = dynamic_cast<CDescribedBodyModel*>(&model);
-  if (engine == nullptr || described == nullptr || !engine->FeelsGhosts()) {
+  auto* const engine =
+      dynamic_cast<CDescribedBodyEngine*>(&body.GetPhysicsModel(size_t(0)).GetEngine());
+  if (engine == nullptr || !engine->FeelsGhosts() || engine->FindModel(body) == nullptr) {
     return false;
   }
-  member = {&body, described, engine};
+  member = {&body, engine};
   return true;
 }
 
@@ -178,7 +181,7 @@ void CBorderBundles::AddNeighbours(const SMember& member) {
   for (const SIndexedShape& shape : m_near) {
     SMember other;
     if (m_isVisited[shape.Body] != 0 || !Find(shape.Body, other) ||
-        (!isObject && !IsObject(*other.Body)) || typeid(*other.Engine) != typeid(*member.Engine)) {
+        (!isObject && !IsObject(*other.Body)) || !Meet(member, other)) {
       continue;
     }
     const Real margin = kNear + kFaster * (path + ComputePath(*other.Engine, *other.Body, tick));
@@ -190,6 +193,17 @@ void CBorderBundles::AddNeighbours(const SMember& member) {
       Include(other);
     }
   }
+}
+
+// @return false for bodies of two types of engines that share the space where they are.
+bool CBorderBundles::Meet(const SMember& a, const SMember& b) {
+  if (IsSameType(*a.Engine, *b.Engine)) {
+    return true;
+  }
+  const auto isShared = [&](const CEmbodiedEntity& body) {
+    return a.Engine->ContainsOriginOf(body) && b.Engine->ContainsOriginOf(body);
+  };
+  return !isShared(*a.Body) && !isShared(*b.Body);
 }
 
 void CBorderBundles::AddGripped(const SMember& member) {
@@ -210,33 +224,82 @@ bool CBorderBundles::MoveBundle() {
   std::sort(m_bundle.begin(), m_bundle.end(), [](const SMember& a, const SMember& b) {
     return a.Body->GetIndex() < b.Body->GetIndex();
   });
-  const SMember& leader = m_bundle.front();
-  CDescribedBodyEngine* engine = leader.Engine;
-  if (!engine->ContainsOriginOf(*leader.Body)) {
-    if (CDescribedBodyEngine* const next = engine->FindNextOfSameType(*leader.Body)) {
-      engine = next;
-    }
-  }
+  CDescribedBodyEngine& engine = ChooseEngine();
   bool hasMoved = false;
-  for (SMember& member : m_bundle) {
-    if (!MayBeIn(*engine, *member.Body)) {
+  for (const SMember& member : m_bundle) {
+    CEmbodiedEntity& body = *member.Body;
+    if (engine.FindModel(body) == nullptr) {
+      if (!MayBeIn(engine, member)) {
+        continue;
+      }
+      member.Engine->FindCluster(body, m_gripped);
+      engine.AdoptCluster(*member.Engine, m_gripped);
+      hasMoved = true;
+    } else if (!MayStayIn(engine, body)) {
       continue;
     }
-    if (&member.Model->GetEngine() != engine) {
-      member.Engine->FindCluster(*member.Body, m_gripped);
-      engine->AdoptCluster(*member.Engine, m_gripped);
-      hasMoved = true;
-    }
-    engine->NoteBundled(*member.Model);
-    if (!engine->ContainsOriginOf(*member.Body)) {
-      AddFixedNear(member, *engine);
+    engine.NoteBundled(*engine.FindModel(body));
+    if (!engine.ContainsOriginOf(body)) {
+      AddFixedNear(member, engine);
     }
   }
   return hasMoved;
 }
 
-// @return false if the body is beyond a wall of the engine, or in a region of another type.
-bool CBorderBundles::MayBeIn(CDescribedBodyEngine& engine, const CEmbodiedEntity& body) {
+// The engine of the first body's region. Where engines of several types meet, the first one, in the
+// order of the bodies, that all of them may be in.
+CDescribedBodyEngine& CBorderBundles::ChooseEngine() {
+  const auto isOfFirstType = [this](const SMember& member) {
+    return IsSameType(*member.Engine, *m_bundle.front().Engine);
+  };
+  CDescribedBodyEngine& first = FindEngineOfPlace(m_bundle.front());
+  if (std::all_of(m_bundle.begin(), m_bundle.end(), isOfFirstType)) {
+    return first;
+  }
+  for (const SMember& leader : m_bundle) {
+    CDescribedBodyEngine& engine = FindEngineOfPlace(leader);
+    if (std::all_of(m_bundle.begin(), m_bundle.end(), [&engine](const SMember& member) {
+          return engine.FindModel(*member.Body) != nullptr || MayBeIn(engine, member);
+        })) {
+      return engine;
+    }
+  }
+  return first;
+}
+
+// the engine of the body, or the one that it is going to, if it has left the region
+CDescribedBodyEngine& CBorderBundles::FindEngineOfPlace(const SMember& member) {
+  if (member.Engine->ContainsOriginOf(*member.Body)) {
+    return *member.Engine;
+  }
+  CDescribedBodyEngine* found = member.Engine;
+  member.Engine->FindNextEngine(*member.Body, [&](CPhysicsEngine& next) {
+    auto* const described = dynamic_cast<CDescribedBodyEngine*>(&next);
+    const bool isFound =
+        described != nullptr && described->FeelsGhosts() && MayBeIn(*described, member);
+    found = isFound ? described : found;
+    return isFound;
+  });
+  return *found;
+}
+
+// @return false if a body of another engine cannot be moved to this one.
+bool CBorderBundles::MayBeIn(CDescribedBodyEngine& engine, const SMember& member) {
+  if (!MayStayIn(engine, *member.Body)) {
+    return false;
+  }
+  if (IsSameType(engine, *member.Engine)) {
+    return true;
+  }
+  // grips end where the type changes
+  CDescribedBodyEngine::TBodies gripped;
+  member.Engine->FindCluster(*member.Body, gripped);
+  return gripped.size() == 1 &&
+         member.Engine->MayMoveTo(engine, *member.Engine->FindModel(*member.Body));
+}
+
+// @return false if the body is beyond a wall of the engine, or outside of all regions.
+bool CBorderBundles::MayStayIn(CDescribedBodyEngine& engine, const CEmbodiedEntity& body) {
   if (!engine.Accepts(body)) {
     return false;
   }
@@ -244,7 +307,7 @@ bool CBorderBundles::MayBeIn(CDescribedBodyEngine& engine, const CEmbodiedEntity
     return true;
   }
   const SFace* const exit = engine.GetVolume().FindExit(body.GetOriginAnchor().Position);
-  return (exit == nullptr || !exit->IsWall) && engine.FindNextOfSameType(body) != nullptr;
+  return (exit == nullptr || !exit->IsWall) && engine.FindNextEngine(body) != nullptr;
 }
 
 // Fixed bodies are in the engines whose regions they touch; others move here.

@@ -8,7 +8,6 @@
 namespace argos {
 
 class CDescribedBodyEngine;
-class CDescribedBodyModel;
 class CEmbodiedEntity;
 struct SSimulationContext;
 
@@ -18,10 +17,12 @@ struct SSimulationContext;
  *
  * Objects are bodies without a drive or propellers. A bundle is what is connected by pairs that may
  * touch each other in the next tick, one of which is an object, and by grips; two robots are no
- * such pair (they are ghosts for each other). All bodies of a bundle are in engines of one type. It
- * is in the engine whose region contains its body of the lowest entity index. Its other bodies may
- * be outside of that region: they stay in the engine until they leave the bundle. Excepted are
- * those behind a wall of the region, and in regions of engines of other types.
+ * such pair (they are ghosts for each other), nor are bodies of engines of two types that share
+ * space. The bundle is in the engine whose region contains its body of the lowest entity index; if
+ * that engine does not accept all of its bodies (grips end where the type of the engine changes,
+ * and a leaning body cannot be in a plane), in the first that does. Its other bodies may be outside
+ * of that region: they stay in the engine until they leave the bundle. Excepted are those behind a
+ * wall of the region.
  */
 class CBorderBundles {
  public:
@@ -37,7 +38,6 @@ class CBorderBundles {
  private:
   struct SMember {
     CEmbodiedEntity* Body;
-    CDescribedBodyModel* Model;
     CDescribedBodyEngine* Engine;
   };
 
@@ -50,7 +50,11 @@ class CBorderBundles {
   void AddGripped(const SMember& member);
   void Include(const SMember& member);
   bool MoveBundle();
-  static bool MayBeIn(CDescribedBodyEngine& engine, const CEmbodiedEntity& body);
+  CDescribedBodyEngine& ChooseEngine();
+  static CDescribedBodyEngine& FindEngineOfPlace(const SMember& member);
+  static bool Meet(const SMember& a, const SMember& b);
+  static bool MayBeIn(CDescribedBodyEngine& engine, const SMember& member);
+  static bool MayStayIn(CDescribedBodyEngine& engine, const CEmbodiedEntity& body);
   void AddFixedNear(const SMember& member, CDescribedBodyEngine& engine) const;
 
   SSimulationContext& m_context;

@@ -275,6 +275,12 @@ void CDescribedBodyEngine::TransferEntity(CEmbodiedEntity& body) {
 }
 
 void CDescribedBodyEngine::AdoptCluster(CDescribedBodyEngine& from, const TBodies& cluster) {
+  if (typeid(from) != typeid(*this)) {
+    for (CEmbodiedEntity* each : cluster) {
+      AdoptFromOtherType(from, *each);
+    }
+    return;
+  }
   from.CopyGrips(cluster, m_grips);
   for (CEmbodiedEntity* each : cluster) {
     CheckBody(*each);
@@ -284,6 +290,17 @@ void CDescribedBodyEngine::AdoptCluster(CDescribedBodyEngine& from, const TBodie
   }
   for (const SGripTransfer& grip : m_grips) {
     RestoreGrip(grip);
+  }
+}
+
+void CDescribedBodyEngine::AdoptFromOtherType(CDescribedBodyEngine& from, CEmbodiedEntity& body) {
+  from.PrepareFor(*this, *from.FindModel(body));
+  SBodyMotion motion;
+  const bool hasMotion = from.GetMotion(body, motion);
+  from.RemoveEntity(body.GetRootEntity());
+  AddEntity(body.GetRootEntity());
+  if (hasMotion) {
+    SetMotion(body, motion);
   }
 }
 

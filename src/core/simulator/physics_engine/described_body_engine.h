@@ -112,6 +112,14 @@ class CDescribedBodyEngine : public CPhysicsEngine {
 
   /** @return false if a body that has left the region cannot be transferred in this tick. */
   virtual bool PrepareTransfer(CDescribedBodyModel& /*model*/) { return true; }
+  /** @return false if the present pose of a body prevents its transfer to an engine of another
+   * type. */
+  virtual bool MayMoveTo(const CPhysicsEngine& /*next*/,
+                         const CDescribedBodyModel& /*model*/) const {
+    return true;
+  }
+  /** Adapts the pose of a body to an engine of another type, to which it MayMoveTo(). */
+  virtual void PrepareFor(const CPhysicsEngine& /*next*/, CDescribedBodyModel& /*model*/) {}
   /**
    * Takes over a model from another engine of this type. Engines with momentum extend this by
    * transferring the state of motion.
@@ -174,8 +182,12 @@ class CDescribedBodyEngine : public CPhysicsEngine {
   void NoteBundled(CDescribedBodyModel& model);
   /** There are no bundles. */
   void ForgetBundles();
-  /** Takes over bodies of another engine of this type, with the grips between them. */
+  /**
+   * Takes over bodies of another engine, with the grips between them if it is of this type, else
+   * with their velocities.
+   */
   void AdoptCluster(CDescribedBodyEngine& from, const TBodies& cluster);
+  void AdoptFromOtherType(CDescribedBodyEngine& from, CEmbodiedEntity& body);
 
   void NoticeMove(CDescribedBodyModel& model);
   void NoticeConfirmedMove(CDescribedBodyModel& model);

@@ -88,6 +88,8 @@ class CDynamics3DEngine : public CDescribedBodyEngine {
    * otherwise the body stays here until it is.
    */
   bool PrepareTransfer(CDescribedBodyModel& model) override;
+  bool MayMoveTo(const CPhysicsEngine& next, const CDescribedBodyModel& model) const override;
+  void PrepareFor(const CPhysicsEngine& next, CDescribedBodyModel& model) override;
   void Adopt(CDescribedBodyModel& model) override;
   void FindCluster(CEmbodiedEntity& body, TBodies& cluster) const override;
   void CopyGrips(const TBodies& cluster, std::vector<SGripTransfer>& grips) const override;

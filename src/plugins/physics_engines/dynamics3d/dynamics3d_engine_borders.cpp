@@ -103,39 +103,51 @@ void CDynamics3DEngine::Adopt(CDescribedBodyModel& model) {
   }
 }
 
-// @return whether the body may leave; false if only its height or its lean prevents the transfer.
-bool CDynamics3DEngine::PrepareTransfer(CDescribedBodyModel& leaving) {
-  auto& model = static_cast<CDynamics3DModel&>(leaving);
-  CEmbodiedEntity& body = model.m_cEmbodiedEntity;
-  const SRigidPose pose = PoseOf(body);
-  const CPhysicsEngine* refuses = nullptr;
-  const auto accepts = [&](const CPhysicsEngine& next) {
-    if (&next == this) {
-      return false;
-    }
-    const std::optional<Real> plane = FindPlane(next);
-    if (!plane) {
-      return true;
-    }
-    if (body.GetBodyDescription()->Propellers || body.GetBodyDescription()->Articulation) {
-      return false;
-    }
-    if (std::abs(pose.Position.GetZ() - *plane) > kStepOntoPlane ||
-        ComputeLean(pose.Orientation) > kLeanOntoPlane) {
-      refuses = refuses == nullptr ? &next : refuses;
-      return false;
-    }
+// Onto a plane may go only what stands upright on it.
+bool CDynamics3DEngine::MayMoveTo(const CPhysicsEngine& next,
+                                  const CDescribedBodyModel& model) const {
+  const std::optional<Real> plane = FindPlane(next);
+  const SRigidPose pose = PoseOf(static_cast<const CDynamics3DModel&>(model).m_cEmbodiedEntity);
+  return !plane || (std::abs(pose.Position.GetZ() - *plane) <= kStepOntoPlane &&
+                    ComputeLean(pose.Orientation) <= kLeanOntoPlane);
+}
+
+void CDynamics3DEngine::PrepareFor(const CPhysicsEngine& next, CDescribedBodyModel& leaving) {
+  if (const std::optional<Real> plane = FindPlane(next)) {
+    auto& model = static_cast<CDynamics3DModel&>(leaving);
+    CEmbodiedEntity& body = model.m_cEmbodiedEntity;
+    const SRigidPose pose = PoseOf(body);
     body.SetOriginPose(CVector3(pose.Position.GetX(), pose.Position.GetY(), *plane),
                        SetUpright(pose.Orientation));
     model.CalculateBoundingBox();
     model.CalculateAnchors();
+  }
+}
+
+// @return whether the body may leave; false if only its height or its lean prevents the transfer.
+bool CDynamics3DEngine::PrepareTransfer(CDescribedBodyModel& leaving) {
+  auto& model = static_cast<CDynamics3DModel&>(leaving);
+  const SBodyDescription& description = *model.m_cEmbodiedEntity.GetBodyDescription();
+  const CPhysicsEngine* refuses = nullptr;
+  const auto accepts = [&](const CPhysicsEngine& next) {
+    if (&next == this ||
+        (FindPlane(next) && (description.Propellers || description.Articulation))) {
+      return false;
+    }
+    if (!MayMoveTo(next, model)) {
+      refuses = refuses == nullptr ? &next : refuses;
+      return false;
+    }
     return true;
   };
-  if (FindNextEngine(body, accepts) != nullptr || refuses == nullptr) {
+  if (const CPhysicsEngine* const next = FindNextEngine(model.m_cEmbodiedEntity, accepts)) {
+    PrepareFor(*next, model);
     return true;
   }
-  WarnStranded(model, *refuses);
-  return false;
+  if (refuses != nullptr) {
+    WarnStranded(model, *refuses);
+  }
+  return refuses == nullptr;
 }
 
 void CDynamics3DEngine::WarnStranded(const CDynamics3DModel& model, const CPhysicsEngine& plane) {

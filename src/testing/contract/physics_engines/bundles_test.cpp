@@ -76,6 +76,26 @@ void CheckAsInOne(const SSharingEngine& engine, const std::string& arena, const 
   }
 }
 
+/** Engines of two types whose regions meet at x = 0. */
+using TPair = std::pair<SSharingEngine, SSharingEngine>;
+
+std::vector<TPair> ListPairs() {
+  std::vector<TPair> pairs;
+  for (const SSharingEngine& west : kSharingEngines) {
+    for (const SSharingEngine& east : kSharingEngines) {
+      if (west.HasGhosts && east.HasGhosts && west.Tag != east.Tag) {
+        pairs.emplace_back(west, east);
+      }
+    }
+  }
+  return pairs;
+}
+
+std::string HalvesOf(const TPair& pair) {
+  return RegionXml(pair.first, "west", {{-20, -20}, {0, -20}, {0, 20}, {-20, 20}}) +
+         RegionXml(pair.second, "east", {{0, -20}, {20, -20}, {20, 20}, {0, 20}});
+}
+
 bool IsSkippedHere(const SSharingEngine& engine) {
   return IsSkipped(engine, engine.HasGhosts, "contacts across borders");
 }
@@ -272,6 +292,94 @@ TEST_CASE("bundles: bodies return to the engines of their regions",
   world.Step(20);
   CHECK(world.EngineOf("robot") == "west");
   CHECK(world.EngineOf("box") == "east");
+}
+
+TEST_CASE("bundles: objects at the border of two types of engines are pushed as in one",
+          "[contract][engine][partition]") {
+  const TPair pair = GENERATE(from_range(ListPairs()));
+  const Real side = GENERATE(1.0, -1.0);  // from which the robot pushes
+  CAPTURE(pair.first, pair.second, side);
+  const auto driver = [](const std::string& id, Real x, Real yaw) {
+    return DriverXml("foot-bot", id, x, 0, yaw, 10, 10);
+  };
+  // three boxes whose friction the robot overcomes, and a wall beyond the border
+  std::string row = driver("robot", -0.4 * side, side > 0.0 ? 0 : 180) +
+                    ObjectXml("wall", 1.0 * side, 0, 0.2, 2.0, false);
+  TRow bodies{{"robot", kFootBotRadius}};
+  for (int i = 0; i < 3; ++i) {
+    const std::string id = "box" + std::to_string(i);
+    row += ObjectXml(id, side * (-0.15 + 0.21 * i), 0, 0.2, 0.3);
+    bodies.emplace_back(id, 0.1);
+  }
+  bodies.emplace_back("wall", 0.1);
+  if (side < 0.0) {
+    std::reverse(bodies.begin(), bodies.end());
+  }
+  const std::string engines = HalvesOf(pair);
+  const SOutcome one = Run(pair.first.ToPromptXml(), row, bodies, 100);
+  const SOutcome two = Run(engines, row, bodies, 100);
+  CHECK(two.Deepest <= kDifference);
+  for (size_t i = 0; i < bodies.size(); ++i) {
+    CAPTURE(bodies[i].first, one.Ends[i], two.Ends[i]);
+    CHECK(std::abs(one.Ends[i] - two.Ends[i]) <= kDifference);
+  }
+}
+
+TEST_CASE("bundles: two objects pushed together at the border of two types of engines stop",
+          "[contract][engine][partition]") {
+  const TPair pair = GENERATE(from_range(ListPairs()));
+  CAPTURE(pair.first, pair.second);
+  const std::string arena = DriverXml("foot-bot", "a", -0.57, 0, 0, 10, 10) +
+                            DriverXml("foot-bot", "b", 0.63, 0, 180, 10, 10) +
+                            ObjectXml("left", -0.27, 0, 0.2, 0.3) +
+                            ObjectXml("right", 0.33, 0, 0.2, 0.3);
+  const TRow row{{"a", kFootBotRadius}, {"left", 0.1}, {"right", 0.1}, {"b", kFootBotRadius}};
+  const SOutcome outcome = Run(HalvesOf(pair), arena, row, 60);
+  CHECK(outcome.Deepest <= kDifference);
+  CHECK_THAT(outcome.Ends[1], WithinAbs(0.03 - 0.1, kDifference));
+  CHECK_THAT(outcome.Ends[2], WithinAbs(0.03 + 0.1, kDifference));
+}
+
+TEST_CASE("bundles: bodies return to the type of engine of their region",
+          "[contract][engine][partition]") {
+  const TPair pair = GENERATE(from_range(ListPairs()));
+  CAPTURE(pair.first, pair.second);
+  CDriveWorld world(HalvesOf(pair), DriverXml("foot-bot", "robot", -0.3, 0, 0, 10, 10) +
+                                        ObjectXml("box", 0.05, 0, 0.2, 0.3));
+  const UInt64 start = world.ComputeDigest();
+  world.Step(25);
+  CHECK(world.EngineOf("robot") == "west");
+  CHECK(world.EngineOf("box") == "west");
+  world.Driver("robot").Left = world.Driver("robot").Right = -10.0;
+  world.Step(20);
+  CHECK(world.EngineOf("robot") == "west");
+  CHECK(world.EngineOf("box") == "east");
+  world.GetSimulator().Reset();
+  CHECK(world.EngineOf("box") == "east");
+  CHECK(world.ComputeDigest() == start);
+}
+
+TEST_CASE("bundles: bodies of two types of engines that share space do not meet",
+          "[contract][engine][partition]") {
+  const TPair pair = GENERATE(from_range(ListPairs()));
+  CAPTURE(pair.first, pair.second);
+  // both types in the west; the first one in the east, so that there is a border
+  const std::string engines =
+      HalvesOf({pair.first, pair.first}) +
+      RegionXml(pair.second, "shared", {{-20, -20}, {0, -20}, {0, 20}, {-20, 20}});
+  // the robot is too far from the border to be a ghost
+  CDriveWorld world(engines, DriverXml("foot-bot", "robot", -2.0, 0, 0, 0, 0) +
+                                 ObjectXml("box", -0.9, 0, 1.6, 0.3));
+  auto& robot = world.Body("robot");
+  CHECK(world.EngineOf("box") == "west");
+  CHECK(world.EngineOf("robot") == "west");
+  CPhysicsEngine& shared = world.GetSimulator().GetPhysicsEngine("shared");
+  world.GetSimulator().GetPhysicsEngine("west").RemoveEntity(robot.GetRootEntity());
+  shared.AddEntity(robot.GetRootEntity());
+  world.Driver("robot").Left = world.Driver("robot").Right = 10.0;
+  world.Step(30);
+  CHECK(world.EngineOf("robot") == "shared");
+  CHECK_THAT(world.Position("box").GetX(), WithinAbs(-0.9, 1e-6));
 }
 
 }  // namespace argos::bundles_test

@@ -314,20 +314,14 @@ TEST_CASE("borders: objects that collide at a border share the momentum",
     return "<cylinder id='" + id + "' radius='0.1' height='0.1' movable='true' mass='1'><body " +
            "position='" + x + ",0,0'/></cylinder>";
   };
-  // b is in the east, so close to the border that a overlaps it by 1 mm when a's centre crosses;
-  // engines of one type move the two together, so that they collide before
+  // b is in the east, so close to the border that a would overlap it by 1 mm when a's centre
+  // crosses
   CDriveWorld world(engines, cylinder("a", "-0.7") + cylinder("b", "0.199"));
   world.Step();
   world.Launch("a", CVector3(0.1, 0.0, 0.0));
-  Real slowest = 0.1;
   while (world.EngineOf("a") == "west") {
     REQUIRE(world.GetSpace().GetSimulationClock() < 100);
-    // nothing decelerates an object before the border to an engine of another type
-    slowest = std::min(slowest, world.Motion("a").Velocity.GetX());
     world.Step();
-  }
-  if (west.Tag != east.Tag) {
-    CHECK_THAT(slowest, WithinAbs(0.1, 1e-5 + west.Precision * 0.1));
   }
   world.Step(50);
   const Real speedA = world.Motion("a").Velocity.GetX();
