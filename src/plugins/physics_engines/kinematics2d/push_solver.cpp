@@ -11,6 +11,10 @@ namespace {
 
 // N; assumed where no body has friction or a drive
 constexpr Real kLeastForce = 1e-3;
+// greatest change of targets after which the last solution helps, and greatest motion of what is
+// held, as shares of the greatest motion
+constexpr Real kSameTarget = 0.01;
+constexpr Real kHeld = 1e-3;
 
 STwist ToTwist(const Real* values) {
   return {values[kAxisX], values[kAxisY], values[kAxisTurn]};
@@ -18,13 +22,14 @@ STwist ToTwist(const Real* values) {
 
 }  // namespace
 
-// The motion of the pushed body along the normal, relative to the pushing one, m.
-Real CPushSolver::ComputeMotion(const SContact& contact) const {
-  const STwist& pushed = m_bodies[contact.Pushed].Twist;
+// The motion of the pushed body along the normal, relative to the pushing one, as their targets
+// are, m.
+Real CPushSolver::ComputePlannedMotion(const SContact& contact) const {
+  const STwist& pushed = m_bodies[contact.Pushed].Target;
   Real moved =
       contact.NormalX * pushed.X + contact.NormalY * pushed.Y + contact.LeverPushed * pushed.Turn;
   if (contact.Pushing != kNone) {
-    const STwist& pushing = m_bodies[contact.Pushing].Twist;
+    const STwist& pushing = m_bodies[contact.Pushing].Target;
     moved -= contact.NormalX * pushing.X + contact.NormalY * pushing.Y +
              contact.LeverPushing * pushing.Turn;
   }
@@ -35,11 +40,14 @@ void CPushSolver::Clear() {
   m_bodies.clear();
   m_parents.clear();
   m_contacts.clear();
+  m_isRecalled = false;
 }
 
-UInt32 CPushSolver::AddBody(const STwist& target, Real force, Real torque, Real squaredGyration) {
+UInt32 CPushSolver::AddBody(const STwist& target, Real force, Real torque, Real squaredGyration,
+                            UInt32 key) {
   const auto number = static_cast<UInt32>(m_bodies.size());
   SBody& body = m_bodies.emplace_back();
+  body.Key = key;
   body.Target = body.Twist = target;
   body.Force = force;
   body.Torque = torque;
@@ -48,11 +56,79 @@ UInt32 CPushSolver::AddBody(const STwist& target, Real force, Real torque, Real 
   return number;
 }
 
+void CPushSolver::ListContacts(std::vector<SKnownContact>& contacts) const {
+  contacts.clear();
+  for (UInt32 i = 0; i < m_contacts.size(); ++i) {
+    const SRequirement& contact = m_contacts[i];
+    contacts.push_back({contact.Pushing != kNone ? m_bodies[contact.Pushing].Key : kNone,
+                        m_bodies[contact.Pushed].Key, i, contact.Force});
+  }
+  std::sort(contacts.begin(), contacts.end(), [](const SKnownContact& a, const SKnownContact& b) {
+    return a.GetOrder() < b.GetOrder();
+  });
+}
+
+void CPushSolver::Remember() {
+  m_knownBodies.clear();
+  for (const SBody& body : m_bodies) {
+    if (body.Key != kNone) {
+      m_knownBodies.push_back({body.Key, body.NumContacts, body.Target, body.Twist, body.Used});
+    }
+  }
+  std::sort(m_knownBodies.begin(), m_knownBodies.end(),
+            [](const SKnownBody& a, const SKnownBody& b) { return a.Key < b.Key; });
+  ListContacts(m_knownContacts);
+}
+
+// @return its place in the list of known bodies, kNone if it is not in it.
+UInt32 CPushSolver::FindKnown(UInt32 key) const {
+  const auto known =
+      std::lower_bound(m_knownBodies.begin(), m_knownBodies.end(), key,
+                       [](const SKnownBody& body, UInt32 searched) { return body.Key < searched; });
+  return known != m_knownBodies.end() && known->Key == key
+             ? static_cast<UInt32>(known - m_knownBodies.begin())
+             : kNone;
+}
+
+void CPushSolver::Recall() {
+  if (m_isRecalled || m_knownBodies.empty()) {
+    return;
+  }
+  m_isRecalled = true;
+  for (SBody& body : m_bodies) {
+    body.Known = FindKnown(body.Key);
+  }
+  RecallContacts();
+}
+
+// Contacts of the same bodies are told apart by the order in which they were added.
+void CPushSolver::RecallContacts() {
+  const auto getBodies = [](const SKnownContact& contact) {
+    return std::tie(contact.Pushing, contact.Pushed);
+  };
+  ListContacts(m_contactsByKey);
+  auto known = m_knownContacts.begin();
+  for (const SKnownContact& contact : m_contactsByKey) {
+    while (known != m_knownContacts.end() && getBodies(*known) < getBodies(contact)) {
+      ++known;
+    }
+    if (known != m_knownContacts.end() && getBodies(*known) == getBodies(contact)) {
+      m_contacts[contact.Number].KnownForce = known->Force;
+      ++known;
+    }
+  }
+}
+
 UInt32 CPushSolver::AddContact(const SContact& contact) {
   CheckNumber(contact.Pushed);
   if (contact.Pushing != kNone) {
     CheckNumber(contact.Pushing);
     Connect(m_parents, contact.Pushing, contact.Pushed);
+  }
+  for (const UInt32 side : {contact.Pushing, contact.Pushed}) {
+    if (side != kNone) {
+      ++m_bodies[side].NumContacts;
+    }
   }
   m_contacts.push_back({contact});
   return static_cast<UInt32>(m_contacts.size() - 1);
@@ -65,7 +141,8 @@ const CPushSolver::SContact& CPushSolver::GetContact(UInt32 contact) const {
 
 void CPushSolver::SetContact(UInt32 contact, const SContact& replacement) {
   CheckContact(contact);
-  m_contacts[contact] = {replacement, true, m_contacts[contact].Force};
+  m_contacts[contact] = {replacement, true, m_contacts[contact].Force,
+                         m_contacts[contact].KnownForce};
 }
 
 void CPushSolver::SortByIslands() {
@@ -82,6 +159,7 @@ void CPushSolver::SortByIslands() {
 }
 
 void CPushSolver::Solve() {
+  Recall();
   SortByIslands();
   const auto takeIsland = [](const std::vector<SMember>& order, size_t first, UInt32 island) {
     size_t end = first;
@@ -150,7 +228,7 @@ void CPushSolver::Prepare(SIsland& island) {
   for (const SMember& member : island.Contacts) {
     SRequirement& contact = m_contacts[member.Number];
     contact.IsDue = false;
-    need = std::max(need, contact.Least - ComputeMotion(contact));
+    need = std::max(need, contact.Least - ComputePlannedMotion(contact));
     CountContact(contact.Pushed, contact.LeverPushed);
     if (contact.Pushing != kNone) {
       CountContact(contact.Pushing, contact.LeverPushing);
@@ -158,9 +236,54 @@ void CPushSolver::Prepare(SIsland& island) {
   }
   // of a corrected solution it is what it was before
   SBody& first = m_bodies[island.Bodies.front().Number];
-  first.Need = island.Need = first.Need > 0.0 ? first.Need : need;
+  const bool isCorrected = first.Need > 0.0;
+  first.Need = island.Need = isCorrected ? first.Need : need;
   if (island.Need > 0.0) {
+    if (!isCorrected && IsKnown(island)) {
+      StartFromKnown(island);
+    }
     SetUp(island, island.Need / (kPushSlack * (drive > 0.0 ? drive : friction)));
+  }
+}
+
+// @return true if it is as in the last solution, in which nothing was pushed on.
+bool CPushSolver::IsKnown(const SIsland& island) const {
+  return std::all_of(island.Bodies.begin(), island.Bodies.end(),
+                     [&](const SMember& member) {
+                       return WasHeld(m_bodies[member.Number], island.Need);
+                     }) &&
+         std::all_of(island.Contacts.begin(), island.Contacts.end(), [&](const SMember& member) {
+           return m_contacts[member.Number].KnownForce >= 0.0;
+         });
+}
+
+// What moved on starts anew: its contacts turn, and a motion that was not found completely in the
+// sweeps allowed would be followed to places where no other start leads.
+bool CPushSolver::WasHeld(const SBody& body, Real need) const {
+  if (body.Known == kNone) {
+    return false;
+  }
+  const SKnownBody& known = m_knownBodies[body.Known];
+  const auto computeLength = [&body](Real x, Real y, Real turn) {
+    return std::hypot(x, y) + std::abs(turn) * std::sqrt(body.SquaredGyration);
+  };
+  const Real moved = computeLength(known.Twist.X, known.Twist.Y, known.Twist.Turn);
+  const Real change = computeLength(known.Target.X - body.Target.X, known.Target.Y - body.Target.Y,
+                                    known.Target.Turn - body.Target.Turn);
+  return known.NumContacts == body.NumContacts && moved <= kHeld * need &&
+         change <= kSameTarget * need;
+}
+
+void CPushSolver::StartFromKnown(const SIsland& island) {
+  for (const SMember& member : island.Bodies) {
+    SBody& body = m_bodies[member.Number];
+    const SKnownBody& known = m_knownBodies[body.Known];
+    body.Start = body.Twist = known.Twist;
+    body.Used = known.Used;
+  }
+  for (const SMember& member : island.Contacts) {
+    SRequirement& contact = m_contacts[member.Number];
+    contact.Force = contact.KnownForce;
   }
 }
 

@@ -51,14 +51,22 @@ class CPushSolver {
   /** Removes all bodies and contacts. */
   void Clear();
   /**
+   * Keeps the solution. After Clear(), an island that has the same bodies, told apart by their
+   * keys, the same targets, and as many contacts between them, is solved from there if its friction
+   * held all that pushed: then one sweep is enough.
+   */
+  void Remember();
+  /**
    * Adds a body.
    * @param target           its motion without contacts; of objects that lie on the ground: none.
    * @param force, torque    bounds of what aims at the target, N and N m; with an unlimited torque
    *                         the body always turns as its target.
    * @param squaredGyration  moment of inertia over mass, m^2.
+   * @param key              tells the body from others in all ticks; kNone: it is not remembered.
    * @return its number.
    */
-  UInt32 AddBody(const STwist& target, Real force, Real torque, Real squaredGyration);
+  UInt32 AddBody(const STwist& target, Real force, Real torque, Real squaredGyration,
+                 UInt32 key = kNone);
   /** @return its number. */
   UInt32 AddContact(const SContact& contact);
   const SContact& GetContact(UInt32 contact) const;
@@ -80,8 +88,10 @@ class CPushSolver {
   struct SRequirement : SContact {
     bool IsDue = true;  // has changed since it was solved
     Real Force = 0.0;  // N, of the last solution
+    Real KnownForce = -1.0;  // N, of the last tick; negative: it did not exist
   };
   struct SBody {
+    UInt32 Key;
     STwist Target;
     Real Force, Torque;  // N, N m
     Real SquaredGyration;  // m^2
@@ -91,6 +101,8 @@ class CPushSolver {
     STwist Start;  // before forces
     STwist Twist;
     STwist Used;  // force and torque that aim at the target, of the last solution, N, N m
+    UInt32 NumContacts = 0;
+    UInt32 Known = kNone;  // in the list of known bodies
   };
   /** A body or contact, in the order of islands. */
   struct SMember {
@@ -106,6 +118,19 @@ class CPushSolver {
     Real Need;  // m, by which bodies at their targets would penetrate each other
   };
 
+  /** What is known of a body, or of a contact, from the last solution. */
+  struct SKnownBody {
+    UInt32 Key;
+    UInt32 NumContacts;
+    STwist Target, Twist, Used;
+  };
+  struct SKnownContact {
+    UInt32 Pushing, Pushed;  // keys
+    UInt32 Number;  // of contacts of the same bodies, the first one has the lowest
+    Real Force;  // N
+    auto GetOrder() const { return std::tie(Pushing, Pushed, Number); }
+  };
+
   void CheckContact([[maybe_unused]] UInt32 contact) const {
     ARGOS_ASSERT(contact < m_contacts.size(),
                  "the solver has no contact with the number " << contact);
@@ -113,6 +138,13 @@ class CPushSolver {
   void CheckNumber([[maybe_unused]] UInt32 body) const {
     ARGOS_ASSERT(body < m_bodies.size(), "the solver has no body with the number " << body);
   }
+  UInt32 FindKnown(UInt32 key) const;
+  void Recall();
+  void RecallContacts();
+  bool IsKnown(const SIsland& island) const;
+  void StartFromKnown(const SIsland& island);
+  bool WasHeld(const SBody& body, Real need) const;
+  void ListContacts(std::vector<SKnownContact>& contacts) const;
   void SortByIslands();
   void SolveIsland(SIsland island);
   void Prepare(SIsland& island);
@@ -120,12 +152,16 @@ class CPushSolver {
   void SetUp(const SIsland& island, Real give);
   bool IsSteady(const SIsland& island) const;
   void StartFromResult(const SIsland& island);
-  Real ComputeMotion(const SContact& contact) const;
+  Real ComputePlannedMotion(const SContact& contact) const;
 
   std::vector<SBody> m_bodies;
   TBodyForest m_parents;
   std::vector<SRequirement> m_contacts;
   std::vector<SMember> m_bodyOrder, m_contactOrder;
+  // of the last solution, sorted by keys, and scratch
+  std::vector<SKnownBody> m_knownBodies;
+  std::vector<SKnownContact> m_knownContacts, m_contactsByKey;
+  bool m_isRecalled = false;  // since Clear()
   // of the island that is solved; behind the bodies is what does not move
   std::vector<SIslandBody<Real>> m_islandBodies;
   std::vector<SIslandContact<Real>> m_islandContacts;

@@ -13,6 +13,8 @@ namespace {
 
 // A robot is pushed back if it moves by more than this share of its planned step against it.
 constexpr Real kPushedBack = 1e-6;
+// of the key of a disc in the solver; that of a solid is its slot
+constexpr UInt32 kDiscKey = 1U << 31;
 
 }  // namespace
 
@@ -98,7 +100,7 @@ UInt32 CSolids::AddToSolver(UInt32 slot) {
   SSolid& solid = m_solids[slot];
   if (solid.Number == CPushSolver::kNone) {
     solid.Number = m_solver.AddBody(STwist(), solid.Friction.Force, solid.Friction.Torque,
-                                    solid.SquaredGyration);
+                                    solid.SquaredGyration, slot);
     m_pushed.push_back(slot);
   }
   return solid.Number;
@@ -112,7 +114,7 @@ UInt32 CSolids::AddDiscToSolver(UInt32 disc, const CDiscSwarm& discs) {
     const SStep step = discs.GetPlannedStep(disc);
     const Real radius = discs.GetRadius(disc);
     number = m_solver.AddBody({step.X, step.Y, 0.0}, discs.GetMaxForce(disc),
-                              CPushSolver::kUnlimited, radius * radius);
+                              CPushSolver::kUnlimited, radius * radius, kDiscKey | disc);
     m_pushers.push_back({disc, true, number, STwist()});
   }
   return number;
@@ -123,7 +125,7 @@ UInt32 CSolids::AddRobotToSolver(UInt32 slot) {
   SSolid& robot = m_solids[slot];
   if (robot.Number == CPushSolver::kNone) {
     robot.Number = m_solver.AddBody(robot.Twist, robot.MaxForce, CPushSolver::kUnlimited,
-                                    robot.SquaredGyration);
+                                    robot.SquaredGyration, slot);
     m_pushers.push_back({slot, false, robot.Number, STwist()});
   }
   return robot.Number;

@@ -200,6 +200,7 @@ void CSolids::Step(CDiscSwarm& discs) {
     AddNeighbours(m_pushed[i], discs);
   }
   Solve();
+  m_solver.Remember();
   TakeTwists(discs);
   MoveTogether(discs);
   bool hasProgress = true;

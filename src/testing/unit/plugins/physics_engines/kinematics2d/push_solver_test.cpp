@@ -273,4 +273,62 @@ TEST_CASE("push solver: the result depends neither on the order nor on the axes"
   }
 }
 
+namespace {
+
+// A robot pushes the first box of a block, askew; a wall is behind one of them.
+std::vector<STwist> SolveBlock(CPushSolver& solver, Real step, int boxes) {
+  constexpr int kColumns = 3;
+  solver.Clear();
+  std::vector<UInt32> block;
+  for (int i = 0; i < boxes; ++i) {
+    block.push_back(solver.AddBody({}, 3.0, 0.5, kSquaredGyration, static_cast<UInt32>(i)));
+  }
+  const UInt32 robot = solver.AddBody({step, 0.2 * step, 0.0}, kDrive, CPushSolver::kUnlimited, 1.0,
+                                      static_cast<UInt32>(1000));
+  solver.AddContact({robot, block[0], 1.0, 0.0, 0.0, 0.04, 0.0});
+  for (int i = kColumns; i < boxes; ++i) {
+    solver.AddContact({block[i - kColumns], block[i], 1.0, 0.0, 0.1, 0.1, 0.0});
+    solver.AddContact({block[i - kColumns], block[i], 1.0, 0.0, -0.1, -0.1, 0.0});
+  }
+  for (int i = 1; i < boxes; ++i) {
+    if (i % kColumns != 0) {
+      solver.AddContact({block[i - 1], block[i], 0.0, 1.0, 0.1, -0.1, 0.0});
+    }
+  }
+  solver.AddContact({kNone, block.back(), -1.0, 0.0, 0.0, 0.0, 0.0});
+  solver.Solve();
+  solver.Remember();
+  std::vector<STwist> twists;
+  for (const UInt32 box : block) {
+    twists.push_back(solver.GetTwist(box));
+  }
+  return twists;
+}
+
+Real FindGreatestDifference(const std::vector<STwist>& a, const std::vector<STwist>& b) {
+  Real greatest = 0.0;
+  for (size_t i = 0; i < a.size(); ++i) {
+    greatest = std::max({greatest, std::abs(a[i].X - b[i].X), std::abs(a[i].Y - b[i].Y),
+                         std::abs(a[i].Turn - b[i].Turn) * std::sqrt(kSquaredGyration)});
+  }
+  return greatest;
+}
+
+}  // namespace
+
+TEST_CASE("push solver: a solution that is remembered does not change the next one",
+          "[unit][kinematics2d]") {
+  // what the block has held, and what it gets next; 24 boxes hold the robot, 6 do not
+  const Real before = GENERATE(0.01, 0.005, -0.01, 0.0);
+  const int boxesBefore = GENERATE(24, 6, 23);
+  const int boxes = GENERATE(24, 6);
+  CAPTURE(before, boxesBefore, boxes);
+  CPushSolver anew, solver;
+  const std::vector<STwist> expected = SolveBlock(anew, kNeed, boxes);
+  SolveBlock(solver, before, boxesBefore);
+  CHECK(FindGreatestDifference(SolveBlock(solver, kNeed, boxes), expected) <= 1e-4 * kNeed);
+  // and again, from itself
+  CHECK(FindGreatestDifference(SolveBlock(solver, kNeed, boxes), expected) <= 1e-4 * kNeed);
+}
+
 }  // namespace argos::push_solver_test
