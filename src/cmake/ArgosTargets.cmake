@@ -1,7 +1,7 @@
 # The calls with which this project defines its targets:
 #
 #   argos_add_core_part(utility ...)   an object library, one layer of the core
-#   argos_add_core(PARTS ...)          the parts merged into libargos3core_<build-for>.so, alias argos3::core
+#   argos_add_core(LINK ...)           all parts merged into libargos3core_<build-for>.so, alias argos3::core
 #   argos_add_plugin(media ...)        libargos3plugin_<build-for>_media.so, alias argos3::media; installed, the targets
 #                                      are ARGoS::core and ARGoS::media
 #   argos_add_module(name ...)         a library of controllers or loop functions, installed with the examples
@@ -78,10 +78,11 @@ function(argos_install_headers library prefix folder headersVariable includePath
 endfunction()
 
 # argos_add_core_part(<name> [FOLDER <f>] INCLUDE_PREFIX <p> PUBLIC_HEADERS ... SOURCES ... [LINK ...]
-#                     [LINK_PRIVATE ...])
-#   Names of headers and sources are relative to ${CMAKE_CURRENT_SOURCE_DIR}/<f>, by default <name>.
+#                     [LINK_PRIVATE ...] [ABOVE_PLUGINS])
+#   Names of headers and sources are relative to ${CMAKE_CURRENT_SOURCE_DIR}/<f>, by default <name>. With ABOVE_PLUGINS, the part is in
+#   the same library, but its headers are seen only by what links argos3::<name>.
 function(argos_add_core_part name)
-  cmake_parse_arguments(PARSE_ARGV 1 ARG "" "FOLDER;INCLUDE_PREFIX" "PUBLIC_HEADERS;SOURCES;LINK;LINK_PRIVATE")
+  cmake_parse_arguments(PARSE_ARGV 1 ARG "ABOVE_PLUGINS" "FOLDER;INCLUDE_PREFIX" "PUBLIC_HEADERS;SOURCES;LINK;LINK_PRIVATE")
   if(NOT ARG_FOLDER)
     set(ARG_FOLDER ${name})
   endif()
@@ -94,7 +95,14 @@ function(argos_add_core_part name)
   target_include_directories(${target} PUBLIC "${root}" "${PROJECT_BINARY_DIR}/include/config")
   target_link_libraries(${target} PUBLIC ${ARG_LINK} PRIVATE argos_options ${ARG_LINK_PRIVATE})
   target_compile_definitions(${target} PRIVATE ARGOS_WITHOUT_COMPANIONS)
-  set_target_properties(${target} PROPERTIES ARGOS_INCLUDE_ROOT "${root}")
+  set_property(GLOBAL APPEND PROPERTY ARGOS_CORE_PARTS ${target})
+  if(ARG_ABOVE_PLUGINS)
+    add_library(argos3_${name}_headers INTERFACE)
+    add_library(argos3::${name} ALIAS argos3_${name}_headers)
+    target_include_directories(argos3_${name}_headers INTERFACE "${root}")
+  else()
+    set_property(GLOBAL APPEND PROPERTY ARGOS_CORE_ROOTS "$<BUILD_INTERFACE:${root}>")
+  endif()
   argos_group_sources(${target} "\\.cpp$")
   argos_precompile(${target} library)
 
@@ -105,21 +113,23 @@ endfunction()
 # Some public headers include companions, which users' code expects but which they do not need themselves, unless
 # ARGOS_WITHOUT_COMPANIONS is defined, as for the simulator and its plug-ins: these include what they use.
 
-# argos_add_core(PARTS ... [LINK ...])
+# argos_add_core([LINK ...])
 #   LINK names what the public headers need.
 function(argos_add_core)
-  cmake_parse_arguments(PARSE_ARGV 0 ARG "" "" "PARTS;LINK")
+  cmake_parse_arguments(PARSE_ARGV 0 ARG "" "" "LINK")
+  get_property(parts GLOBAL PROPERTY ARGOS_CORE_PARTS)
   set(target argos3core_${ARGOS_BUILD_FOR})
   add_library(${target} SHARED)
   add_library(argos3::core ALIAS ${target})
-  foreach(part IN LISTS ARG_PARTS)
-    target_link_libraries(${target} PRIVATE argos3_${part})
-    get_target_property(root argos3_${part} ARGOS_INCLUDE_ROOT)
-    target_include_directories(${target} PUBLIC "$<BUILD_INTERFACE:${root}>")
-  endforeach()
-  target_include_directories(${target} PUBLIC "$<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include/config>"
+  get_property(roots GLOBAL PROPERTY ARGOS_CORE_ROOTS)
+  target_link_libraries(${target} PRIVATE ${parts})
+  target_include_directories(${target} PUBLIC ${roots} "$<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include/config>"
                                               "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>")
   target_link_libraries(${target} PUBLIC ${ARG_LINK} PRIVATE argos_options)
+  # a process that forks for each run of a campaign resolves symbols once, and not each of its forks
+  if(NOT APPLE)
+    target_link_options(${target} PRIVATE LINKER:-z,now)
+  endif()
   argos_share_build_id(${target})
   target_compile_features(${target} INTERFACE cxx_std_17)
   set_target_properties(${target} PROPERTIES LINKER_LANGUAGE CXX EXPORT_NAME core)
@@ -224,7 +234,7 @@ function(argos_add_test name)
     set(ARG_PROCESSORS 1)
   endif()
   add_executable(${name} ${ARG_SOURCES})
-  target_link_libraries(${name} PRIVATE argos_options argos_test_options argos3::core ${ARG_LINK} Catch2::Catch2WithMain)
+  target_link_libraries(${name} PRIVATE argos_options argos_test_options argos3::core argos3::program ${ARG_LINK} Catch2::Catch2WithMain)
   argos_precompile(${name} test)
   # each test file has a namespace of its own, the helpers of a program have not
   set(helpers ${ARG_SOURCES})
