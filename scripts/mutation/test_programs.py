@@ -18,8 +18,6 @@ PROGRAMS = {
     "core/simulator/physics_engine": "unit_core_tests unit_plugin_tests contract_drive_tests contract_partition_tests "
                                      "compat_tests contract_tests scenario_tests contract_rigid_tests determinism_partition_tests",
     "core/simulator/placement": "unit_core_tests compat_tests contract_partition_tests scenario_tests",
-    "core/simulator/program": "unit_core_tests unit_demand_tests scenario_input_tests scenario_tests scenario_output_tests "
-                              "scenario_recording_tests scenario_fault_tests",
     "core/simulator/recording": "unit_core_tests unit_offscreen_tests scenario_recording_tests scenario_output_tests",
     "core/simulator/space": "unit_core_tests unit_plugin_tests contract_partition_tests contract_sensor_tests compat_tests "
                             "contract_tests scenario_table_tests scenario_tests determinism_tests",
@@ -45,6 +43,8 @@ PROGRAMS = {
                               "scenario_recording_tests",
     "plugins/visualizations/overlays": "unit_overlay_tests unit_offscreen_tests scenario_golden_tests",
     "plugins/visualizations/povray": "unit_povray_tests scenario_golden_tests",
+    "program": "unit_core_tests unit_demand_tests scenario_input_tests scenario_tests scenario_output_tests "
+               "scenario_recording_tests scenario_fault_tests",
 }
 
 

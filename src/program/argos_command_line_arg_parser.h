@@ -1,5 +1,5 @@
-#ifndef ARGOS3_CORE_SIMULATOR_PROGRAM_ARGOS_COMMAND_LINE_ARG_PARSER_H
-#define ARGOS3_CORE_SIMULATOR_PROGRAM_ARGOS_COMMAND_LINE_ARG_PARSER_H
+#ifndef ARGOS3_PROGRAM_ARGOS_COMMAND_LINE_ARG_PARSER_H
+#define ARGOS3_PROGRAM_ARGOS_COMMAND_LINE_ARG_PARSER_H
 
 #include <argos3/core/simulator/replay/replay.h>
 #include <argos3/core/utility/datatypes/datatypes.h>

@@ -1,4 +1,4 @@
-#include <argos3/core/simulator/program/crash_handler.h>
+#include <argos3/program/crash_handler.h>
 
 #include <argos3/core/utility/errors/running_code.h>
 #include <argos3/core/utility/errors/signal_safe_text.h>

@@ -1,4 +1,4 @@
-#include <argos3/core/simulator/program/exit_guard.h>
+#include <argos3/program/exit_guard.h>
 
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/space.h>

@@ -1,4 +1,4 @@
-#include <argos3/core/simulator/program/command_line.h>
+#include <argos3/program/command_line.h>
 
 #include <fcntl.h>
 #include <signal.h>

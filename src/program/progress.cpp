@@ -1,4 +1,4 @@
-#include <argos3/core/simulator/program/progress.h>
+#include <argos3/program/progress.h>
 
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/space.h>

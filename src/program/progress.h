@@ -1,5 +1,5 @@
-#ifndef ARGOS3_CORE_SIMULATOR_PROGRAM_PROGRESS_H
-#define ARGOS3_CORE_SIMULATOR_PROGRAM_PROGRESS_H
+#ifndef ARGOS3_PROGRAM_PROGRESS_H
+#define ARGOS3_PROGRAM_PROGRESS_H
 
 #include <argos3/core/utility/datatypes/datatypes.h>
 

@@ -1,5 +1,5 @@
-#ifndef ARGOS3_CORE_SIMULATOR_PROGRAM_QUERY_PLUGINS_H
-#define ARGOS3_CORE_SIMULATOR_PROGRAM_QUERY_PLUGINS_H
+#ifndef ARGOS3_PROGRAM_QUERY_PLUGINS_H
+#define ARGOS3_PROGRAM_QUERY_PLUGINS_H
 
 #include <string>
 
@@ -37,7 +37,7 @@ void PrintPlain(const std::string& text);
 }  // namespace argos
 
 #ifndef ARGOS_WITHOUT_COMPANIONS
-#include <argos3/core/simulator/catalogue/plugin_kinds.h>
+#include <argos3/core/utility/plugins/plugin_kind.h>
 #endif
 
 #endif

@@ -1,4 +1,4 @@
-#include <argos3/core/simulator/program/shielded_check.h>
+#include <argos3/program/shielded_check.h>
 
 #include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/files/scratch_folder.h>

@@ -1,4 +1,4 @@
-#include <argos3/core/simulator/program/stop_signals.h>
+#include <argos3/program/stop_signals.h>
 
 #include <unistd.h>
 

@@ -5,7 +5,7 @@
 #include <argos3/campaign/execution/run_messages.h>
 #include <argos3/campaign/execution/run_process.h>
 
-#include <argos3/core/simulator/program/crash_handler.h>
+#include <argos3/program/crash_handler.h>
 #include <argos3/core/utility/configuration/configuration_document.h>
 #include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/errors/exception_text.h>

@@ -1,6 +1,6 @@
-#include <argos3/core/simulator/catalogue/answer.h>
+#include <argos3/program/catalogue/answer.h>
 
-#include <argos3/core/simulator/catalogue/interface_class.h>
+#include <argos3/program/catalogue/interface_class.h>
 #include <argos3/core/simulator/entity/actuator.h>
 #include <argos3/core/simulator/entity/sensor.h>
 #include <argos3/core/simulator/simulator.h>

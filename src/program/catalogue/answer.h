@@ -1,7 +1,7 @@
-#ifndef ARGOS3_CORE_SIMULATOR_CATALOGUE_ANSWER_H
-#define ARGOS3_CORE_SIMULATOR_CATALOGUE_ANSWER_H
+#ifndef ARGOS3_PROGRAM_CATALOGUE_ANSWER_H
+#define ARGOS3_PROGRAM_CATALOGUE_ANSWER_H
 
-#include <argos3/core/simulator/catalogue/plugin_kinds.h>
+#include <argos3/program/catalogue/plugin_kinds.h>
 
 #include <string>
 #include <vector>

@@ -1,6 +1,6 @@
-#include <argos3/core/simulator/catalogue/device_facts.h>
+#include <argos3/program/catalogue/device_facts.h>
 
-#include <argos3/core/simulator/catalogue/interface_class.h>
+#include <argos3/program/catalogue/interface_class.h>
 #include <argos3/core/simulator/entity/actuator.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/entity/sensor.h>

@@ -1,8 +1,8 @@
-#include <argos3/core/simulator/catalogue/facts_json.h>
+#include <argos3/program/catalogue/facts_json.h>
 
-#include <argos3/core/simulator/catalogue/json_writer.h>
-#include <argos3/core/simulator/catalogue/manual.h>
-#include <argos3/core/simulator/catalogue/recorded_grammar.h>
+#include <argos3/program/catalogue/json_writer.h>
+#include <argos3/program/catalogue/manual.h>
+#include <argos3/program/catalogue/recorded_grammar.h>
 
 namespace argos {
 

@@ -1,7 +1,7 @@
-#ifndef ARGOS3_CORE_SIMULATOR_CATALOGUE_FACTS_JSON_H
-#define ARGOS3_CORE_SIMULATOR_CATALOGUE_FACTS_JSON_H
+#ifndef ARGOS3_PROGRAM_CATALOGUE_FACTS_JSON_H
+#define ARGOS3_PROGRAM_CATALOGUE_FACTS_JSON_H
 
-#include <argos3/core/simulator/catalogue/answer.h>
+#include <argos3/program/catalogue/answer.h>
 
 #include <string>
 #include <vector>

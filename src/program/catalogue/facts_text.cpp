@@ -1,7 +1,7 @@
-#include <argos3/core/simulator/catalogue/facts_text.h>
+#include <argos3/program/catalogue/facts_text.h>
 
-#include <argos3/core/simulator/catalogue/device_facts.h>
-#include <argos3/core/simulator/catalogue/text_layout.h>
+#include <argos3/program/catalogue/device_facts.h>
+#include <argos3/program/catalogue/text_layout.h>
 #include <argos3/core/utility/configuration/value_range.h>
 #include <argos3/core/utility/text/string_utilities.h>
 

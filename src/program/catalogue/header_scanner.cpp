@@ -1,4 +1,4 @@
-#include <argos3/core/simulator/catalogue/header_scanner.h>
+#include <argos3/program/catalogue/header_scanner.h>
 
 #include <argos3/core/utility/text/string_utilities.h>
 

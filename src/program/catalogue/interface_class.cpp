@@ -1,4 +1,4 @@
-#include <argos3/core/simulator/catalogue/interface_class.h>
+#include <argos3/program/catalogue/interface_class.h>
 
 #include <argos3/core/utility/plugins/registration.h>
 #include <argos3/core/utility/text/string_utilities.h>

@@ -1,4 +1,4 @@
-#include <argos3/core/simulator/catalogue/json_writer.h>
+#include <argos3/program/catalogue/json_writer.h>
 
 #include <argos3/core/utility/text/utf8.h>
 

@@ -1,4 +1,4 @@
-#include <argos3/core/simulator/catalogue/libraries_of.h>
+#include <argos3/program/catalogue/libraries_of.h>
 
 #include <argos3/core/simulator/context/library_attribute.h>
 #include <argos3/core/utility/configuration/configuration_document.h>

@@ -1,4 +1,4 @@
-#include <argos3/core/simulator/catalogue/manual.h>
+#include <argos3/program/catalogue/manual.h>
 
 #include <argos3/core/utility/configuration/configuration_document.h>
 

@@ -1,5 +1,5 @@
-#ifndef ARGOS3_CORE_SIMULATOR_CATALOGUE_MANUAL_H
-#define ARGOS3_CORE_SIMULATOR_CATALOGUE_MANUAL_H
+#ifndef ARGOS3_PROGRAM_CATALOGUE_MANUAL_H
+#define ARGOS3_PROGRAM_CATALOGUE_MANUAL_H
 
 #include <argos3/core/utility/configuration/argos_configuration.h>
 

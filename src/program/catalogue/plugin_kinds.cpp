@@ -1,4 +1,4 @@
-#include <argos3/core/simulator/catalogue/plugin_kinds.h>
+#include <argos3/program/catalogue/plugin_kinds.h>
 
 #include <argos3/core/control_interface/ci_controller.h>
 #include <argos3/core/simulator/entity/actuator.h>
@@ -15,31 +15,9 @@
 #include <argos3/core/simulator/visualization/visualization.h>
 #include <argos3/core/utility/plugins/process_wide.h>
 
-#include <map>
-#include <mutex>
-
 namespace argos {
 
 namespace {
-
-// a kind added by a library
-struct SAddedKind {
-  std::string Of;
-  std::string Header;
-  CPluginKind::TList* List;
-};
-
-// by word; guarded by the mutex of registrations
-std::map<std::string, SAddedKind>& GetAddedKinds() {
-  static std::map<std::string, SAddedKind> kinds;
-  return kinds;
-}
-
-// copied, because lists take locks that come before this one
-std::map<std::string, SAddedKind> CopyAddedKinds() {
-  const std::lock_guard<std::recursive_mutex> lock(detail::GetRegistrationMutex());
-  return GetAddedKinds();
-}
 
 // includes what is listed among the engines in an experiment file, but is not an engine
 std::vector<SPluginText> ListEngines() {
@@ -78,16 +56,10 @@ std::vector<SPluginKind> ListPluginKinds() {
       {"controllers", "controller", "AVAILABLE CONTROLLERS", ListPlugins<CCI_Controller>()},
       {"loop_functions", "loop functions", "AVAILABLE LOOP FUNCTIONS",
        ListPlugins<CLoopFunctions>()}};
-  for (const auto& [word, kind] : CopyAddedKinds()) {
+  for (const auto& [word, kind] : CPluginKind::GetAll()) {
     all.push_back({word, "part of " + kind.Of, kind.Header, kind.List(), kind.Of});
   }
   return all;
-}
-
-CPluginKind::CPluginKind(const std::string& word, const std::string& of, const std::string& header,
-                         TList* list) {
-  const std::lock_guard<std::recursive_mutex> lock(detail::GetRegistrationMutex());
-  GetAddedKinds()[word] = {of, header, list};
 }
 
 }  // namespace argos

@@ -1,6 +1,6 @@
-#include <argos3/core/simulator/catalogue/public_headers.h>
+#include <argos3/program/catalogue/public_headers.h>
 
-#include <argos3/core/simulator/catalogue/header_scanner.h>
+#include <argos3/program/catalogue/header_scanner.h>
 #include <argos3/core/utility/plugins/registration.h>
 
 #include <algorithm>

@@ -1,7 +1,7 @@
-#include <argos3/core/simulator/catalogue/recorded_grammar.h>
+#include <argos3/program/catalogue/recorded_grammar.h>
 
-#include <argos3/core/simulator/catalogue/manual.h>
-#include <argos3/core/simulator/catalogue/sample_elements.h>
+#include <argos3/program/catalogue/manual.h>
+#include <argos3/program/catalogue/sample_elements.h>
 #include <argos3/core/utility/configuration/configuration_document.h>
 
 #include <fmt/format.h>

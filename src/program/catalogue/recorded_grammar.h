@@ -1,7 +1,7 @@
-#ifndef ARGOS3_CORE_SIMULATOR_CATALOGUE_RECORDED_GRAMMAR_H
-#define ARGOS3_CORE_SIMULATOR_CATALOGUE_RECORDED_GRAMMAR_H
+#ifndef ARGOS3_PROGRAM_CATALOGUE_RECORDED_GRAMMAR_H
+#define ARGOS3_PROGRAM_CATALOGUE_RECORDED_GRAMMAR_H
 
-#include <argos3/core/simulator/catalogue/device_facts.h>
+#include <argos3/program/catalogue/device_facts.h>
 #include <argos3/core/utility/configuration/request_recorder.h>
 
 #include <map>

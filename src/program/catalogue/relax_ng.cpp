@@ -1,4 +1,4 @@
-#include <argos3/core/simulator/catalogue/schema_pattern.h>
+#include <argos3/program/catalogue/schema_pattern.h>
 
 #include <argos3/core/utility/text/string_utilities.h>
 

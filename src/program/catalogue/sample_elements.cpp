@@ -1,6 +1,6 @@
-#include <argos3/core/simulator/catalogue/sample_elements.h>
+#include <argos3/program/catalogue/sample_elements.h>
 
-#include <argos3/core/simulator/catalogue/manual.h>
+#include <argos3/program/catalogue/manual.h>
 
 #include <fmt/format.h>
 

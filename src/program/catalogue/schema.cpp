@@ -1,9 +1,9 @@
-#include <argos3/core/simulator/catalogue/schema.h>
+#include <argos3/program/catalogue/schema.h>
 
-#include <argos3/core/simulator/catalogue/answer.h>
-#include <argos3/core/simulator/catalogue/manual.h>
-#include <argos3/core/simulator/catalogue/recorded_grammar.h>
-#include <argos3/core/simulator/catalogue/schema_pattern.h>
+#include <argos3/program/catalogue/answer.h>
+#include <argos3/program/catalogue/manual.h>
+#include <argos3/program/catalogue/recorded_grammar.h>
+#include <argos3/program/catalogue/schema_pattern.h>
 
 #include <argos3/core/utility/text/string_utilities.h>
 

@@ -1,4 +1,4 @@
-#include <argos3/core/simulator/catalogue/text_layout.h>
+#include <argos3/program/catalogue/text_layout.h>
 
 #include <algorithm>
 #include <sstream>

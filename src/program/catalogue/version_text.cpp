@@ -1,7 +1,7 @@
-#include <argos3/core/simulator/catalogue/version_text.h>
+#include <argos3/program/catalogue/version_text.h>
 
 #include <argos3/core/config.h>
-#include <argos3/core/simulator/catalogue/public_headers.h>
+#include <argos3/program/catalogue/public_headers.h>
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
 
 #include <fstream>

@@ -4,7 +4,7 @@
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/geometry/body_description.h>
-#include <argos3/core/simulator/catalogue/plugin_kinds.h>
+#include <argos3/core/utility/plugins/plugin_kind.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/utility/configuration/single_element.h>
 #include <argos3/core/utility/logging/argos_log.h>

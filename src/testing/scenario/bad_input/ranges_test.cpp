@@ -2,7 +2,7 @@
 
 #include "experiment_text.h"
 
-#include <argos3/core/simulator/program/query_plugins.h>
+#include <argos3/program/query_plugins.h>
 #include <argos3/core/utility/configuration/argos_configuration.h>
 
 #include <catch2/catch.hpp>

@@ -1,9 +1,9 @@
 // Parsing of the command line.
 
 #include <argos3/core/simulator/argos_command_line_arg_parser.h>
-#include <argos3/core/simulator/program/option_table.h>
-#include <argos3/core/simulator/program/progress.h>
-#include <argos3/core/simulator/program/shell_documents.h>
+#include <argos3/program/option_table.h>
+#include <argos3/program/progress.h>
+#include <argos3/program/shell_documents.h>
 #include <argos3/core/utility/text/string_utilities.h>
 
 #include <argos3/core/config.h>

@@ -1,8 +1,8 @@
 // Manuals of plug-ins for programs and for terminals.
 
-#include <argos3/core/simulator/catalogue/json_writer.h>
-#include <argos3/core/simulator/catalogue/manual.h>
-#include <argos3/core/simulator/catalogue/text_layout.h>
+#include <argos3/program/catalogue/json_writer.h>
+#include <argos3/program/catalogue/manual.h>
+#include <argos3/program/catalogue/text_layout.h>
 
 #include <catch2/catch.hpp>
 

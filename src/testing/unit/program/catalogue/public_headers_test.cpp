@@ -1,6 +1,6 @@
 // What comments of headers say of control interfaces.
 
-#include <argos3/core/simulator/catalogue/public_headers.h>
+#include <argos3/program/catalogue/public_headers.h>
 
 #include <argos3/testing/support/temporary_folder.h>
 
