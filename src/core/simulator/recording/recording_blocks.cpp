@@ -1,6 +1,6 @@
 #include <argos3/core/simulator/recording/recording_blocks.h>
 
-#include <argos3/core/simulator/recording/byte_stream.h>
+#include <argos3/core/utility/datatypes/byte_stream.h>
 #include <argos3/core/utility/errors/argos_exception.h>
 
 #include <zstd.h>

@@ -1,7 +1,7 @@
 #ifndef ARGOS3_CORE_SIMULATOR_RECORDING_TYPE_CODING_H
 #define ARGOS3_CORE_SIMULATOR_RECORDING_TYPE_CODING_H
 
-#include <argos3/core/simulator/recording/byte_stream.h>
+#include <argos3/core/utility/datatypes/byte_stream.h>
 #include <argos3/core/simulator/recording/recorded_frame.h>
 
 namespace argos {
