@@ -1,5 +1,6 @@
 #include <argos3/core/simulator/recording/drawing_coding.h>
 
+#include <argos3/core/simulator/recording/type_coding.h>
 #include <argos3/core/utility/errors/argos_exception.h>
 
 namespace argos {
@@ -16,18 +17,6 @@ struct SWholeShape {
   std::string_view Text;
   STextStyle Style;
 };
-
-void WriteVector(const CVector3& vector, CByteWriter& out) {
-  out.WriteReal(vector.GetX());
-  out.WriteReal(vector.GetY());
-  out.WriteReal(vector.GetZ());
-}
-
-CVector3 ReadVector(CByteReader& in) {
-  const Real x = in.ReadReal();
-  const Real y = in.ReadReal();
-  return CVector3(x, y, in.ReadReal());
-}
 
 void WriteColor(const CColor& color, CByteWriter& out) {
   for (const UInt8 part : {color.GetRed(), color.GetGreen(), color.GetBlue(), color.GetAlpha()}) {
