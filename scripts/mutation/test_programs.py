@@ -18,7 +18,6 @@ PROGRAMS = {
     "core/simulator/physics_engine": "unit_core_tests unit_plugin_tests contract_drive_tests contract_partition_tests "
                                      "compat_tests contract_tests scenario_tests contract_rigid_tests determinism_partition_tests",
     "core/simulator/placement": "unit_core_tests compat_tests contract_partition_tests scenario_tests",
-    "core/simulator/recording": "unit_core_tests unit_offscreen_tests scenario_recording_tests scenario_output_tests",
     "core/simulator/space": "unit_core_tests unit_plugin_tests contract_partition_tests contract_sensor_tests compat_tests "
                             "contract_tests scenario_table_tests scenario_tests determinism_tests",
     "core/simulator/tick": "unit_core_tests unit_thread_tests contract_tests scenario_fault_tests determinism_tests",
@@ -31,7 +30,7 @@ PROGRAMS = {
     "plugins/entities": "unit_plugin_tests compat_tests contract_camera_tests contract_sensor_tests contract_tests scenario_tests",
     "plugins/loop_functions": "scenario_lua_tests unit_lua_tests scenario_table_tests",
     "plugins/media": "unit_plugin_tests contract_camera_tests contract_sensor_tests contract_tests scenario_tests determinism_tests",
-    "plugins/outputs/recording": "scenario_recording_tests scenario_output_tests",
+    "plugins/outputs/recording": "unit_plugin_tests scenario_recording_tests scenario_output_tests unit_offscreen_tests",
     "plugins/outputs/tables": "scenario_table_tests scenario_output_tests",
     "plugins/physics_engines": "unit_plugin_tests contract_drive_tests contract_partition_tests contract_tests scenario_tests "
                                "determinism_partition_tests determinism_tests",

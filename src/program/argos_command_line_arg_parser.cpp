@@ -1,11 +1,11 @@
 #include <argos3/program/argos_command_line_arg_parser.h>
 
 #include <argos3/core/config.h>
+#include <argos3/core/utility/errors/argos_exception.h>
+#include <argos3/core/utility/text/string_utilities.h>
 #include <argos3/program/catalogue/text_layout.h>
 #include <argos3/program/catalogue/version_text.h>
 #include <argos3/program/option_table.h>
-#include <argos3/core/utility/errors/argos_exception.h>
-#include <argos3/core/utility/text/string_utilities.h>
 
 #include <CLI/CLI.hpp>
 

@@ -1,21 +1,9 @@
 #include <argos3/program/command_line.h>
 
-#include <argos3/program/catalogue/libraries_of.h>
-#include <argos3/program/catalogue/log_silence.h>
-#include <argos3/program/catalogue/schema.h>
-#include <argos3/program/catalogue/version_text.h>
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/loading/loading_check.h>
 #include <argos3/core/simulator/outputs/run_outputs.h>
-#include <argos3/program/argos_command_line_arg_parser.h>
-#include <argos3/program/crash_handler.h>
-#include <argos3/program/exit_guard.h>
-#include <argos3/program/progress.h>
-#include <argos3/program/query_plugins.h>
-#include <argos3/program/shell_documents.h>
-#include <argos3/program/shielded_check.h>
-#include <argos3/program/stop_signals.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/utility/errors/argos_exception.h>
@@ -25,6 +13,18 @@
 #include <argos3/core/utility/logging/log_control.h>
 #include <argos3/core/utility/plugins/dynamic_loading.h>
 #include <argos3/core/utility/processes/exit_status.h>
+#include <argos3/program/argos_command_line_arg_parser.h>
+#include <argos3/program/catalogue/libraries_of.h>
+#include <argos3/program/catalogue/log_silence.h>
+#include <argos3/program/catalogue/schema.h>
+#include <argos3/program/catalogue/version_text.h>
+#include <argos3/program/crash_handler.h>
+#include <argos3/program/exit_guard.h>
+#include <argos3/program/progress.h>
+#include <argos3/program/query_plugins.h>
+#include <argos3/program/shell_documents.h>
+#include <argos3/program/shielded_check.h>
+#include <argos3/program/stop_signals.h>
 
 #include <fmt/format.h>
 

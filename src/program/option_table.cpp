@@ -1,8 +1,8 @@
 #include <argos3/program/option_table.h>
 
+#include <argos3/core/utility/text/string_utilities.h>
 #include <argos3/program/catalogue/plugin_kinds.h>
 #include <argos3/program/catalogue/text_layout.h>
-#include <argos3/core/utility/text/string_utilities.h>
 
 namespace argos {
 

@@ -1,12 +1,12 @@
 #include <argos3/program/query_plugins.h>
 
+#include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/program/catalogue/answer.h>
 #include <argos3/program/catalogue/device_facts.h>
 #include <argos3/program/catalogue/facts_json.h>
 #include <argos3/program/catalogue/facts_text.h>
 #include <argos3/program/catalogue/plugin_kinds.h>
 #include <argos3/program/catalogue/text_layout.h>
-#include <argos3/core/utility/logging/argos_log.h>
 
 #include <vector>
 

@@ -1,12 +1,12 @@
 #include <argos3/program/shell_documents.h>
 
 #include <argos3/core/config.h>
-#include <argos3/program/catalogue/answer.h>
-#include <argos3/program/catalogue/plugin_kinds.h>
-#include <argos3/program/option_table.h>
 #include <argos3/core/utility/configuration/argos_configuration.h>
 #include <argos3/core/utility/configuration/configuration_document.h>
 #include <argos3/core/utility/text/string_utilities.h>
+#include <argos3/program/catalogue/answer.h>
+#include <argos3/program/catalogue/plugin_kinds.h>
+#include <argos3/program/option_table.h>
 
 #include <fmt/format.h>
 

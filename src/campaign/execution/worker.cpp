@@ -5,12 +5,12 @@
 #include <argos3/campaign/execution/run_messages.h>
 #include <argos3/campaign/execution/run_process.h>
 
-#include <argos3/program/crash_handler.h>
 #include <argos3/core/utility/configuration/configuration_document.h>
 #include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/errors/exception_text.h>
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/plugins/dynamic_loading.h>
+#include <argos3/program/crash_handler.h>
 
 #include <fcntl.h>
 #include <unistd.h>

@@ -3,8 +3,8 @@
 
 // the path that users' code includes
 #ifndef ARGOS_WITHOUT_COMPANIONS
-#include <argos3/program/argos_command_line_arg_parser.h>
 #include <argos3/core/utility/configuration/command_line_arg_parser.h>
+#include <argos3/program/argos_command_line_arg_parser.h>
 #endif
 
 #endif

@@ -3,8 +3,8 @@
 
 // the path that users' code includes
 #ifndef ARGOS_WITHOUT_COMPANIONS
-#include <argos3/program/query_plugins.h>
 #include <argos3/core/utility/logging/argos_log.h>
+#include <argos3/program/query_plugins.h>
 #endif
 
 #endif

@@ -1,10 +1,10 @@
 #include <argos3/program/catalogue/answer.h>
 
-#include <argos3/program/catalogue/interface_class.h>
 #include <argos3/core/simulator/entity/actuator.h>
 #include <argos3/core/simulator/entity/sensor.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/utility/text/string_utilities.h>
+#include <argos3/program/catalogue/interface_class.h>
 
 #include <algorithm>
 #include <cctype>

@@ -1,12 +1,12 @@
 #include <argos3/program/catalogue/device_facts.h>
 
-#include <argos3/program/catalogue/interface_class.h>
 #include <argos3/core/simulator/entity/actuator.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/entity/sensor.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/utility/configuration/configuration_document.h>
+#include <argos3/program/catalogue/interface_class.h>
 
 #include <algorithm>
 #include <memory>

@@ -1,9 +1,9 @@
 #include <argos3/program/catalogue/facts_text.h>
 
-#include <argos3/program/catalogue/device_facts.h>
-#include <argos3/program/catalogue/text_layout.h>
 #include <argos3/core/utility/configuration/value_range.h>
 #include <argos3/core/utility/text/string_utilities.h>
+#include <argos3/program/catalogue/device_facts.h>
+#include <argos3/program/catalogue/text_layout.h>
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #include <argos3/program/catalogue/public_headers.h>
 
-#include <argos3/program/catalogue/header_scanner.h>
 #include <argos3/core/utility/plugins/registration.h>
+#include <argos3/program/catalogue/header_scanner.h>
 
 #include <algorithm>
 #include <cstdlib>

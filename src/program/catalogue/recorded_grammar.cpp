@@ -1,8 +1,8 @@
 #include <argos3/program/catalogue/recorded_grammar.h>
 
+#include <argos3/core/utility/configuration/configuration_document.h>
 #include <argos3/program/catalogue/manual.h>
 #include <argos3/program/catalogue/sample_elements.h>
-#include <argos3/core/utility/configuration/configuration_document.h>
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 #ifndef ARGOS3_PROGRAM_CATALOGUE_RECORDED_GRAMMAR_H
 #define ARGOS3_PROGRAM_CATALOGUE_RECORDED_GRAMMAR_H
 
-#include <argos3/program/catalogue/device_facts.h>
 #include <argos3/core/utility/configuration/request_recorder.h>
+#include <argos3/program/catalogue/device_facts.h>
 
 #include <map>
 #include <set>

@@ -1,9 +1,9 @@
 #ifndef ARGOS3_PROGRAM_CATALOGUE_SAMPLE_ELEMENTS_H
 #define ARGOS3_PROGRAM_CATALOGUE_SAMPLE_ELEMENTS_H
 
+#include <argos3/core/utility/configuration/argos_configuration.h>
 #include <argos3/program/catalogue/plugin_kinds.h>
 #include <argos3/program/catalogue/sample_experiment.h>
-#include <argos3/core/utility/configuration/argos_configuration.h>
 
 #include <map>
 #include <string>

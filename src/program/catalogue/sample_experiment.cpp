@@ -1,9 +1,9 @@
 #include <argos3/program/catalogue/sample_experiment.h>
 
-#include <argos3/program/catalogue/log_silence.h>
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/utility/configuration/configuration_document.h>
+#include <argos3/program/catalogue/log_silence.h>
 
 #include <stdlib.h>
 

@@ -1,8 +1,8 @@
 #include <argos3/program/catalogue/version_text.h>
 
 #include <argos3/core/config.h>
-#include <argos3/program/catalogue/public_headers.h>
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
+#include <argos3/program/catalogue/public_headers.h>
 
 #include <fstream>
 

@@ -3,7 +3,7 @@
 
 #include <argos3/testing/fuzz/fuzz_support.h>
 
-#include <argos3/core/simulator/recording/recording_reader.h>
+#include <argos3/plugins/simulator/outputs/recording/format/recording_reader.h>
 
 #include <sys/mman.h>
 #include <unistd.h>

@@ -1,9 +1,9 @@
 #include <argos3/plugins/simulator/outputs/recording/capture.h>
 
 #include <argos3/core/simulator/entity/floor_entity.h>
-#include <argos3/core/simulator/recording/type_coding.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/simulator/visualization/floor_samples.h>
+#include <argos3/plugins/simulator/outputs/recording/format/type_coding.h>
 
 namespace argos {
 

@@ -1,7 +1,7 @@
 #ifndef ARGOS3_PLUGINS_OUTPUTS_RECORDING_CAPTURE_H
 #define ARGOS3_PLUGINS_OUTPUTS_RECORDING_CAPTURE_H
 
-#include <argos3/core/simulator/recording/recorded_frame.h>
+#include <argos3/plugins/simulator/outputs/recording/format/recorded_frame.h>
 #include <argos3/plugins/simulator/outputs/recording/tracked_entity.h>
 
 #include <memory>

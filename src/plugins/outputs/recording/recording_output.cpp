@@ -3,13 +3,13 @@
 #include <argos3/core/simulator/context/current.h>
 #include <argos3/core/simulator/context/simulation_context.h>
 #include <argos3/core/simulator/loading/loading_check.h>
-#include <argos3/core/simulator/recording/drawing_coding.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/metrics.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/utility/files/numbered_file.h>
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/text/string_utilities.h>
+#include <argos3/plugins/simulator/outputs/recording/format/drawing_coding.h>
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>

@@ -3,12 +3,12 @@
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/entity/floor_entity.h>
 #include <argos3/core/simulator/loop_functions.h>
-#include <argos3/core/simulator/recording/drawing_coding.h>
-#include <argos3/core/simulator/recording/type_coding.h>
 #include <argos3/core/simulator/space/metrics.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/logging/argos_log.h>
+#include <argos3/plugins/simulator/outputs/recording/format/drawing_coding.h>
+#include <argos3/plugins/simulator/outputs/recording/format/type_coding.h>
 
 #include <algorithm>
 #include <cmath>

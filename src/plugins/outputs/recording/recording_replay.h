@@ -1,8 +1,8 @@
 #ifndef ARGOS3_PLUGINS_OUTPUTS_RECORDING_RECORDING_REPLAY_H
 #define ARGOS3_PLUGINS_OUTPUTS_RECORDING_RECORDING_REPLAY_H
 
-#include <argos3/core/simulator/recording/recording_reader.h>
 #include <argos3/core/simulator/replay/replay.h>
+#include <argos3/plugins/simulator/outputs/recording/format/recording_reader.h>
 #include <argos3/plugins/simulator/outputs/recording/stand_ins.h>
 
 #include <memory>

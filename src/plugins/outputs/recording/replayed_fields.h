@@ -2,7 +2,7 @@
 #define ARGOS3_PLUGINS_OUTPUTS_RECORDING_REPLAYED_FIELDS_H
 
 #include <argos3/core/simulator/outputs/field.h>
-#include <argos3/core/simulator/recording/recorded_frame.h>
+#include <argos3/plugins/simulator/outputs/recording/format/recorded_frame.h>
 
 #include <memory>
 #include <string>

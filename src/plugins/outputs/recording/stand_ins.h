@@ -4,7 +4,7 @@
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/entity/positional_entity.h>
-#include <argos3/core/simulator/recording/recorded_frame.h>
+#include <argos3/plugins/simulator/outputs/recording/format/recorded_frame.h>
 #include <argos3/plugins/simulator/outputs/recording/replayed_fields.h>
 
 #include <memory>

@@ -1,7 +1,7 @@
 #ifndef ARGOS3_PLUGINS_OUTPUTS_RECORDING_TRACKED_ENTITY_H
 #define ARGOS3_PLUGINS_OUTPUTS_RECORDING_TRACKED_ENTITY_H
 
-#include <argos3/core/simulator/recording/recorded_frame.h>
+#include <argos3/plugins/simulator/outputs/recording/format/recorded_frame.h>
 
 #include <sys/types.h>
 

@@ -4,10 +4,10 @@
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/geometry/body_description.h>
-#include <argos3/core/utility/plugins/plugin_kind.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/utility/configuration/single_element.h>
 #include <argos3/core/utility/logging/argos_log.h>
+#include <argos3/core/utility/plugins/plugin_kind.h>
 #include <argos3/core/utility/plugins/unknown_label.h>
 #include <argos3/core/utility/string_utilities.h>
 #include <argos3/core/utility/threads/thread_pool.h>

@@ -1,7 +1,7 @@
-#include <argos3/core/simulator/recording/drawing_coding.h>
+#include <argos3/plugins/simulator/outputs/recording/format/drawing_coding.h>
 
-#include <argos3/core/simulator/recording/type_coding.h>
 #include <argos3/core/utility/errors/argos_exception.h>
+#include <argos3/plugins/simulator/outputs/recording/format/type_coding.h>
 
 namespace argos {
 

@@ -1,8 +1,8 @@
-#ifndef ARGOS3_CORE_SIMULATOR_RECORDING_DRAWING_CODING_H
-#define ARGOS3_CORE_SIMULATOR_RECORDING_DRAWING_CODING_H
+#ifndef ARGOS3_PLUGINS_OUTPUTS_RECORDING_FORMAT_DRAWING_CODING_H
+#define ARGOS3_PLUGINS_OUTPUTS_RECORDING_FORMAT_DRAWING_CODING_H
 
-#include <argos3/core/utility/datatypes/byte_stream.h>
 #include <argos3/core/simulator/visualization/drawing.h>
+#include <argos3/core/utility/datatypes/byte_stream.h>
 
 namespace argos {
 

@@ -1,7 +1,7 @@
-#include <argos3/core/simulator/recording/entity_table.h>
+#include <argos3/plugins/simulator/outputs/recording/format/entity_table.h>
 
-#include <argos3/core/simulator/recording/type_coding.h>
 #include <argos3/core/utility/errors/argos_exception.h>
+#include <argos3/plugins/simulator/outputs/recording/format/type_coding.h>
 
 #include <iterator>
 

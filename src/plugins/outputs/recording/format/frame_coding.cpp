@@ -1,4 +1,4 @@
-#include <argos3/core/simulator/recording/frame_coding.h>
+#include <argos3/plugins/simulator/outputs/recording/format/frame_coding.h>
 
 #include <argos3/core/utility/errors/argos_exception.h>
 

@@ -1,10 +1,10 @@
-#ifndef ARGOS3_CORE_SIMULATOR_RECORDING_FRAME_CODING_H
-#define ARGOS3_CORE_SIMULATOR_RECORDING_FRAME_CODING_H
+#ifndef ARGOS3_PLUGINS_OUTPUTS_RECORDING_FORMAT_FRAME_CODING_H
+#define ARGOS3_PLUGINS_OUTPUTS_RECORDING_FORMAT_FRAME_CODING_H
 
-#include <argos3/core/simulator/recording/entity_table.h>
-#include <argos3/core/simulator/recording/pose_columns.h>
-#include <argos3/core/simulator/recording/ray_columns.h>
-#include <argos3/core/simulator/recording/recorded_frame.h>
+#include <argos3/plugins/simulator/outputs/recording/format/entity_table.h>
+#include <argos3/plugins/simulator/outputs/recording/format/pose_columns.h>
+#include <argos3/plugins/simulator/outputs/recording/format/ray_columns.h>
+#include <argos3/plugins/simulator/outputs/recording/format/recorded_frame.h>
 
 #include <memory>
 #include <string>

@@ -1,4 +1,4 @@
-#include <argos3/core/simulator/recording/growing_file.h>
+#include <argos3/plugins/simulator/outputs/recording/format/growing_file.h>
 
 #include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/files/file_replacement.h>

@@ -1,4 +1,4 @@
-#include <argos3/core/simulator/recording/pose_columns.h>
+#include <argos3/plugins/simulator/outputs/recording/format/pose_columns.h>
 
 #include <argos3/core/simulator/geometry/pose_grid.h>
 #include <argos3/core/utility/errors/argos_exception.h>

@@ -1,8 +1,8 @@
-#ifndef ARGOS3_CORE_SIMULATOR_RECORDING_POSE_COLUMNS_H
-#define ARGOS3_CORE_SIMULATOR_RECORDING_POSE_COLUMNS_H
+#ifndef ARGOS3_PLUGINS_OUTPUTS_RECORDING_FORMAT_POSE_COLUMNS_H
+#define ARGOS3_PLUGINS_OUTPUTS_RECORDING_FORMAT_POSE_COLUMNS_H
 
 #include <argos3/core/simulator/geometry/body_pose.h>
-#include <argos3/core/simulator/recording/column_coding.h>
+#include <argos3/plugins/simulator/outputs/recording/format/column_coding.h>
 
 #include <array>
 #include <span>

@@ -1,8 +1,8 @@
-#ifndef ARGOS3_CORE_SIMULATOR_RECORDING_RAY_COLUMNS_H
-#define ARGOS3_CORE_SIMULATOR_RECORDING_RAY_COLUMNS_H
+#ifndef ARGOS3_PLUGINS_OUTPUTS_RECORDING_FORMAT_RAY_COLUMNS_H
+#define ARGOS3_PLUGINS_OUTPUTS_RECORDING_FORMAT_RAY_COLUMNS_H
 
-#include <argos3/core/simulator/recording/pose_columns.h>
-#include <argos3/core/simulator/recording/recorded_frame.h>
+#include <argos3/plugins/simulator/outputs/recording/format/pose_columns.h>
+#include <argos3/plugins/simulator/outputs/recording/format/recorded_frame.h>
 
 #include <vector>
 

@@ -1,4 +1,4 @@
-#include <argos3/core/simulator/recording/recorded_frame.h>
+#include <argos3/plugins/simulator/outputs/recording/format/recorded_frame.h>
 
 namespace argos {
 

@@ -1,5 +1,5 @@
-#ifndef ARGOS3_CORE_SIMULATOR_RECORDING_RECORDED_FRAME_H
-#define ARGOS3_CORE_SIMULATOR_RECORDING_RECORDED_FRAME_H
+#ifndef ARGOS3_PLUGINS_OUTPUTS_RECORDING_FORMAT_RECORDED_FRAME_H
+#define ARGOS3_PLUGINS_OUTPUTS_RECORDING_FORMAT_RECORDED_FRAME_H
 
 #include <argos3/core/simulator/geometry/body_description.h>
 #include <argos3/core/simulator/geometry/body_pose.h>

@@ -1,4 +1,4 @@
-#include <argos3/core/simulator/recording/recording_blocks.h>
+#include <argos3/plugins/simulator/outputs/recording/format/recording_blocks.h>
 
 #include <argos3/core/utility/datatypes/byte_stream.h>
 #include <argos3/core/utility/errors/argos_exception.h>

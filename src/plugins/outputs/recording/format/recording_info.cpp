@@ -1,4 +1,4 @@
-#include <argos3/core/simulator/recording/recording_info.h>
+#include <argos3/plugins/simulator/outputs/recording/format/recording_info.h>
 
 #include <argos3/core/utility/errors/argos_exception.h>
 

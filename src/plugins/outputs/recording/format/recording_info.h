@@ -1,7 +1,7 @@
-#ifndef ARGOS3_CORE_SIMULATOR_RECORDING_RECORDING_INFO_H
-#define ARGOS3_CORE_SIMULATOR_RECORDING_RECORDING_INFO_H
+#ifndef ARGOS3_PLUGINS_OUTPUTS_RECORDING_FORMAT_RECORDING_INFO_H
+#define ARGOS3_PLUGINS_OUTPUTS_RECORDING_FORMAT_RECORDING_INFO_H
 
-#include <argos3/core/simulator/recording/pose_columns.h>
+#include <argos3/plugins/simulator/outputs/recording/format/pose_columns.h>
 
 #include <string>
 #include <string_view>

@@ -1,9 +1,9 @@
-#ifndef ARGOS3_CORE_SIMULATOR_RECORDING_RECORDING_READER_H
-#define ARGOS3_CORE_SIMULATOR_RECORDING_RECORDING_READER_H
+#ifndef ARGOS3_PLUGINS_OUTPUTS_RECORDING_FORMAT_RECORDING_READER_H
+#define ARGOS3_PLUGINS_OUTPUTS_RECORDING_FORMAT_RECORDING_READER_H
 
-#include <argos3/core/simulator/recording/frame_coding.h>
-#include <argos3/core/simulator/recording/recording_blocks.h>
-#include <argos3/core/simulator/recording/recording_info.h>
+#include <argos3/plugins/simulator/outputs/recording/format/frame_coding.h>
+#include <argos3/plugins/simulator/outputs/recording/format/recording_blocks.h>
+#include <argos3/plugins/simulator/outputs/recording/format/recording_info.h>
 
 #include <optional>
 #include <string>

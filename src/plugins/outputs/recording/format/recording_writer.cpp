@@ -1,10 +1,10 @@
-#include <argos3/core/simulator/recording/recording_writer.h>
+#include <argos3/plugins/simulator/outputs/recording/format/recording_writer.h>
 
-#include <argos3/core/simulator/recording/growing_file.h>
-#include <argos3/core/simulator/recording/frame_coding.h>
-#include <argos3/core/simulator/recording/recording_blocks.h>
 #include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/errors/exception_text.h>
+#include <argos3/plugins/simulator/outputs/recording/format/frame_coding.h>
+#include <argos3/plugins/simulator/outputs/recording/format/growing_file.h>
+#include <argos3/plugins/simulator/outputs/recording/format/recording_blocks.h>
 
 #include <chrono>
 #include <utility>

@@ -1,8 +1,8 @@
-#ifndef ARGOS3_CORE_SIMULATOR_RECORDING_RECORDING_WRITER_H
-#define ARGOS3_CORE_SIMULATOR_RECORDING_RECORDING_WRITER_H
+#ifndef ARGOS3_PLUGINS_OUTPUTS_RECORDING_FORMAT_RECORDING_WRITER_H
+#define ARGOS3_PLUGINS_OUTPUTS_RECORDING_FORMAT_RECORDING_WRITER_H
 
-#include <argos3/core/simulator/recording/recorded_frame.h>
-#include <argos3/core/simulator/recording/recording_info.h>
+#include <argos3/plugins/simulator/outputs/recording/format/recorded_frame.h>
+#include <argos3/plugins/simulator/outputs/recording/format/recording_info.h>
 
 #include <condition_variable>
 #include <deque>

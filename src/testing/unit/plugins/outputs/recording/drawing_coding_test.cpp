@@ -1,4 +1,4 @@
-#include <argos3/core/simulator/recording/drawing_coding.h>
+#include <argos3/plugins/simulator/outputs/recording/format/drawing_coding.h>
 
 #include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/testing/support/captured_logs.h>

@@ -1,5 +1,5 @@
 #include <argos3/core/simulator/geometry/pose_grid.h>
-#include <argos3/core/simulator/recording/frame_coding.h>
+#include <argos3/plugins/simulator/outputs/recording/format/frame_coding.h>
 #include <argos3/core/utility/errors/argos_exception.h>
 
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
-#include <argos3/core/simulator/recording/recording_reader.h>
-#include <argos3/core/simulator/recording/recording_writer.h>
+#include <argos3/plugins/simulator/outputs/recording/format/recording_reader.h>
+#include <argos3/plugins/simulator/outputs/recording/format/recording_writer.h>
 #include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/testing/support/temporary_folder.h>
 
