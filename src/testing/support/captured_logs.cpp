@@ -73,20 +73,24 @@ class CListener : public Catch::TestEventListenerBase {
  public:
   using TestEventListenerBase::TestEventListenerBase;
 
-  void testCaseStarting(const Catch::TestCaseInfo&) override {
+  void testCaseStarting(const Catch::TestCaseInfo& test) override {
+    m_test = test.name;
     Log().Start();
     LogErr().Start();
   }
-  void testCaseEnded(const Catch::TestCaseStats& stats) override {
+  void testCaseEnded(const Catch::TestCaseStats&) override {
     const std::string errors = TakeLogErr();
     Log().Stop();
     LogErr().Stop();
     if (!errors.empty()) {
-      std::cerr << "unexpected in the error log of \"" << stats.testInfo.name << "\":\n" << errors;
+      std::cerr << "unexpected in the error log of \"" << m_test << "\":\n" << errors;
       static const int registered = std::atexit([] { std::_Exit(kUnexpectedErrors); });
       static_cast<void>(registered);
     }
   }
+
+ private:
+  std::string m_test;
 };
 
 }  // namespace
