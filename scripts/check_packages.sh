@@ -11,39 +11,15 @@ if [[ "${1:-}" == -h || "${1:-}" == --help ]]; then
 fi
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 packages="$(cd "${1:-$repo/packages}" && pwd)" || die "no folder ${1:-packages}; run scripts/package.sh first"
-mirror="${MIRROR:-http://deb.debian.org/debian}"
-((EUID == 0)) || die "chroot needs root"
-command -v debootstrap >/dev/null || die "there is no debootstrap; run: scripts/setup.sh package"
+source "$(dirname "${BASH_SOURCE[0]}")/bare_debian.sh"
 for part in argos3-sim argos3-sim-dev argos3-sim-examples; do
   found=("$packages/$part"_*.deb)
   [[ -f "${found[0]}" && ${#found[@]} == 1 ]] || die "there is not one $part""_*.deb in $packages: ${found[*]}"
 done
 
-system="$(mktemp -d)"
-finish() {
-  # never delete below a mount
-  umount -l "$system/proc" 2>/dev/null || true
-  mountpoint -q "$system/proc" || rm -rf --one-file-system -- "$system"
-}
-trap finish EXIT
-
-inside() { # inside COMMAND...: in the new system, without this shell's environment
-  chroot "$system" /usr/bin/env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C.UTF-8 DEBIAN_FRONTEND=noninteractive "$@"
-}
-
-apt_install() {
-  inside apt-get -y -qq -o Dpkg::Use-Pty=0 install --no-install-recommends "$@" >"$system/tmp/apt.log" 2>&1 ||
-    { tail -n 30 "$system/tmp/apt.log" >&2; die "apt-get install $* failed, see above"; }
-}
-
-say "A bare Debian 12 (after ${SECONDS} s)"
-debootstrap --variant=minbase bookworm "$system" "$mirror" >"$system.log" 2>&1 ||
-  { tail -n 20 "$system.log" >&2; die "debootstrap failed, see above"; }
-rm -f "$system.log"
-mount -t proc proc "$system/proc"
+install_debian bookworm
 mkdir "$system/packages"
 cp "$packages"/argos3-sim*.deb "$system/packages"
-inside apt-get -qq update
 
 say "Install argos3-sim and argos3-sim-examples, run an experiment (after ${SECONDS} s)"
 before="$(inside dpkg-query --show | wc -l)"
@@ -73,8 +49,7 @@ inside bash -euo pipefail -c '
 say "Replay the user's guide (after ${SECONDS} s)"
 mapfile -t tools < <("$repo/scripts/setup.sh" --list guide)
 apt_install "${tools[@]}"
-mkdir "$system/root/sources"
-git -C "$repo" archive HEAD | tar -x -C "$system/root/sources"
+copy_sources /root/sources
 inside /root/sources/scripts/check_guide.sh /usr || die "a page of the guide failed, see above"
 
 say "Remove all (after ${SECONDS} s)"
