@@ -109,7 +109,7 @@ step_build_id() {
 # All that controllers are compiled from.
 list_robot_sources() {
   list_repository CMakeLists.txt '*/CMakeLists.txt' ':!src/testing' src/cmake src/core/config.h.in src/core/build_id.h.in \
-    src/core/utility src/core/control_interface src/core/wrappers 'src/plugins/*/control_interface/*' experiments
+    src/core/utility src/core/control_interface src/core/wrappers src/compat 'src/plugins/*/control_interface/*' experiments
 }
 
 inputs_robot() (

@@ -24,12 +24,13 @@ PROGRAMS = {
     "core/simulator/visualization": "unit_drawing_tests unit_core_tests unit_offscreen_tests compat_tests scenario_golden_tests",
     "core/utility/datatypes": "unit_core_tests compat_tests unit_lua_tests contract_camera_tests contract_tests",
     "core/utility/math": "unit_core_tests unit_plugin_tests compat_tests contract_sensor_tests contract_tests scenario_tests",
-    "core/utility/processes": "unit_core_tests scenario_fault_tests scenario_campaign_tests scenario_output_tests",
     "core/utility/threads": "unit_thread_tests unit_core_tests determinism_tests",
     "core/wrappers/lua": "unit_lua_tests scenario_lua_tests",
+    "compat": "unit_core_tests compat_tests unit_lua_tests contract_tests scenario_tests",
     "plugins/entities": "unit_plugin_tests compat_tests contract_camera_tests contract_sensor_tests contract_tests scenario_tests",
     "plugins/loop_functions": "scenario_lua_tests unit_lua_tests scenario_table_tests",
     "plugins/media": "unit_plugin_tests contract_camera_tests contract_sensor_tests contract_tests scenario_tests determinism_tests",
+    "plugins/outputs/quantities": "unit_core_tests scenario_table_tests scenario_output_tests scenario_recording_tests",
     "plugins/outputs/recording": "unit_plugin_tests scenario_recording_tests scenario_output_tests unit_offscreen_tests",
     "plugins/outputs/tables": "scenario_table_tests scenario_output_tests",
     "plugins/physics_engines": "unit_plugin_tests contract_drive_tests contract_partition_tests contract_tests scenario_tests "
@@ -40,10 +41,12 @@ PROGRAMS = {
                       "scenario_tests determinism_tests",
     "plugins/visualizations": "unit_offscreen_tests unit_overlay_tests unit_povray_tests scenario_golden_tests compat_tests "
                               "scenario_recording_tests",
+    "plugins/visualizations/drawing": "unit_drawing_tests unit_core_tests unit_offscreen_tests compat_tests scenario_golden_tests",
     "plugins/visualizations/overlays": "unit_overlay_tests unit_offscreen_tests scenario_golden_tests",
     "plugins/visualizations/povray": "unit_povray_tests scenario_golden_tests",
     "program": "unit_core_tests unit_demand_tests scenario_input_tests scenario_tests scenario_output_tests "
                "scenario_recording_tests scenario_fault_tests",
+    "support": "unit_core_tests scenario_fault_tests scenario_campaign_tests scenario_output_tests",
 }
 
 

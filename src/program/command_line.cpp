@@ -12,7 +12,6 @@
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/logging/log_control.h>
 #include <argos3/core/utility/plugins/dynamic_loading.h>
-#include <argos3/core/utility/processes/exit_status.h>
 #include <argos3/program/argos_command_line_arg_parser.h>
 #include <argos3/program/catalogue/libraries_of.h>
 #include <argos3/program/catalogue/log_silence.h>
@@ -25,6 +24,7 @@
 #include <argos3/program/shell_documents.h>
 #include <argos3/program/shielded_check.h>
 #include <argos3/program/stop_signals.h>
+#include <argos3/support/exit_status.h>
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 #include <argos3/program/shielded_check.h>
 
 #include <argos3/core/utility/errors/argos_exception.h>
-#include <argos3/core/utility/files/scratch_folder.h>
-#include <argos3/core/utility/processes/exit_status.h>
+#include <argos3/support/exit_status.h>
+#include <argos3/support/scratch_folder.h>
 
 #include <dlfcn.h>
 #include <spawn.h>

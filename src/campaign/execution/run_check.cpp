@@ -6,8 +6,8 @@
 #include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/errors/exception_text.h>
 #include <argos3/core/utility/errors/line_marks.h>
-#include <argos3/core/utility/files/scratch_folder.h>
 #include <argos3/core/utility/logging/argos_log.h>
+#include <argos3/support/scratch_folder.h>
 
 #include <sys/wait.h>
 #include <unistd.h>

@@ -1,7 +1,7 @@
 #include <argos3/campaign/execution/run_messages.h>
 
-#include <argos3/core/utility/datatypes/byte_stream.h>
 #include <argos3/core/utility/errors/argos_exception.h>
+#include <argos3/support/byte_stream.h>
 
 #include <limits>
 

@@ -4,7 +4,7 @@
 #include <argos3/campaign/store/failed_runs.h>
 
 #include <argos3/core/utility/errors/argos_exception.h>
-#include <argos3/core/utility/processes/exit_status.h>
+#include <argos3/support/exit_status.h>
 
 #include <CLI/CLI.hpp>
 

@@ -5,9 +5,9 @@
 #include <argos3/campaign/report/report_text.h>
 #include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/files/input_file.h>
-#include <argos3/core/utility/files/scratch_folder.h>
-#include <argos3/core/utility/processes/child_process.h>
 #include <argos3/core/utility/text/string_utilities.h>
+#include <argos3/support/child_process.h>
+#include <argos3/support/scratch_folder.h>
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #include <argos3/campaign/slurm/slurm_client.h>
 
 #include <argos3/core/utility/errors/argos_exception.h>
-#include <argos3/core/utility/processes/child_process.h>
+#include <argos3/support/child_process.h>
 
 #include <spawn.h>
 #include <sys/wait.h>

@@ -3,9 +3,9 @@
 
 #include <argos3/core/utility/datatypes/byte_array.h>
 #include <argos3/core/utility/datatypes/set.h>
-#include <argos3/core/utility/datatypes/spare_elements.h>
 #include <argos3/plugins/simulator/entities/cell_updaters.h>
 #include <argos3/plugins/simulator/entities/medium_member.h>
+#include <argos3/plugins/simulator/entities/spare_elements.h>
 
 #include <string>
 #include <vector>

@@ -1,8 +1,8 @@
 #ifndef ARGOS3_PLUGINS_MEDIA_RAB_ROUTING_H
 #define ARGOS3_PLUGINS_MEDIA_RAB_ROUTING_H
 
-#include <argos3/core/simulator/space/line_of_sight.h>
 #include <argos3/core/utility/configuration/argos_exception.h>
+#include <argos3/plugins/simulator/media/line_of_sight.h>
 #include <argos3/plugins/simulator/media/point_cells.h>
 #include <argos3/plugins/simulator/media/sight_fan.h>
 

@@ -1,8 +1,8 @@
 #ifndef ARGOS3_PLUGINS_MEDIA_SIGHT_FAN_H
 #define ARGOS3_PLUGINS_MEDIA_SIGHT_FAN_H
 
-#include <argos3/core/simulator/space/line_of_sight.h>
 #include <argos3/core/utility/datatypes/datatypes.h>
+#include <argos3/plugins/simulator/media/line_of_sight.h>
 
 #include <vector>
 

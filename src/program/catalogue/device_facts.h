@@ -1,7 +1,7 @@
 #ifndef ARGOS3_PROGRAM_CATALOGUE_DEVICE_FACTS_H
 #define ARGOS3_PROGRAM_CATALOGUE_DEVICE_FACTS_H
 
-#include <argos3/core/wrappers/lua/lua_listing.h>
+#include <argos3/program/catalogue/lua_listing.h>
 #include <argos3/program/catalogue/public_headers.h>
 #include <argos3/program/catalogue/sample_elements.h>
 #include <argos3/program/catalogue/sample_experiment.h>

@@ -3,7 +3,7 @@
 #include <argos3/core/simulator/context/simulation_context.h>
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
 #include <argos3/core/utility/logging/argos_log.h>
-#include <argos3/core/utility/string_utilities.h>
+#include <argos3/core/utility/text/string_utilities.h>
 
 namespace argos {
 

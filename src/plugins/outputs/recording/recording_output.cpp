@@ -6,10 +6,10 @@
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/metrics.h>
 #include <argos3/core/simulator/space/space.h>
-#include <argos3/core/utility/files/numbered_file.h>
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/text/string_utilities.h>
 #include <argos3/plugins/simulator/outputs/recording/format/drawing_coding.h>
+#include <argos3/support/numbered_file.h>
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>

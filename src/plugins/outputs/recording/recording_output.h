@@ -2,7 +2,7 @@
 #define ARGOS3_PLUGINS_OUTPUTS_RECORDING_RECORDING_OUTPUT_H
 
 #include <argos3/core/simulator/outputs/run_output.h>
-#include <argos3/core/simulator/view_drawing.h>
+#include <argos3/core/simulator/visualization/view_drawing.h>
 #include <argos3/plugins/simulator/outputs/recording/capture.h>
 #include <argos3/plugins/simulator/outputs/recording/format/recorded_frame.h>
 #include <argos3/plugins/simulator/outputs/recording/format/recording_writer.h>

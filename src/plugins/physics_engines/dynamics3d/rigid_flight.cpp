@@ -1,10 +1,10 @@
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_flight.h>
 
 #include <argos3/core/simulator/geometry/body_description.h>
-#include <argos3/core/simulator/physics_engine/flight_loop.h>
 #include <argos3/core/utility/math/angles.h>
 #include <argos3/plugins/simulator/entities/quadrotor_entity.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/body_builder.h>
+#include <argos3/plugins/simulator/physics_engines/robot_bodies/flight_loop.h>
 
 #include <algorithm>
 #include <cmath>

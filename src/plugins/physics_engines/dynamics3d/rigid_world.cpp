@@ -1,12 +1,12 @@
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_world.h>
 
 #include <argos3/core/simulator/geometry/body_description.h>
-#include <argos3/core/simulator/physics_engine/flight_loop.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/articulated_body.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/body_builder.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/dynamics3d_model.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/ode_session.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_flight.h>
+#include <argos3/plugins/simulator/physics_engines/robot_bodies/flight_loop.h>
 #include <argos3/plugins/simulator/physics_engines/robot_bodies/robot_components.h>
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 #include <argos3/plugins/simulator/physics_engines/pointmass3d/flyers.h>
 
-#include <argos3/core/simulator/physics_engine/flight_loop.h>
 #include <argos3/core/utility/math/angles.h>
 #include <argos3/core/utility/memory/room.h>
 #include <argos3/plugins/simulator/entities/quadrotor_entity.h>
+#include <argos3/plugins/simulator/physics_engines/robot_bodies/flight_loop.h>
 
 #include <algorithm>
 #include <limits>

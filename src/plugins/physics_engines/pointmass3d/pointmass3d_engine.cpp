@@ -4,7 +4,6 @@
 #include <argos3/core/simulator/entity/robots_code.h>
 #include <argos3/core/simulator/geometry/body_description.h>
 #include <argos3/core/simulator/geometry/body_index.h>
-#include <argos3/core/simulator/physics_engine/flight_loop.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/plugins/simulator/entities/turret_entity.h>
@@ -13,6 +12,7 @@
 #include <argos3/plugins/simulator/physics_engines/pointmass3d/flyers.h>
 #include <argos3/plugins/simulator/physics_engines/pointmass3d/pointmass3d_body.h>
 #include <argos3/plugins/simulator/physics_engines/robot_bodies/engine_manual.h>
+#include <argos3/plugins/simulator/physics_engines/robot_bodies/flight_loop.h>
 #include <argos3/plugins/simulator/physics_engines/robot_bodies/robot_components.h>
 
 #include <algorithm>

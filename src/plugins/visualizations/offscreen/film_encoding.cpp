@@ -1,6 +1,6 @@
 #include <argos3/plugins/simulator/visualizations/offscreen/film_encoding.h>
 
-#include <argos3/core/utility/text/shell_quoting.h>
+#include <argos3/support/shell_quoting.h>
 
 #include <fmt/format.h>
 

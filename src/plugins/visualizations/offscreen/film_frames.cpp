@@ -1,9 +1,9 @@
 #include <argos3/plugins/simulator/visualizations/offscreen/film_frames.h>
 
-#include <argos3/core/utility/files/numbered_file.h>
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/film_writer.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/frame_writer.h>
+#include <argos3/support/numbered_file.h>
 
 #include <fmt/format.h>
 

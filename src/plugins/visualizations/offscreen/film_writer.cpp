@@ -3,11 +3,11 @@
 #include <argos3/core/simulator/loading/loading_check.h>
 #include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/files/file_replacement.h>
-#include <argos3/core/utility/files/numbered_file.h>
 #include <argos3/core/utility/files/writing.h>
 #include <argos3/core/utility/logging/argos_log.h>
-#include <argos3/core/utility/processes/child_process.h>
 #include <argos3/core/utility/text/string_utilities.h>
+#include <argos3/support/child_process.h>
+#include <argos3/support/numbered_file.h>
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 #define ARGOS3_PLUGINS_VISUALIZATIONS_OFFSCREEN_FRAME_OUTPUT_H
 
 #include <argos3/core/simulator/outputs/run_output.h>
-#include <argos3/core/simulator/view_drawing.h>
+#include <argos3/core/simulator/visualization/view_drawing.h>
 
 #include <memory>
 

@@ -2,7 +2,7 @@
 
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/space.h>
-#include <argos3/core/simulator/view_drawing.h>
+#include <argos3/core/simulator/visualization/view_drawing.h>
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/film_frames.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/film_writer.h>

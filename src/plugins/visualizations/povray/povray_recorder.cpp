@@ -2,14 +2,14 @@
 
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/space.h>
-#include <argos3/core/simulator/view_drawing.h>
+#include <argos3/core/simulator/visualization/view_drawing.h>
 #include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/files/file_replacement.h>
 #include <argos3/core/utility/files/lock_file.h>
 #include <argos3/core/utility/logging/argos_log.h>
-#include <argos3/core/utility/processes/child_process.h>
-#include <argos3/core/utility/text/shell_quoting.h>
 #include <argos3/plugins/simulator/visualizations/scene/drawing_to_scene.h>
+#include <argos3/support/child_process.h>
+#include <argos3/support/shell_quoting.h>
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 
 #include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/files/file_replacement.h>
-#include <argos3/core/utility/processes/child_process.h>
+#include <argos3/support/child_process.h>
 
 #include <fmt/format.h>
 

@@ -5,7 +5,7 @@
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/geometry/body_index.h>
 #include <argos3/core/simulator/simulator.h>
-#include <argos3/core/simulator/space/line_of_sight.h>
+#include <argos3/plugins/simulator/media/line_of_sight.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/utility/math/random_stream.h>
 #include <argos3/plugins/simulator/media/sight_fan.h>

@@ -1,6 +1,6 @@
 // Models of users in the engine pointmass3d: bodies with their own laws of motion.
 
-#include <argos3/core/simulator/space/line_of_sight.h>
+#include <argos3/plugins/simulator/media/line_of_sight.h>
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/loop_functions.h>
 #include <argos3/plugins/simulator/physics_engines/pointmass3d/pointmass3d_engine.h>

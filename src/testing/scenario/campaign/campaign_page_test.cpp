@@ -4,7 +4,7 @@
 #include "../command_line/program_run.h"
 
 #include <argos3/campaign/design/campaign.h>
-#include <argos3/core/utility/processes/child_process.h>
+#include <argos3/support/child_process.h>
 #include <argos3/testing/support/paths.h>
 
 #include <catch2/catch.hpp>

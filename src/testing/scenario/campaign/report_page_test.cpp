@@ -4,7 +4,7 @@
 #include "campaign_world.h"
 
 #include <argos3/core/simulator/images/image_decoding.h>
-#include <argos3/core/utility/processes/child_process.h>
+#include <argos3/support/child_process.h>
 
 #include <catch2/catch.hpp>
 

@@ -3,7 +3,7 @@
 #include "../command_line/program_run.h"
 #include "../outputs/limited_run.h"
 
-#include <argos3/core/utility/processes/child_process.h>
+#include <argos3/support/child_process.h>
 #include <argos3/testing/support/paths.h>
 
 #include <catch2/catch.hpp>

@@ -1,7 +1,7 @@
 #ifndef ARGOS3_PLUGINS_OUTPUTS_RECORDING_FORMAT_COLUMN_CODING_H
 #define ARGOS3_PLUGINS_OUTPUTS_RECORDING_FORMAT_COLUMN_CODING_H
 
-#include <argos3/core/utility/datatypes/byte_stream.h>
+#include <argos3/support/byte_stream.h>
 
 #include <span>
 #include <vector>

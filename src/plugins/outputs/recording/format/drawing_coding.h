@@ -2,7 +2,7 @@
 #define ARGOS3_PLUGINS_OUTPUTS_RECORDING_FORMAT_DRAWING_CODING_H
 
 #include <argos3/core/simulator/visualization/drawing.h>
-#include <argos3/core/utility/datatypes/byte_stream.h>
+#include <argos3/support/byte_stream.h>
 
 namespace argos {
 

@@ -1,7 +1,7 @@
 #include <argos3/plugins/simulator/outputs/recording/format/recording_blocks.h>
 
-#include <argos3/core/utility/datatypes/byte_stream.h>
 #include <argos3/core/utility/errors/argos_exception.h>
+#include <argos3/support/byte_stream.h>
 
 #include <zstd.h>
 

@@ -1,8 +1,8 @@
 #ifndef ARGOS3_PLUGINS_OUTPUTS_RECORDING_FORMAT_TYPE_CODING_H
 #define ARGOS3_PLUGINS_OUTPUTS_RECORDING_FORMAT_TYPE_CODING_H
 
-#include <argos3/core/utility/datatypes/byte_stream.h>
 #include <argos3/plugins/simulator/outputs/recording/format/recorded_frame.h>
+#include <argos3/support/byte_stream.h>
 
 namespace argos {
 

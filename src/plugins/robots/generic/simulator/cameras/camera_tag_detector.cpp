@@ -1,6 +1,6 @@
-#include <argos3/core/utility/datatypes/spare_elements.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_camera_sensor_tag_detector_algorithm.h>
 #include <argos3/plugins/robots/generic/simulator/camera_detector.h>
+#include <argos3/plugins/simulator/entities/spare_elements.h>
 #include <argos3/plugins/simulator/entities/tag_entity.h>
 #include <argos3/plugins/simulator/media/tag_medium.h>
 

@@ -1,13 +1,13 @@
 #ifndef ARGOS3_PLUGINS_ROBOTS_GENERIC_SIMULATOR_RADIO_RANGE_AND_BEARING_MEDIUM_SENSOR_H
 #define ARGOS3_PLUGINS_ROBOTS_GENERIC_SIMULATOR_RADIO_RANGE_AND_BEARING_MEDIUM_SENSOR_H
 
-#include <argos3/core/utility/datatypes/spare_elements.h>
+#include <argos3/core/utility/math/quaternion.h>
 #include <argos3/core/utility/math/random_stream.h>
 #include <argos3/core/utility/math/rng.h>
-#include <argos3/core/utility/math/quaternion.h>
 #include <argos3/core/utility/math/vector3.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_range_and_bearing_sensor.h>
 #include <argos3/plugins/robots/generic/simulator/noisy_sensor.h>
+#include <argos3/plugins/simulator/entities/spare_elements.h>
 
 #include <memory>
 

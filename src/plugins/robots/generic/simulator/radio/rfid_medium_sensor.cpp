@@ -3,13 +3,13 @@
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/sensor.h>
 #include <argos3/core/simulator/simulator.h>
-#include <argos3/core/utility/datatypes/spare_elements.h>
 #include <argos3/core/utility/math/random_stream.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_rfid_sensor.h>
 #include <argos3/plugins/robots/generic/simulator/device_manual.h>
 #include <argos3/plugins/robots/generic/simulator/noise.h>
 #include <argos3/plugins/robots/generic/simulator/rfid_antenna.h>
 #include <argos3/plugins/robots/generic/simulator/units.h>
+#include <argos3/plugins/simulator/entities/spare_elements.h>
 #include <argos3/plugins/simulator/entities/value_checks.h>
 
 #include <algorithm>

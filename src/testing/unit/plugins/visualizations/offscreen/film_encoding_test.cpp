@@ -1,4 +1,4 @@
-#include <argos3/core/utility/files/numbered_file.h>
+#include <argos3/support/numbered_file.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/film_encoding.h>
 
 #include <catch2/catch.hpp>

@@ -3,7 +3,7 @@
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/loop_functions.h>
 #include <argos3/core/simulator/simulator.h>
-#include <argos3/core/simulator/view_drawing.h>
+#include <argos3/core/simulator/visualization/view_drawing.h>
 #include <argos3/core/utility/configuration/configuration_document.h>
 #include <argos3/plugins/robots/e-puck/simulator/epuck_entity.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_differential_steering_actuator.h>

@@ -3,7 +3,7 @@
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/plugins/factory.h>
-#include <argos3/core/utility/processes/child_process.h>
+#include <argos3/support/child_process.h>
 #include <argos3/core/utility/text/string_utilities.h>
 #include <argos3/testing/support/temporary_folder.h>
 

@@ -2,7 +2,7 @@
 
 #include <argos3/core/simulator/visualization/povray_model.h>
 #include <argos3/core/utility/files/file_replacement.h>
-#include <argos3/core/utility/processes/child_process.h>
+#include <argos3/support/child_process.h>
 #include <argos3/plugins/simulator/visualizations/povray/povray_renderer.h>
 #include <argos3/testing/support/paths.h>
 #include <argos3/testing/support/pictures.h>

@@ -1,0 +1,7 @@
+#ifndef ARGOS3_COMPAT_CORE_WRAPPERS_LUA_LUA_QUATERNION_H
+#define ARGOS3_COMPAT_CORE_WRAPPERS_LUA_LUA_QUATERNION_H
+
+// the path that users' code includes
+#include <argos3/core/wrappers/lua/lua_types.h>
+
+#endif

@@ -1,7 +1,0 @@
-#ifndef ARGOS3_CORE_SIMULATOR_SENSOR_H
-#define ARGOS3_CORE_SIMULATOR_SENSOR_H
-
-// the path that users' code includes
-#include <argos3/core/simulator/entity/sensor.h>
-
-#endif

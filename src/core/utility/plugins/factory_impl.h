@@ -1,7 +1,0 @@
-#ifndef ARGOS3_CORE_UTILITY_PLUGINS_FACTORY_IMPL_H
-#define ARGOS3_CORE_UTILITY_PLUGINS_FACTORY_IMPL_H
-
-// kept for compatibility of include paths; factory.h contains everything
-#include <argos3/core/utility/plugins/factory.h>
-
-#endif

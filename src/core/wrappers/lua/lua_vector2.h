@@ -1,7 +1,0 @@
-#ifndef ARGOS3_CORE_WRAPPERS_LUA_LUA_VECTOR2_H
-#define ARGOS3_CORE_WRAPPERS_LUA_LUA_VECTOR2_H
-
-// the path that users' code includes
-#include <argos3/core/wrappers/lua/lua_types.h>
-
-#endif

@@ -1,0 +1,81 @@
+#ifndef ARGOS3_PLUGINS_VISUALIZATIONS_DRAWING_DRAWING_FUNCTIONS_H
+#define ARGOS3_PLUGINS_VISUALIZATIONS_DRAWING_DRAWING_FUNCTIONS_H
+
+#include <argos3/core/simulator/entity/entity.h>
+#include <argos3/core/simulator/visualization/drawing.h>
+#include <argos3/core/utility/configuration/base_configurable_resource.h>
+#include <argos3/core/utility/plugins/factory.h>
+
+#include <functional>
+#include <vector>
+
+namespace argos {
+
+/**
+ * Base class of users' code that adds to the pictures of any view: `<user_functions library="..."
+ * label="..." />` in the view's element.
+ *
+ * Hooks run alone, on the main thread, between ticks, once for each picture: first those of
+ * entities, in the order of insertion into the space, then DrawInWorld(), then DrawInOverlay().
+ * They may read everything, and must not change the experiment: a run without pictures does not
+ * call them.
+ */
+class CDrawingFunctions : public CBaseConfigurableResource {
+ public:
+  CDrawingFunctions();
+  ~CDrawingFunctions() override;
+
+  /** @param tree the element `<user_functions>`. */
+  void Init(TConfigurationNode&) override {}
+  /** The experiment was reset. */
+  void Reset() override {}
+  void Destroy() override {}
+
+  /** Draws in the world frame, after all entities. */
+  virtual void DrawInWorld() {}
+  /** Draws over the picture, in pixels. */
+  virtual void DrawInOverlay() {}
+  /** Calls the function that is registered for exactly the class of @p entity, if there is one. */
+  virtual void Call(CEntity& entity);
+
+  /**
+   * The list that a hook draws to.
+   * @throws CARGoSException outside of hooks.
+   */
+  CDrawing& GetDrawing();
+
+  /**
+   * Draws everything to a list.
+   * @param roots  root entities of the space.
+   */
+  void DrawAll(CDrawing& drawing, const CEntity::TVector& roots);
+
+  /**
+   * Registers a hook for root entities of exactly the class ENTITY; a later one of the same class
+   * replaces it. It draws in the entity's frame: that of its origin anchor, or of its position; the
+   * world frame for an entity without either. Call it in the constructor.
+   */
+  template <typename USER_IMPL, typename ENTITY>
+  void RegisterUserFunction(void (USER_IMPL::*function)(ENTITY&)) {
+    Register(::argos::GetTag<ENTITY, CEntity>(), [this, function](CEntity& entity) {
+      (static_cast<USER_IMPL&>(*this).*function)(static_cast<ENTITY&>(entity));
+    });
+  }
+
+ private:
+  typedef std::function<void(CEntity&)> TFunction;
+
+  void Register(size_t tag, TFunction function);
+  bool HasFunctionFor(CEntity& entity) const;
+
+  std::vector<TFunction> m_functions;  // by tag of the class of entities; may be empty
+  CDrawing* m_drawing = nullptr;  // null outside of hooks
+};
+
+}  // namespace argos
+
+#define REGISTER_DRAWING_FUNCTIONS(CLASSNAME, LABEL)                                          \
+  REGISTER_SYMBOL(CDrawingFunctions, CLASSNAME, LABEL, "undefined", "undefined", "undefined", \
+                  "undefined", "undefined")
+
+#endif
