@@ -68,7 +68,7 @@ report "the control interface includes utility only" \
 # The include graph of these folders, without companions, which a header includes for users' code alone.
 arrows_upward() {
   local files
-  mapfile -t files < <(only '^src/(core|support|program)/')
+  mapfile -t files < <(only '^src/(core|support|run|program)/')
   awk -v layersFile=scripts/layers.txt '
     BEGIN {
       while ((getline line < layersFile) > 0) {
@@ -86,7 +86,7 @@ arrows_upward() {
     }
     /^#ifndef ARGOS_WITHOUT_COMPANIONS/ { isCompanion = 1 }
     /^#endif/ { isCompanion = 0 }
-    !isCompanion && match($0, /^ *# *include *<argos3\/(core|support|program)\//) {
+    !isCompanion && match($0, /^ *# *include *<argos3\/(core|support|run|program)\//) {
       included = $0
       sub(/^[^<]*<argos3\//, "", included); sub(/\/[^\/]*>.*$/, "", included)
       if (included != folder && layerOf[included] >= layerOf[folder])
@@ -99,16 +99,16 @@ report "statistics include the utility of the core only" \
 report "reports of campaigns include design, store, statistics and the utility of the core only" \
   "$(includes '^src/campaign/report/' 'argos3/(core/(control_interface|simulator|wrappers)|plugins|campaign/(execution|scheduling|slurm|program))')"
 report "the core includes no plug-in" "$(includes '^src/core/' 'argos3/plugins/')"
-report "the program includes no plug-in, and no plug-in the program" \
-  "$(includes '^src/program/' 'argos3/plugins/')$(includes '^src/plugins/' 'argos3/program/')"
+report "run and program include no plug-in, and plug-ins neither" \
+  "$(includes '^src/(run|program)/' 'argos3/plugins/')$(includes '^src/plugins/' 'argos3/(run|program)/')"
 report "a control interface includes no simulator" \
   "$(includes '^src/plugins/robots/[^/]*/control_interface/' 'argos3/(core/simulator|plugins/simulator|plugins/robots/[^/]*/simulator)/')"
 report "a robot includes no engine" "$(includes '^src/plugins/robots/' 'argos3/plugins/simulator/physics_engines/')"
 report "an engine includes no robot" "$(includes '^src/plugins/physics_engines/' 'argos3/plugins/robots/')"
 report "include by the public path, <argos3/...>" \
-  "$(includes '^src/(core|compat|support|program|plugins|campaign)/' '\.\./')"
+  "$(includes '^src/(core|compat|support|run|program|plugins|campaign)/' '\.\./')"
 
-mapfile -t ours < <(only '^src/(core|compat|support|program|plugins|campaign)/')
+mapfile -t ours < <(only '^src/(core|compat|support|run|program|plugins|campaign)/')
 # simulator.cpp defines it; command_line.cpp is the program that runs the thread's simulator, as users' programs do
 mapfile -t noInstance < <(printf '%s\n' "${ours[@]}" |
   grep -vE '^src/(core/simulator/simulator|program/command_line)\.cpp$')
@@ -126,7 +126,7 @@ report "never dlclose" "$(search '(^|[^A-Za-z_])dlclose *\(' "${ours[@]}")"
 #   memory/object_slabs.cpp                            the allocator itself
 # Tests use the API of users, including raw ownership.
 rawOwners='^src/core/(utility/plugins/(factory|process_wide)|control_interface/ci_controller\.|utility/datatypes/byte_array\.cpp|utility/memory/object_slabs\.cpp|simulator/simulator\.cpp)'
-mapfile -t owners < <(only '^(src/(core|compat|support|program|plugins|campaign)|experiments)/' | grep -vE "$rawOwners")
+mapfile -t owners < <(only '^(src/(core|compat|support|run|program|plugins|campaign)|experiments)/' | grep -vE "$rawOwners")
 report "no raw new: std::make_unique" \
   "$(search '(^|[^A-Za-z0-9_.>])new +[A-Za-z_:(]' "${owners[@]}" | grep -v 'operator new' || true)"
 report "no raw delete: std::unique_ptr" \
@@ -139,7 +139,7 @@ report "no TODO, FIXME or XXX" "$(grep -nHE '\<(TODO|FIXME|XXX)\>' "${sources[@]
 
 guards() {
   local headers
-  mapfile -t headers < <(only '^src/(core|compat|support|program|plugins|campaign|testing)/.*\.h$' | grep -vE '^src/testing/compat/(user_|projects/)')
+  mapfile -t headers < <(only '^src/(core|compat|support|run|program|plugins|campaign|testing)/.*\.h$' | grep -vE '^src/testing/compat/(user_|projects/)')
   awk '
     function finish() {
       if (file != "" && found < 2) print file ":1: the guard should be " guard
@@ -170,7 +170,7 @@ report "files are short" "$(lengths)"
 # Plug-ins share one namespace, and the linker merges template instances over different types with the same name.
 types_with_one_name() {
   local headers
-  mapfile -t headers < <(only '^src/(core|compat|support|program|plugins|campaign)/.*\.h$')
+  mapfile -t headers < <(only '^src/(core|compat|support|run|program|plugins|campaign)/.*\.h$')
   awk 'match($0, /^(struct|class|enum|union) [A-Za-z_0-9 ]+[^;]*$/) {
          line = $0
          sub(/^enum (class |struct )?/, "", line); sub(/^(struct|class|union) /, "", line)

@@ -46,6 +46,7 @@ PROGRAMS = {
     "plugins/visualizations/povray": "unit_povray_tests scenario_golden_tests",
     "program": "unit_core_tests unit_demand_tests scenario_input_tests scenario_tests scenario_output_tests "
                "scenario_recording_tests scenario_fault_tests",
+    "run": "unit_core_tests scenario_tests scenario_fault_tests scenario_campaign_tests scenario_output_tests",
     "support": "unit_core_tests scenario_fault_tests scenario_campaign_tests scenario_output_tests",
 }
 

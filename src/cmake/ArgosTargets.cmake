@@ -234,7 +234,8 @@ function(argos_add_test name)
     set(ARG_PROCESSORS 1)
   endif()
   add_executable(${name} ${ARG_SOURCES})
-  target_link_libraries(${name} PRIVATE argos_options argos_test_options argos3::core argos3::program ${ARG_LINK} Catch2::Catch2WithMain)
+  target_link_libraries(${name} PRIVATE argos_options argos_test_options argos3::core argos3::program argos3::run
+    ${ARG_LINK} Catch2::Catch2WithMain)
   argos_precompile(${name} test)
   # each test file has a namespace of its own, the helpers of a program have not
   set(helpers ${ARG_SOURCES})

@@ -1,14 +1,9 @@
 #include <argos3/program/command_line.h>
 
-#include <argos3/core/simulator/entity/composable_entity.h>
-#include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/loading/loading_check.h>
-#include <argos3/core/simulator/outputs/run_outputs.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/utility/errors/argos_exception.h>
-#include <argos3/core/utility/errors/line_marks.h>
-#include <argos3/core/utility/files/output_file.h>
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/logging/log_control.h>
 #include <argos3/core/utility/plugins/dynamic_loading.h>
@@ -24,18 +19,15 @@
 #include <argos3/program/shell_documents.h>
 #include <argos3/program/shielded_check.h>
 #include <argos3/program/stop_signals.h>
-#include <argos3/support/exit_status.h>
+#include <argos3/run/run.h>
 
 #include <fmt/format.h>
 
 #include <unistd.h>
 
 #include <cerrno>
-#include <chrono>
 #include <cstdio>
 #include <cstring>
-#include <exception>
-#include <new>
 #include <string>
 #include <vector>
 
@@ -45,31 +37,16 @@ namespace {
 
 using SOptions = CARGoSCommandLineArgParser::SOptions;
 
-constexpr int kFailure = 1;
-// the run ended normally, but errors stopped robots
-constexpr int kRobotsStopped = 3;
+constexpr int kFailure = ToExitStatus(ERunStatus::Failed);
 
 void FlushLogs() {
   LOG.Flush();
   LOGERR.Flush();
 }
 
-std::string DescribeFailure(const std::string& stream) {
+std::string DescribeStreamFailure(const std::string& stream) {
   const std::string reason = errno == 0 ? "" : std::string(": ") + std::strerror(errno);
   return stream + " cannot be written completely" + reason;
-}
-
-// @return one line for each output that could not be written, each line once
-std::string TakeFailedOutputs() {
-  std::vector<std::string> failures = TakeOutputFailures();
-  for (CARGoSLog* log : {&LOG, &LOGERR}) {
-    failures.push_back(log->TakeFailure());
-  }
-  std::string text;
-  for (const std::string& failure : failures) {
-    text += (text.empty() || failure.empty() ? "" : "\n") + failure;
-  }
-  return text;
 }
 
 /* Called after each tick: a run whose logs are lost ends. */
@@ -95,17 +72,11 @@ void CheckStream(CARGoSLog& log, std::FILE* stream, const std::string& name) {
   const bool isWritten = log.GetStream() && IsStreamWritten(stream);
   std::string text = TakeFailedOutputs();
   if (text.empty() && !log.HasFailed() && !isWritten) {
-    text = DescribeFailure(name);
+    text = DescribeStreamFailure(name);
   }
   if (!text.empty()) {
     THROW_ARGOSEXCEPTION(text);
   }
-}
-
-void PrintError(const std::string& what) {
-  CARGoSLog& log = LOGERR.HasFailed() && !LOG.HasFailed() ? LOG : LOGERR;
-  log << what << std::endl;
-  FlushLogs();
 }
 
 /* Calls a step and prints its exception. @return true if it threw nothing. */
@@ -114,12 +85,8 @@ bool Try(STEP&& step) {
   try {
     step();
     return true;
-  } catch (const std::bad_alloc&) {
-    PrintError("[FATAL] not enough memory");
-  } catch (const std::exception& ex) {
-    PrintError(MarkLines(ex.what()));
   } catch (...) {
-    PrintError("[FATAL] an exception that is not a std::exception was thrown");
+    PrintFailure(DescribeFailure());
   }
   return false;
 }
@@ -213,80 +180,53 @@ void LoadExperiment(CSimulator& simulator, const SOptions& options) {
   ThrowIfLogsFailed();
 }
 
-/* Runs the experiment until it ends or is stopped by a signal. @return wall time, s. */
-Real Execute(CSimulator& simulator, const SOptions& options) {
+/* Runs the experiment until it ends or is stopped by a signal. */
+void Execute(CRun& run, CSimulator& simulator, const SOptions& options) {
   CProgressLine progress(simulator, options.ProgressPeriod);
-  simulator.SetTickObserver([&progress](CSimulator& running) {
+  run.Execute([&progress](CSimulator& running) {
     ThrowIfLogsFailed();
     progress.Update();
     if (CStopSignals::WasStopped()) {
       running.Terminate();
     }
   });
-  const auto start = std::chrono::steady_clock::now();
-  try {
-    simulator.Execute();
-  } catch (...) {
-    simulator.SetTickObserver(nullptr);
-    throw;
-  }
-  const std::chrono::duration<Real> wall = std::chrono::steady_clock::now() - start;
-  simulator.SetTickObserver(nullptr);
-  FlushLogs();
-  return wall.count();
 }
 
 /* Prints how many robots errors have stopped, and each of the errors once. */
-void PrintFailedRobots(CSimulator& simulator) {
-  if (simulator.GetRobotFailures().IsEmpty()) {
+void PrintFailedRobots(const SRunSummary& summary) {
+  if (summary.RobotErrors.empty()) {
     return;
   }
-  const std::vector<CControllableEntity*>& robots = simulator.GetSpace().GetControllableEntities();
-  size_t stopped = 0;
-  size_t quarantined = 0;
-  for (const CControllableEntity* robot : robots) {
-    stopped += robot->IsStopped() ? 1 : 0;
-    quarantined += robot->IsQuarantined() ? 1 : 0;
-  }
-  LOGERR << fmt::format("[FATAL] {} of {} robots are stopped because of errors", stopped,
-                        robots.size())
-         << (quarantined > 0 ? fmt::format(", {} of them in quarantine", quarantined) : "")
+  LOGERR << fmt::format("[FATAL] {} of {} robots are stopped because of errors",
+                        summary.StoppedRobots, summary.Robots)
+         << (summary.QuarantinedRobots > 0
+                 ? fmt::format(", {} of them in quarantine", summary.QuarantinedRobots)
+                 : "")
          << "; all errors of robots in this run:\n"
-         << simulator.GetRobotFailures().Summarize();
+         << summary.RobotErrors;
   LOGERR.Flush();
 }
 
-/* How the wall time divides into the simulation and the outputs, if there are any. */
-std::string DescribeOutputTime(const CRunOutputs& outputs, Real wallSeconds) {
-  return outputs.IsEmpty()
-             ? std::string()
-             : fmt::format(": {:.3g} s for the simulation, {:.3g} s for its outputs",
-                           std::max(0.0, wallSeconds - outputs.GetSeconds()), outputs.GetSeconds());
+void PrintDigest(const CSpace& space) {
+  // printed whatever the level, because it was asked for
+  const CLogLevelScope all(ELogLevel::Info);
+  const bool colored = LOG.IsColoredOutput();
+  LOG.DisableColoredOutput();
+  LOG << fmt::format("digest: {:016x}", space.ComputeDigest()) << std::endl;
+  LOG.Flush();
+  if (colored) {
+    LOG.EnableColoredOutput();
+  }
 }
 
-void PrintSummary(CSimulator& simulator, Real wallSeconds, bool digest) {
-  CSpace& space = simulator.GetSpace();
-  const Real simulated = space.GetSimulationClock() * simulator.GetTickLength();
-  const size_t robots = space.GetControllableEntities().size();
-  LOG << fmt::format(
-             "[INFO] simulated {:.6g} s in {:.3g} s of wall time (real-time factor {:.3g}, {} "
-             "robot{})",
-             simulated, wallSeconds, wallSeconds > 0.0 ? simulated / wallSeconds : 0.0, robots,
-             robots == 1 ? "" : "s")
-      << DescribeOutputTime(simulator.GetOutputs(), wallSeconds) << std::endl;
-  LOG.Flush();
-  PrintFailedRobots(simulator);
-  if (digest) {
-    // printed whatever the level, because it was asked for
-    const CLogLevelScope all(ELogLevel::Info);
-    const bool colored = LOG.IsColoredOutput();
-    LOG.DisableColoredOutput();
-    LOG << fmt::format("digest: {:016x}", space.ComputeDigest()) << std::endl;
-    LOG.Flush();
-    if (colored) {
-      LOG.EnableColoredOutput();
-    }
+void PrintSummary(const SRunSummary& summary) {
+  if (summary.Signal != 0) {
+    LOG << "[INFO] stopped by SIG" << sigabbrev_np(summary.Signal) << " after tick "
+        << summary.Ticks << std::endl;
   }
+  LOG << "[INFO] " << DescribeRun(summary) << std::endl;
+  LOG.Flush();
+  PrintFailedRobots(summary);
 }
 
 /* Loads the experiment and destroys it. */
@@ -298,41 +238,35 @@ int CheckExperiment(const SOptions& options) {
   }
   CSimulator& simulator = CSimulator::GetInstance();
   const CExitGuard exitGuard(simulator);
-  const bool isGood = Try([&] {
+  CRun run(simulator);
+  run.Load([&] {
     LoadExperiment(simulator, options);
     const size_t robots = simulator.GetSpace().GetControllableEntities().size();
     LOG << fmt::format("[INFO] {}: no errors found; {} robot{}; it was not run",
                        options.ExperimentFile, robots, robots == 1 ? "" : "s")
         << std::endl;
   });
-  const bool isDestroyed = Try([&] { simulator.Destroy(); });
-  return isGood && isDestroyed ? 0 : kFailure;
+  return run.Destroy() ? 0 : kFailure;
 }
 
 int RunExperiment(const SOptions& options) {
   const CLogLevelScope level(options.LogLevel);
   CSimulator& simulator = CSimulator::GetInstance();
   CExitGuard exitGuard(simulator);
-  int status = 0;
-  const bool loaded = Try([&] { LoadExperiment(simulator, options); });
-  const bool executed = loaded && Try([&] {
-                          const CStopSignals stopSignals;
-                          exitGuard.Renew();
-                          const Real wallSeconds = Execute(simulator, options);
-                          if (const int signal = CStopSignals::GetSignal(); signal != 0) {
-                            status = kSignalStatus + signal;
-                            LOG << "[INFO] stopped by SIG" << sigabbrev_np(signal) << " after tick "
-                                << simulator.GetSpace().GetSimulationClock() << std::endl;
-                          }
-                          PrintSummary(simulator, wallSeconds, options.Digest);
-                        });
-  // after an error, too: loop functions close their files in Destroy()
-  const bool destroyed = Try([&] { simulator.Destroy(); });
-  if (!executed || !destroyed) {
-    return kFailure;
+  CRun run(simulator);
+  if (run.Load([&] { LoadExperiment(simulator, options); })) {
+    const CStopSignals stopSignals;
+    exitGuard.Renew();
+    Execute(run, simulator, options);
+    run.SetSignal(CStopSignals::GetSignal());
+    run.Do([&] {
+      PrintSummary(run.GetSummary());
+      if (options.Digest) {
+        PrintDigest(simulator.GetSpace());
+      }
+    });
   }
-  // robots that have failed in Destroy() are among them
-  return status == 0 && !simulator.GetRobotFailures().IsEmpty() ? kRobotsStopped : status;
+  return run.Finish().GetExitStatus();
 }
 
 std::string Generate(const SOptions& options) {

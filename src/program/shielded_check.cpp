@@ -1,7 +1,7 @@
 #include <argos3/program/shielded_check.h>
 
 #include <argos3/core/utility/errors/argos_exception.h>
-#include <argos3/support/exit_status.h>
+#include <argos3/run/run_status.h>
 #include <argos3/support/scratch_folder.h>
 
 #include <dlfcn.h>
@@ -74,7 +74,8 @@ int Wait(pid_t process) {
   }
   sigaction(SIGINT, &oldInterrupt, nullptr);
   sigaction(SIGQUIT, &oldQuit, nullptr);
-  return WIFEXITED(status) ? WEXITSTATUS(status) : kSignalStatus + WTERMSIG(status);
+  return WIFEXITED(status) ? WEXITSTATUS(status)
+                           : ToExitStatus(ERunStatus::Crashed, WTERMSIG(status));
 }
 
 }  // namespace

@@ -36,6 +36,11 @@ class CLogControl {
    * order of the log. It must not flush a log, nor throw.
    */
   static void SetLineReceiver(TLineReceiver receiver);
+  /**
+   * Also shows each line to a function, without any effect on where it goes, and before the level
+   * drops it; an empty function ends that. The rest as for SetLineReceiver().
+   */
+  static void SetLineObserver(TLineReceiver observer);
 
   /**
    * Puts "[label] " into each line that this thread logs from now on, after its mark: so that lines

@@ -16,12 +16,23 @@ struct SReceiver {
   std::mutex Mutex;
   CLogControl::TLineReceiver Function;
   std::atomic<bool> IsSet{false};
+
+  void Set(CLogControl::TLineReceiver function) {
+    const std::lock_guard<std::mutex> lock(Mutex);
+    Function = std::move(function);
+    IsSet = static_cast<bool>(Function);
+  }
 };
 
 // function-local: logs are flushed during the destruction of static objects
 SReceiver& Receiver() {
   static SReceiver* const receiver = std::make_unique<SReceiver>().release();
   return *receiver;
+}
+
+SReceiver& Observer() {
+  static SReceiver* const observer = std::make_unique<SReceiver>().release();
+  return *observer;
 }
 
 // trivially destructible, so it can be read after the destructor of g_label
@@ -89,10 +100,11 @@ ELogLevel CLogControl::GetLevel() {
 }
 
 void CLogControl::SetLineReceiver(TLineReceiver receiver) {
-  SReceiver& current = Receiver();
-  const std::lock_guard<std::mutex> lock(current.Mutex);
-  current.Function = std::move(receiver);
-  current.IsSet = static_cast<bool>(current.Function);
+  Receiver().Set(std::move(receiver));
+}
+
+void CLogControl::SetLineObserver(TLineReceiver observer) {
+  Observer().Set(std::move(observer));
 }
 
 void CLogControl::SetThreadLabel(const std::string& label) {
@@ -109,7 +121,28 @@ std::shared_ptr<const std::string> GetThreadLabelOrNull() {
   return g_labelIsSet ? g_label.Text : nullptr;
 }
 
+void CLogLines::Observe(std::string_view text) {
+  for (std::size_t end = text.find('\n'); end != std::string_view::npos; end = text.find('\n')) {
+    m_observed += text.substr(0, end);
+    std::size_t place = 0;
+    const SMark* const mark = FindMark(m_observed, place);
+    SReceiver& observer = Observer();
+    const std::lock_guard<std::mutex> lock(observer.Mutex);
+    if (observer.Function) {
+      observer.Function(mark != nullptr ? mark->Level : m_unmarked, WithoutColors(m_observed));
+    }
+    m_observed.clear();
+    text.remove_prefix(end + 1);
+  }
+  m_observed += text;
+}
+
 void CLogLines::Write(std::string_view text, const std::string* label) {
+  if (Observer().IsSet) {
+    Observe(text);
+  } else {
+    m_observed.clear();
+  }
   const bool isPlain = g_level >= ELogLevel::Info && !Receiver().IsSet && label == nullptr;
   if (isPlain && m_line.empty()) {
     m_stream.write(text.data(), static_cast<std::streamsize>(text.size()));

@@ -30,11 +30,13 @@ class CLogLines {
 
  private:
   void EndLine();
+  void Observe(std::string_view text);
 
   std::ostream& m_stream;
   ELogLevel m_unmarked;
   std::string m_line;  // so far
   std::string m_label;  // of that line
+  std::string m_observed;  // the line so far, while there is an observer
 };
 
 }  // namespace argos

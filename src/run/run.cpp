@@ -1,0 +1,189 @@
+#include <argos3/run/run.h>
+
+#include <argos3/core/simulator/entity/controllable_entity.h>
+#include <argos3/core/simulator/outputs/run_outputs.h>
+#include <argos3/core/simulator/simulator.h>
+#include <argos3/core/simulator/space/space.h>
+#include <argos3/core/utility/errors/exception_text.h>
+#include <argos3/core/utility/errors/line_marks.h>
+#include <argos3/core/utility/files/output_file.h>
+#include <argos3/core/utility/logging/argos_log.h>
+#include <argos3/core/utility/logging/log_control.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <ctime>
+#include <utility>
+
+namespace argos {
+
+namespace {
+
+void FlushLogs() {
+  LOG.Flush();
+  LOGERR.Flush();
+}
+
+// of all threads of this process, s
+Real GetCPUTime() {
+  timespec time{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+  return static_cast<Real>(time.tv_sec) + 1e-9 * static_cast<Real>(time.tv_nsec);
+}
+
+Real GetSeconds(std::chrono::steady_clock::duration duration) {
+  return std::chrono::duration<Real>(duration).count();
+}
+
+}  // namespace
+
+SRunFailure DescribeFailure() {
+  const std::string text = DescribeCurrentException();
+  return {MarkLines(text), SaysOutOfMemory(text)};
+}
+
+void PrintFailure(const SRunFailure& failure) {
+  CARGoSLog& log = LOGERR.HasFailed() && !LOG.HasFailed() ? LOG : LOGERR;
+  log << failure.Text << std::endl;
+  FlushLogs();
+}
+
+bool SaysOutOfMemory(const std::string& text) {
+  return text.find("not enough memory") != std::string::npos ||
+         text.find("std::bad_alloc") != std::string::npos;
+}
+
+std::string TakeFailedOutputs() {
+  std::vector<std::string> failures = TakeOutputFailures();
+  for (CARGoSLog* log : {&LOG, &LOGERR}) {
+    failures.push_back(log->TakeFailure());
+  }
+  std::string text;
+  for (const std::string& failure : failures) {
+    text += (text.empty() || failure.empty() ? "" : "\n") + failure;
+  }
+  return text;
+}
+
+std::string DescribeRun(const SRunSummary& summary) {
+  std::string text = fmt::format(
+      "simulated {:.6g} s in {:.3g} s of wall time (real-time factor {:.3g}, {} robot{})",
+      summary.SimulatedTime, summary.WallTime,
+      summary.WallTime > 0.0 ? summary.SimulatedTime / summary.WallTime : 0.0, summary.Robots,
+      summary.Robots == 1 ? "" : "s");
+  if (summary.HasOutputs) {
+    text += fmt::format(": {:.3g} s for the simulation, {:.3g} s for its outputs",
+                        std::max(0.0, summary.WallTime - summary.OutputTime), summary.OutputTime);
+  }
+  return text;
+}
+
+CRun::CRun(CSimulator& simulator, TReport report)
+    : m_simulator(simulator), m_report(std::move(report)) {}
+
+CRun::~CRun() {
+  Finish();
+}
+
+void CRun::CollectWarnings() {
+  m_collectsWarnings = true;
+  CLogControl::SetLineObserver([this](ELogLevel level, const std::string& line) {
+    if (level == ELogLevel::Warning && m_summary.Warnings.size() < kMaxWarnings) {
+      m_summary.Warnings.push_back(line);
+    }
+  });
+}
+
+bool CRun::Try(const std::function<void()>& step) {
+  try {
+    step();
+    return true;
+  } catch (...) {
+    m_summary.Failures.push_back(DescribeFailure());
+  }
+  m_report(m_summary.Failures.back());
+  return false;
+}
+
+bool CRun::Do(const std::function<void()>& step) {
+  return IsGood() && Try(step);
+}
+
+bool CRun::Load(const std::function<void()>& load) {
+  return Do([&] {
+    load();
+    m_summary.StartUpTime = GetSeconds(TClock::now() - m_start);
+  });
+}
+
+bool CRun::Execute(const std::function<void(CSimulator&)>& observe) {
+  return Do([&] {
+    m_simulator.SetTickObserver(observe);
+    const Real cpuTime = GetCPUTime();
+    const TClock::time_point start = TClock::now();
+    try {
+      m_simulator.Execute();
+    } catch (...) {
+      Measure(start, cpuTime);
+      throw;
+    }
+    Measure(start, cpuTime);
+    FlushLogs();
+  });
+}
+
+void CRun::Measure(TClock::time_point start, Real cpuTime) {
+  m_summary.WallTime = GetSeconds(TClock::now() - start);
+  m_summary.CPUTime = GetCPUTime() - cpuTime;
+  m_simulator.SetTickObserver(nullptr);
+  m_summary.Ticks = m_simulator.GetSpace().GetSimulationClock();
+  m_summary.SimulatedTime = m_summary.Ticks * m_simulator.GetTickLength();
+  m_summary.HasOutputs = !m_simulator.GetOutputs().IsEmpty();
+  m_summary.OutputTime = m_simulator.GetOutputs().GetSeconds();
+  CountStoppedRobots();
+}
+
+void CRun::CountStoppedRobots() {
+  const std::vector<CControllableEntity*>& robots =
+      m_simulator.GetSpace().GetControllableEntities();
+  m_summary.Robots = static_cast<UInt32>(robots.size());
+  if (m_simulator.GetRobotFailures().IsEmpty()) {
+    return;
+  }
+  for (const CControllableEntity* robot : robots) {
+    m_summary.StoppedRobots += robot->IsStopped() ? 1 : 0;
+    m_summary.QuarantinedRobots += robot->IsQuarantined() ? 1 : 0;
+  }
+  m_summary.RobotErrors = m_simulator.GetRobotFailures().Summarize();
+}
+
+bool CRun::Destroy() {
+  if (!m_isDestroyed) {
+    m_isDestroyed = true;
+    Try([&] { m_simulator.Destroy(); });
+  }
+  return IsGood();
+}
+
+const SRunSummary& CRun::Finish() {
+  Destroy();
+  if (m_collectsWarnings) {
+    FlushLogs();
+    CLogControl::SetLineObserver({});
+    m_collectsWarnings = false;
+  }
+  if (!IsGood()) {
+    m_summary.Status =
+        m_summary.Failures.back().IsOutOfMemory ? ERunStatus::OutOfMemory : ERunStatus::Failed;
+  } else if (m_summary.Signal != 0) {
+    m_summary.Status = ERunStatus::Interrupted;
+  } else {
+    // robots that have failed in Destroy() are among them
+    m_summary.Status =
+        m_simulator.GetRobotFailures().IsEmpty() ? ERunStatus::Done : ERunStatus::RobotsStopped;
+  }
+  return m_summary;
+}
+
+}  // namespace argos
