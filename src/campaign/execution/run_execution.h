@@ -22,12 +22,6 @@ SRunResult ExecuteRun(const SRunSetup& setup, const SRunRequest& request);
  */
 bool LoadRun(const SRunSetup& setup, const SRunRequest& request);
 
-/**
- * @return true if the text of an error, or the end of a log, says that memory was not granted: by
- *   an exception of users' code, which libraries wrap into others, or of Lua.
- */
-bool SaysOutOfMemory(const std::string& text);
-
 }  // namespace argos
 
 #endif

@@ -55,6 +55,11 @@ void WriteMeasures(CByteWriter& writer, const SRunResult& result) {
   writer.WriteFixed64(result.Digest);
   writer.WriteText(result.Log);
   writer.WriteNumber(result.LogBytes);
+  writer.WriteText(result.Error);
+  writer.WriteNumber(result.Warnings.size());
+  for (const std::string& warning : result.Warnings) {
+    writer.WriteText(warning);
+  }
 }
 
 void ReadMeasures(CByteReader& reader, SRunResult& result) {
@@ -75,6 +80,10 @@ void ReadMeasures(CByteReader& reader, SRunResult& result) {
   result.Digest = reader.ReadFixed64();
   result.Log = reader.ReadText();
   result.LogBytes = reader.ReadNumber();
+  result.Error = reader.ReadText();
+  for (size_t count = reader.ReadCount("warnings"); count > 0; --count) {
+    result.Warnings.emplace_back(reader.ReadText());
+  }
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <argos3/campaign/execution/run_messages.h>
 
 #include <argos3/core/utility/errors/argos_exception.h>
+#include <argos3/run/run.h>
 
 #include <fcntl.h>
 #include <poll.h>

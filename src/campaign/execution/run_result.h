@@ -2,27 +2,12 @@
 #define ARGOS3_CAMPAIGN_EXECUTION_RUN_RESULT_H
 
 #include <argos3/core/utility/datatypes/datatypes.h>
+#include <argos3/run/run_status.h>
 
 #include <string>
 #include <vector>
 
 namespace argos {
-
-/** How a run ended. */
-enum class ERunStatus {
-  Done,
-  RobotsStopped, /**< done, but errors stopped robots (exit status 3 of argos3) */
-  Failed, /**< an error ended it: exit status not 0 */
-  Crashed, /**< a signal ended it */
-  TimedOut, /**< the limit of wall time */
-  OutOfMemory, /**< the limit of memory */
-  Interrupted /**< by the user: it counts as not run */
-};
-
-/** @return the word in the database and in tables: "done", "robots_stopped", "failed", ... */
-const char* ToText(ERunStatus status);
-/** @throws CARGoSException if there is no such status. */
-ERunStatus ToRunStatus(const std::string& text);
 
 /** Values of a metric during a run. */
 struct SMetricSeries {
@@ -50,6 +35,9 @@ struct SRunResult {
   UInt64 Digest = 0; /**< of the final state */
   std::string Log; /**< the end of what it printed, and the error message, if any */
   UInt64 LogBytes = 0; /**< all that it printed */
+  // of a run that has just ended; not stored
+  std::string Error; /**< that ended it, unless its process died */
+  std::vector<std::string> Warnings; /**< lines */
   std::vector<SMetricValue> Metrics;
   std::vector<SMetricSeries> Series;
 };

@@ -8,7 +8,6 @@ target_sources(argos3campaign PRIVATE
   execution/run_execution.cpp
   execution/run_messages.cpp
   execution/run_process.cpp
-  execution/run_result.cpp
   execution/message_stream.cpp
   execution/worker.cpp
   execution/worker_process.cpp)

@@ -4,7 +4,7 @@
 #include <argos3/campaign/store/failed_runs.h>
 
 #include <argos3/core/utility/errors/argos_exception.h>
-#include <argos3/support/exit_status.h>
+#include <argos3/run/run_status.h>
 
 #include <CLI/CLI.hpp>
 
@@ -84,7 +84,7 @@ int ExecutePlan(const SCampaign& campaign, CResultStore& store, CRunPlan& plan, 
   if (end.Signal != 0) {
     fmt::print("stopped; {} run{} missing. Go on with `argos3-campaign resume {}`\n", end.OpenRuns,
                end.OpenRuns == 1 ? " is" : "s are", QuoteForShell(campaign.File));
-    return kSignalStatus + end.Signal;
+    return ToExitStatus(ERunStatus::Interrupted, end.Signal);
   }
   return failures.empty() ? CAMPAIGN_DONE : CAMPAIGN_RUNS_FAILED;
 }

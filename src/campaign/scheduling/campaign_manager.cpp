@@ -182,19 +182,21 @@ void CCampaignManager::WarnOfMissingMetrics(bool isEnd) {
   }
 }
 
-// Of the first run only. What runs print is seldom read, and an attribute that nothing uses may
-// change all results.
-void CCampaignManager::RepeatWarnings(const std::string& log) {
-  constexpr size_t kMostWarnings = 10;
-  const std::vector<std::string> warnings = ListUnusedContent(log);
-  for (size_t i = 0; i < std::min(warnings.size(), kMostWarnings); ++i) {
-    m_line->Print(warnings[i]);
+// Of the first run that has ended by itself only. What runs print is seldom read, and an attribute
+// that nothing uses may change all results.
+void CCampaignManager::RepeatWarnings(const SRunResult& result) {
+  size_t left = 10;
+  for (const std::string& warning : result.Warnings) {
+    if (left > 0 && warning.find("not used by anything") != std::string::npos) {
+      m_line->Print(warning);
+      --left;
+    }
   }
 }
 
 // often all others will fail for the same reason
 void CCampaignManager::WarnOfFirstFailure(const SPlannedRun& run, const SRunResult& result) {
-  const std::string message = FindErrorMessage(result.Log);
+  const std::string message = FindErrorMessage(result.Error.empty() ? result.Log : result.Error);
   m_line->Print(fmt::format("[WARNING] a run has failed: {}seed={}: {}{}; the others go on",
                             DescribeLevels(m_campaign, m_campaign.Combinations[run.Combination]),
                             run.Seed, ToText(result.Status),
@@ -330,8 +332,10 @@ void CCampaignManager::Finish(const SPlannedRun& finished, SRunResult result) {
     ++m_end.Runs;
     m_end.FailedRuns += IsGood(stored.Status) ? 0 : 1;
     m_watch.Note(stored);
-    if (m_end.Runs == 1) {
-      RepeatWarnings(stored.Log);
+    if (m_repeatsWarnings && stored.Status != ERunStatus::Crashed &&
+        stored.Status != ERunStatus::TimedOut) {
+      m_repeatsWarnings = false;
+      RepeatWarnings(stored);
     }
     if (m_end.FailedRuns == 1 && !IsGood(stored.Status)) {
       WarnOfFirstFailure(run, stored);

@@ -83,7 +83,7 @@ class CCampaignManager {
   void StoreIfDue();
   void NoteStops();
   void WarnOfMissingMetrics(bool isEnd);
-  void RepeatWarnings(const std::string& log);
+  void RepeatWarnings(const SRunResult& result);
   void WarnOfFirstFailure(const SPlannedRun& run, const SRunResult& result);
   SCampaignProgress GetProgress() const;
 
@@ -104,6 +104,7 @@ class CCampaignManager {
   std::map<std::pair<size_t, UInt32>, UInt32> m_deathsOf;  // combination and seed
   std::vector<SStoredRun> m_unstored;
   TClock::time_point m_unstoredSince;
+  bool m_repeatsWarnings = true;
   SCampaignEnd m_end;
   UInt64 m_numResults = 0;
   Real m_totalTime = 0.0;  // of the runs, s

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <map>
-#include <sstream>
 
 namespace argos {
 
@@ -64,18 +63,6 @@ std::string FindErrorMessage(const std::string& log) {
   std::string message = log.substr(place, std::min(end - place, kLongestMessage));
   std::replace(message.begin(), message.end(), '\n', ' ');
   return message;
-}
-
-std::vector<std::string> ListUnusedContent(const std::string& log) {
-  std::vector<std::string> lines;
-  std::istringstream stream(log);
-  for (std::string line; std::getline(stream, line);) {
-    if (line.rfind("[WARNING] ", 0) == 0 &&
-        line.find("not used by anything") != std::string::npos) {
-      lines.push_back(line);
-    }
-  }
-  return lines;
 }
 
 std::string QuoteForShell(const std::string& word) {

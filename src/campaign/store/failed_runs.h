@@ -5,7 +5,6 @@
 #include <argos3/campaign/store/result_store.h>
 
 #include <string>
-#include <vector>
 
 namespace argos {
 
@@ -25,9 +24,6 @@ std::string MakeRepeatCommand(const SCampaign& campaign, const SCombination& com
  * @return empty if there is none.
  */
 std::string FindErrorMessage(const std::string& log);
-
-/** @return the warnings in a log about what the experiment has, but nothing uses. */
-std::vector<std::string> ListUnusedContent(const std::string& log);
 
 /**
  * Lists the runs of the newest generation that have failed, by combination and seed: the levels,

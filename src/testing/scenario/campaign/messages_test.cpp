@@ -35,6 +35,8 @@ SRunResult MakeResult() {
   result.Digest = 0xfedcba9876543210;
   result.Log = std::string("a\0b\n", 4);
   result.LogBytes = 1234567;
+  result.Error = "[FATAL] x";
+  result.Warnings = {"[WARNING] y", ""};
   result.Metrics = {{"a", "m", -0.0}, {"b", "", std::numeric_limits<Real>::quiet_NaN()}};
   result.Series = {{"s", "kg", {1, 2}, {0.5, std::numeric_limits<Real>::infinity()}},
                    {"empty", "", {}, {}}};
@@ -52,6 +54,7 @@ TEST_CASE("messages: a result arrives without loss", "[campaign][messages]") {
   CHECK(EncodeResult(42, result) == bytes);
   CHECK(result.Status == sent.Status);
   CHECK(result.Log == sent.Log);
+  CHECK(result.Warnings == sent.Warnings);
   CHECK(result.Series[0].Ticks == sent.Series[0].Ticks);
   CHECK(std::signbit(result.Metrics[0].Value));
   CHECK(std::isnan(result.Metrics[1].Value));
