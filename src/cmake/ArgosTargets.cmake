@@ -137,15 +137,17 @@ function(argos_add_core)
 endfunction()
 
 # argos_add_plugin(<name> INCLUDE_PREFIX <p> [PUBLIC_HEADERS ...] [SOURCES ...] [LINK ...] [LINK_PRIVATE ...]
-#                  [CONTROL_INTERFACE_HEADERS ...] [CONTROL_INTERFACE_SOURCES ...] [FLAT_FOLDER <f>])
+#                  [CONTROL_INTERFACE_HEADERS ...] [CONTROL_INTERFACE_SOURCES ...] [FLAT_FOLDER <f>]
+#                  [COMPAT_FOLDER <f> COMPAT_HEADERS ... COMPAT_SOURCES ...])
 #   PUBLIC_HEADERS are installed and each compiled alone; LINK names the targets whose headers may be used (the core
 #   always is); LINK_PRIVATE is third party and never leaks. The CONTROL_INTERFACE_ lists, of robots, name what lies in
 #   the folder control_interface/: a build for a robot compiles that alone. FLAT_FOLDER names a folder whose sub-folders
 #   group the sources but do not appear in include paths: <f>/rays/ray_caster.h is included as
-#   <argos3/<p>/<f>/ray_caster.h>, in the build tree and when installed.
+#   <argos3/<p>/<f>/ray_caster.h>, in the build tree and when installed. The COMPAT_ lists name what lies in src/compat/<f>, has the same
+#   include paths, and is in the same library.
 function(argos_add_plugin name)
-  cmake_parse_arguments(PARSE_ARGV 1 ARG "" "INCLUDE_PREFIX;FLAT_FOLDER"
-    "PUBLIC_HEADERS;SOURCES;CONTROL_INTERFACE_HEADERS;CONTROL_INTERFACE_SOURCES;LINK;LINK_PRIVATE")
+  cmake_parse_arguments(PARSE_ARGV 1 ARG "" "INCLUDE_PREFIX;FLAT_FOLDER;COMPAT_FOLDER"
+    "PUBLIC_HEADERS;SOURCES;COMPAT_HEADERS;COMPAT_SOURCES;CONTROL_INTERFACE_HEADERS;CONTROL_INTERFACE_SOURCES;LINK;LINK_PRIVATE")
   list(TRANSFORM ARG_CONTROL_INTERFACE_HEADERS PREPEND control_interface/)
   list(TRANSFORM ARG_CONTROL_INTERFACE_SOURCES PREPEND control_interface/)
   set(linkedFolder)
@@ -183,9 +185,18 @@ function(argos_add_plugin name)
     endif()
   endforeach()
 
+  if(ARG_COMPAT_FOLDER)
+    set(compatFolder "${PROJECT_SOURCE_DIR}/src/compat/${ARG_COMPAT_FOLDER}")
+    argos_link_headers(compatRoot ${target}_compat ${ARG_INCLUDE_PREFIX} "${compatFolder}")
+    target_include_directories(${target} PUBLIC "$<BUILD_INTERFACE:${compatRoot}>")
+    list(TRANSFORM ARG_COMPAT_SOURCES PREPEND "${compatFolder}/")
+    target_sources(${target} PRIVATE ${ARG_COMPAT_SOURCES})
+    argos_install_headers(${name} ${ARG_INCLUDE_PREFIX} "${compatFolder}" ARG_COMPAT_HEADERS ARG_COMPAT_HEADERS)
+  endif()
   argos_group_sources(${target} "\\.cpp$")
   argos_precompile(${target} library)
-  argos_check_headers(${target} ${ARG_INCLUDE_PREFIX} includePaths)
+  set(checkedHeaders ${includePaths} ${ARG_COMPAT_HEADERS})
+  argos_check_headers(${target} ${ARG_INCLUDE_PREFIX} checkedHeaders)
   argos_install_headers(${name} ${ARG_INCLUDE_PREFIX} "${CMAKE_CURRENT_SOURCE_DIR}" headers includePaths)
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
   set_property(GLOBAL APPEND PROPERTY ARGOS_RUN_TARGETS ${target})

@@ -1,5 +1,5 @@
-#ifndef ARGOS3_PLUGINS_VISUALIZATIONS_QT_OPENGL_QT_CONVERSIONS_H
-#define ARGOS3_PLUGINS_VISUALIZATIONS_QT_OPENGL_QT_CONVERSIONS_H
+#ifndef ARGOS3_COMPAT_QT_OPENGL_QT_CONVERSIONS_H
+#define ARGOS3_COMPAT_QT_OPENGL_QT_CONVERSIONS_H
 
 #include <argos3/core/simulator/visualization/drawing.h>
 #include <argos3/plugins/simulator/visualizations/qt-opengl/qt_types.h>

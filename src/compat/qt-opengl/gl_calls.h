@@ -1,5 +1,5 @@
-#ifndef ARGOS3_PLUGINS_VISUALIZATIONS_QT_OPENGL_GL_CALLS_H
-#define ARGOS3_PLUGINS_VISUALIZATIONS_QT_OPENGL_GL_CALLS_H
+#ifndef ARGOS3_COMPAT_QT_OPENGL_GL_CALLS_H
+#define ARGOS3_COMPAT_QT_OPENGL_GL_CALLS_H
 
 /*
  * The OpenGL calls of users' drawing functions: accepted, without effect.

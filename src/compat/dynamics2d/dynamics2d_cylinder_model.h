@@ -1,5 +1,5 @@
-#ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_DYNAMICS2D_CYLINDER_MODEL_H
-#define ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_DYNAMICS2D_CYLINDER_MODEL_H
+#ifndef ARGOS3_COMPAT_DYNAMICS2D_DYNAMICS2D_CYLINDER_MODEL_H
+#define ARGOS3_COMPAT_DYNAMICS2D_DYNAMICS2D_CYLINDER_MODEL_H
 
 #include <argos3/plugins/simulator/entities/cylinder_entity.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/dynamics2d_stretchable_object_model.h>

@@ -1,5 +1,5 @@
-#ifndef ARGOS3_PLUGINS_VISUALIZATIONS_QT_OPENGL_QTOPENGL_USER_FUNCTIONS_H
-#define ARGOS3_PLUGINS_VISUALIZATIONS_QT_OPENGL_QTOPENGL_USER_FUNCTIONS_H
+#ifndef ARGOS3_COMPAT_QT_OPENGL_QTOPENGL_USER_FUNCTIONS_H
+#define ARGOS3_COMPAT_QT_OPENGL_QTOPENGL_USER_FUNCTIONS_H
 
 #include <argos3/core/simulator/entity/floor_entity.h>
 #include <argos3/core/simulator/visualization/drawing_functions.h>

@@ -1,5 +1,5 @@
-#ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_DYNAMICS2D_GRIPPING_H
-#define ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_DYNAMICS2D_GRIPPING_H
+#ifndef ARGOS3_COMPAT_DYNAMICS2D_DYNAMICS2D_GRIPPING_H
+#define ARGOS3_COMPAT_DYNAMICS2D_DYNAMICS2D_GRIPPING_H
 
 #include <argos3/plugins/simulator/entities/gripper_equipped_entity.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/recorded_bodies.h>

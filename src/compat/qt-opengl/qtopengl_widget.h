@@ -1,5 +1,5 @@
-#ifndef ARGOS3_PLUGINS_VISUALIZATIONS_QT_OPENGL_QTOPENGL_WIDGET_H
-#define ARGOS3_PLUGINS_VISUALIZATIONS_QT_OPENGL_QTOPENGL_WIDGET_H
+#ifndef ARGOS3_COMPAT_QT_OPENGL_QTOPENGL_WIDGET_H
+#define ARGOS3_COMPAT_QT_OPENGL_QTOPENGL_WIDGET_H
 
 #include <argos3/core/simulator/entity/entity.h>
 #include <argos3/plugins/simulator/visualizations/qt-opengl/gl_calls.h>

@@ -1,5 +1,5 @@
-#ifndef ARGOS3_PLUGINS_VISUALIZATIONS_QT_OPENGL_QT_TYPES_H
-#define ARGOS3_PLUGINS_VISUALIZATIONS_QT_OPENGL_QT_TYPES_H
+#ifndef ARGOS3_COMPAT_QT_OPENGL_QT_TYPES_H
+#define ARGOS3_COMPAT_QT_OPENGL_QT_TYPES_H
 
 /*
  * The few types of Qt that users' drawing functions name, with the members that they call, so that
