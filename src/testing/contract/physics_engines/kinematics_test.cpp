@@ -471,6 +471,23 @@ TEST_CASE("kinematics: a robot deep inside a wall leaves it by at most its radiu
   }
 }
 
+TEST_CASE("kinematics: a robot deep inside a wall leaves it as fast while it drives",
+          "[contract][engine][kinematics]") {
+  const Real yaw = GENERATE(0.0, 45.0, 90.0, -90.0, 135.0);
+  CAPTURE(yaw);
+  // its edge is 0.3 m inside, and it drives 1 mm in a tick
+  CDriveWorld world(kEngine, WallXml("wall", "2,4,0.5", 0, 0) +
+                                 DriverXml("e-puck", "r", 0.7 + kEPuckRadius, 0, yaw, 1, 1));
+  const Real start = world.Position("r").GetX();
+  for (int tick = 1; tick <= 8; ++tick) {
+    world.Step();
+    CAPTURE(tick);
+    CHECK_THAT(world.Position("r").GetX() - start, WithinAbs(tick * kEPuckRadius, tick * 1.1e-3));
+  }
+  world.Step(2);
+  CHECK(world.Position("r").GetX() - start >= 0.3 - 1e-6);
+}
+
 TEST_CASE("kinematics: a robot inside two walls may move by its depth in the deeper one",
           "[contract][engine][kinematics]") {
   // 0.06 m inside of one, 0.002 m of the other: a radius in the first tick, the rest in the second

@@ -203,4 +203,50 @@ TEST_CASE("volume: a refused description leaves the region unchanged", "[core][v
   CHECK(volume.SideFaces.empty());
 }
 
+TEST_CASE("volume: walls hold a body inside by its radius and height", "[core][volume]") {
+  SVolume volume;
+  // the northern half of the western side is a wall
+  Read(volume,
+       "<boundaries><sides><vertex point=\"-2,-2\"/><vertex point=\"2,-2\"/>"
+       "<vertex point=\"2,2\"/><vertex point=\"-2,2\" wall=\"true\"/><vertex point=\"-2,0\"/>"
+       "</sides><top height=\"3\" wall=\"true\"/><bottom height=\"1\" wall=\"true\"/>"
+       "</boundaries>");
+  struct SCase {
+    CVector3 Position, Velocity, HeldPosition, HeldVelocity;
+  };
+  const SCase held = GENERATE(
+      // the ground and the ceiling, and a velocity away from them, which remains
+      SCase{{-1.0, -1.0, 0.8}, {0.1, 0.0, -1.0}, {-1.0, -1.0, 1.0}, {0.1, 0.0, 0.0}},
+      SCase{{-1.0, -1.0, 0.8}, {0.1, 0.0, 1.0}, {-1.0, -1.0, 1.0}, {0.1, 0.0, 1.0}},
+      SCase{{-1.0, -1.0, 2.7}, {0.0, 0.1, 1.0}, {-1.0, -1.0, 2.5}, {0.0, 0.1, 0.0}},
+      SCase{{-1.0, -1.0, 2.7}, {0.0, 0.1, -1.0}, {-1.0, -1.0, 2.5}, {0.0, 0.1, -1.0}},
+      // a wall that is touched, and one that was passed
+      SCase{{-1.9, 1.0, 2.0}, {-1.0, 1.0, 0.0}, {-1.75, 1.0, 2.0}, {0.0, 1.0, 0.0}},
+      SCase{{-2.1, 1.0, 2.0}, {1.0, 1.0, 0.0}, {-1.75, 1.0, 2.0}, {1.0, 1.0, 0.0}},
+      // the end of the wall
+      SCase{{-1.94, -0.08, 2.0}, {-3.0, 4.0, 1.0}, {-1.85, -0.2, 2.0}, {0.0, 0.0, 1.0}});
+  CAPTURE(held.Position, held.Velocity);
+  CVector3 position = held.Position, velocity = held.Velocity;
+  CHECK(volume.HoldInside(position, velocity, 0.25, 0.5));
+  CHECK(Distance(position, held.HeldPosition) <= 1e-12);
+  CHECK(Distance(velocity, held.HeldVelocity) <= 1e-12);
+}
+
+TEST_CASE("volume: only walls hold a body", "[core][volume]") {
+  SVolume volume;
+  Read(volume,
+       "<boundaries><sides><vertex point=\"-2,-2\"/><vertex point=\"2,-2\"/>"
+       "<vertex point=\"2,2\"/><vertex point=\"-2,2\" wall=\"true\"/><vertex point=\"-2,0\"/>"
+       "</sides><top height=\"3\"/><bottom height=\"1\"/></boundaries>");
+  // through the top, the bottom, a side, behind the line of the wall, and near the wall
+  const CVector3 place =
+      GENERATE(CVector3(0.0, 0.0, 2.9), CVector3(0.0, 0.0, 0.5), CVector3(1.9, 0.0, 2.0),
+               CVector3(-2.1, -0.1, 2.0), CVector3(-1.749, 1.0, 2.0));
+  CAPTURE(place);
+  CVector3 position = place, velocity(-1.0, 1.0, 1.0);
+  CHECK_FALSE(volume.HoldInside(position, velocity, 0.25, 0.5));
+  CHECK(position == place);
+  CHECK(velocity == CVector3(-1.0, 1.0, 1.0));
+}
+
 }  // namespace volume_test

@@ -204,6 +204,32 @@ TEST_CASE("frames: entities come and go", "[core][recording]") {
   CHECK(frame.Words == std::vector<UInt32>{0, 0xff0000ffu, 1, 7});
 }
 
+TEST_CASE("frames: a restart without a complete frame forgets the entities before it",
+          "[core][recording]") {
+  CFrameEncoder encoder(EPrecision::Exact);
+  std::string bytes;
+  std::vector<SFrameUpdate> expected = {MakeFirst(0, {1.0, 2.0, 3.0}), MakeFirst(1, {4.0, 5.0}),
+                                        MakeUpdate(2, {4.5, 5.5, 6.0}),
+                                        MakeUpdate(3, {5.0, 6.0, 7.0}), MakeUpdate(4, {7.5, 9.0})};
+  expected[2].Added.push_back({"added", 0});
+  expected[4].Removed = {0};
+  for (SFrameUpdate& update : expected) {
+    SFrameUpdate given = update;
+    encoder.Encode(given, update.Tick == 0, bytes);
+  }
+  CFrameDecoder decoder(EPrecision::Exact);
+  CByteReader in(bytes);
+  for (const SFrameUpdate& update : expected) {
+    CAPTURE(update.Tick);
+    const SRecordedFrame& frame = decoder.Decode(in, update.Tick == 0);
+    CHECK(frame.Words == update.Words);
+    REQUIRE(frame.Poses.size() == update.Poses.size());
+    for (size_t i = 0; i < frame.Poses.size(); ++i) {
+      CHECK(frame.Poses[i].Position == update.Poses[i].Position);
+    }
+  }
+}
+
 TEST_CASE("frames: rays, floor, columns and drawings are decoded as they were",
           "[core][recording]") {
   auto floor = std::make_shared<SRecordedFloor>(SRecordedFloor{2, 2, std::string(12, 'a')});
