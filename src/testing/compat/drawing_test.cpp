@@ -157,4 +157,23 @@ TEST_CASE("compat: QFont, QString and QColor have what users call", "[compat]") 
   CHECK(QColor(1, 2, 3).alpha() == 255);
 }
 
+TEST_CASE("compat: the named colours are those of Qt", "[compat]") {
+  // Qt's documentation of Qt::GlobalColor
+  const std::vector<std::pair<Qt::GlobalColor, UInt32>> colors = {
+      {Qt::black, 0x000000},       {Qt::white, 0xffffff},     {Qt::darkGray, 0x808080},
+      {Qt::gray, 0xa0a0a4},        {Qt::lightGray, 0xc0c0c0}, {Qt::red, 0xff0000},
+      {Qt::green, 0x00ff00},       {Qt::blue, 0x0000ff},      {Qt::cyan, 0x00ffff},
+      {Qt::magenta, 0xff00ff},     {Qt::yellow, 0xffff00},    {Qt::darkRed, 0x800000},
+      {Qt::darkGreen, 0x008000},   {Qt::darkBlue, 0x000080},  {Qt::darkCyan, 0x008080},
+      {Qt::darkMagenta, 0x800080}, {Qt::darkYellow, 0x808000}};
+  for (const auto& [name, rgb] : colors) {
+    const QColor color(name);
+    CAPTURE(static_cast<int>(name));
+    CHECK(color.red() == static_cast<int>(rgb >> 16));
+    CHECK(color.green() == static_cast<int>(rgb >> 8 & 0xff));
+    CHECK(color.blue() == static_cast<int>(rgb & 0xff));
+    CHECK(color.alpha() == 255);
+  }
+}
+
 }  // namespace compat_drawing_test

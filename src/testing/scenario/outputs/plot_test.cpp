@@ -259,6 +259,33 @@ TEST_CASE("plots: paths are where the robots were", "[outputs][plots]") {
   CHECK_THAT(path.Top, WithinAbs(frame.Bottom - scale * (0.75 + 1.08), 20.0));
 }
 
+TEST_CASE("plots: the paths of more than nine robots are shades from blue to green",
+          "[outputs][plots]") {
+  if (!HasGnuplot()) {
+    return;
+  }
+  const CTestFolder folder;
+  std::string rows = "# argos3 3.0.0-1 table\n# arena: -1,-1 1,1\nrun,tick,time,robot,x,y\n";
+  for (int tick = 0; tick < 2; ++tick) {
+    for (int i = 0; i < 11; ++i) {
+      rows += "0," + std::to_string(tick) + ",0,r" + std::to_string(i) + ',' +
+              (tick == 0 ? "-0.5," : "0.5,") + std::to_string(-0.5 + 0.1 * i) + '\n';
+    }
+  }
+  folder.Write("robots.csv", rows);
+  REQUIRE(Plot(folder, "trajectories robots.csv -o p.png").Status == 0);
+  const CPicture picture(folder.Path("p.png"));
+  const SPixelBox frame = picture.FindAxes();
+  const double scale = frame.GetHeight() / 2.04;  // pixels for a metre
+  // the colour map "viridis" at 0, 0.425 and 0.85
+  for (const auto& [y, color] : {std::pair(-0.5, 0x440154), {0.0, 0x337a92}, {0.5, 0x97cd4e}}) {
+    CAPTURE(y);
+    const SPixelBox path = picture.FindBox(static_cast<UInt32>(color), frame);
+    CHECK_THAT(path.Top, WithinAbs(frame.Bottom - scale * (y + 1.02), 20.0));
+    CHECK_THAT(path.GetWidth(), WithinAbs(scale, 40.0));
+  }
+}
+
 TEST_CASE("plots: the key says how many runs there are, and how many at the end",
           "[outputs][plots]") {
   if (!HasGnuplot()) {

@@ -1,6 +1,7 @@
 #include <argos3/core/utility/string_utilities.h>
 
 #include <argos3/core/utility/configuration/argos_exception.h>
+#include <argos3/core/utility/text/shell_quoting.h>
 #include <argos3/testing/support/invariants.h>
 
 #include <catch2/catch.hpp>
@@ -311,6 +312,20 @@ TEST_CASE("near names: are listed at the end of an error message", "[core][strin
   CHECK(DidYouMean("led0", {"led1", "led2"}) == "; did you mean \"led1\" or \"led2\"?");
   CHECK(DidYouMean("quadrotor", {"box", "floor"}) == "; known: box, floor");
   CHECK(DidYouMean("quadrotor", {}) == "; known: none");
+}
+
+TEST_CASE("shell quoting: words with other signs than those of plain paths are quoted",
+          "[core][strings]") {
+  for (const std::string plain : {"abcxyzABCXYZ019", "_-+=:,./", "a/b-c_d.e"}) {
+    CHECK(QuoteForShell(plain) == plain);
+  }
+  CHECK(QuoteForShell("") == "''");
+  CHECK(QuoteForShell("it's") == "'it'\\''s'");
+  for (const char c : std::string(" $`\"\\!*?[]{}()<>|&;~#\n\t%@^\xe4")) {
+    const std::string word = "a" + std::string(1, c);
+    CAPTURE(word);
+    CHECK(QuoteForShell(word) == "'" + word + "'");
+  }
 }
 
 }  // namespace string_utilities_test

@@ -442,6 +442,35 @@ TEST_CASE("povray scene: the look decides how bright sun, sky, lamps and LEDs ar
   }
 }
 
+TEST_CASE("povray scene: at most so many lamps, and so many LEDs, are sources of light",
+          "[povray]") {
+  SScene scene = MakeEmptyScene();
+  SGlow lamp{{0.0f, 0.0f, 1.0f}, 0.03f, kGreen, 4.5f};
+  lamp.IsLamp = true;
+  const SGlow led{{0.0f, -0.5f, 0.1f}, 0.01f, kRed, 3.6f, 0.0f, 1.0f};
+  scene.Glows = {led, led, led, led, led, lamp, lamp, lamp};
+  SPovraySettings settings = Small();
+  // each of the sources stands for so many LEDs
+  const auto [most, numLamps, numLEDs, stride] = GENERATE(table<UInt32, size_t, size_t, double>(
+      {{0, 0, 0, 1}, {1, 1, 1, 5}, {2, 2, 2, 3}, {3, 3, 2, 2}, {5, 3, 5, 1}, {9, 3, 5, 1}}));
+  CAPTURE(most);
+  settings.Look = SLook::FromName("light");
+  settings.MostLights = most;
+  std::size_t numSkipped = 0;
+  const std::string file = MakeSceneFile(scene, ObliqueView(), settings, {}, numSkipped);
+  const auto count = [&file](const std::string& part) {
+    size_t number = 0;
+    for (size_t at = file.find(part); at != std::string::npos; at = file.find(part, at + 1)) {
+      ++number;
+    }
+    return number;
+  };
+  CHECK(count("object { Argos_Cylinder(") == 3);
+  CHECK(count("fade_distance 0.8 ") == numLamps);
+  CHECK(count("fade_distance ") == numLamps + numLEDs);
+  CHECK(count(fmt::format("*{} fade_distance ", 0.5 * std::sqrt(stride))) == numLEDs);
+}
+
 TEST_CASE("povray scene: the boundary is four strips across the edges of the arena", "[povray]") {
   SScene scene = MakeEmptyScene();
   scene.ShowBoundary = true;
