@@ -36,21 +36,11 @@ b2PolygonShape MakeRectangle(const SShapeDescription& shape, Real unitsPerMetre)
                      static_cast<float>(0.5 * shape.Size.GetY() * unitsPerMetre),
                      ToUnits(shape.Offset, unitsPerMetre), static_cast<float>(yaw));
   } else {
-    // the rectangle around the projection of its bounding box
-    Real minX = HUGE_VAL, minY = HUGE_VAL, maxX = -HUGE_VAL, maxY = -HUGE_VAL;
-    for (UInt32 i = 0; i < 8; ++i) {
-      CVector3 corner((i & 1U ? 0.5 : -0.5) * shape.Size.GetX(),
-                      (i & 2U ? 0.5 : -0.5) * shape.Size.GetY(), i & 4U ? shape.Size.GetZ() : 0.0);
-      corner.Rotate(shape.Orientation);
-      minX = std::min(minX, corner.GetX());
-      maxX = std::max(maxX, corner.GetX());
-      minY = std::min(minY, corner.GetY());
-      maxY = std::max(maxY, corner.GetY());
-    }
-    const CVector3 centre(0.5 * (minX + maxX), 0.5 * (minY + maxY), 0.0);
-    polygon.SetAsBox(static_cast<float>(0.5 * (maxX - minX) * unitsPerMetre),
-                     static_cast<float>(0.5 * (maxY - minY) * unitsPerMetre),
-                     ToUnits(shape.Offset + centre, unitsPerMetre), 0.0F);
+    const SFootprint around = EncloseTilted(shape);
+    polygon.SetAsBox(static_cast<float>(around.HalfX * unitsPerMetre),
+                     static_cast<float>(around.HalfY * unitsPerMetre),
+                     ToUnits(CVector3(around.X, around.Y, 0.0), unitsPerMetre),
+                     static_cast<float>(std::atan2(around.Sin, around.Cos)));
   }
   // Box2D's default margin would enlarge the described shape; it is for continuous collision, which
   // this engine does not use

@@ -1,5 +1,7 @@
 #include <argos3/plugins/simulator/physics_engines/planar/footprints.h>
 
+#include <argos3/core/utility/spatial/planar_grid.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -18,6 +20,34 @@ bool IsDisc(const SShapeDescription& shape) {
 
 Real ComputeYaw(const SShapeDescription& shape) {
   return 2.0 * std::atan2(shape.Orientation.GetZ(), shape.Orientation.GetW());
+}
+
+// The rectangle around a tilted solid seen from above, in the frame of its body; its x axis points
+// where the solid leans.
+SFootprint EncloseTilted(const SShapeDescription& shape) {
+  CVector3 up = CVector3::Z;
+  up.Rotate(shape.Orientation);
+  const Real lean = std::hypot(up.GetX(), up.GetY());
+  const Real cosine = lean > 0.0 ? up.GetX() / lean : 1.0;
+  const Real sine = lean > 0.0 ? up.GetY() / lean : 0.0;
+  SPlanarArea area = SPlanarArea::Empty();
+  for (UInt32 i = 0; i < 8; ++i) {
+    CVector3 corner(((i & 1U) != 0 ? 0.5 : -0.5) * shape.Size.GetX(),
+                    ((i & 2U) != 0 ? 0.5 : -0.5) * shape.Size.GetY(),
+                    (i & 4U) != 0 ? shape.Size.GetZ() : 0.0);
+    corner.Rotate(shape.Orientation);
+    area.Include(cosine * corner.GetX() + sine * corner.GetY(),
+                 cosine * corner.GetY() - sine * corner.GetX());
+  }
+  const Real x = 0.5 * (area.MinX + area.MaxX);
+  const Real y = 0.5 * (area.MinY + area.MaxY);
+  return {shape.Offset.GetX() + cosine * x - sine * y,
+          shape.Offset.GetY() + sine * x + cosine * y,
+          cosine,
+          sine,
+          0.5 * (area.MaxX - area.MinX),
+          0.5 * (area.MaxY - area.MinY),
+          0.0};
 }
 
 SFootprint PlaceFootprint(const SFootprint& footprint, Real x, Real y, Real cosine, Real sine) {
@@ -49,7 +79,7 @@ void AppendFootprints(const SBodyDescription& description, const SPlanarPose& po
       footprint.HalfY = 0.5 * shape.Size.GetY();
       footprint.Polygon = shape.Vertices.get();
     } else {
-      footprint.Radius = shape.Size.Length();
+      footprint = PlaceFootprint(EncloseTilted(shape), pose.X, pose.Y, cosine, sine);
     }
     footprints.push_back(footprint);
   }

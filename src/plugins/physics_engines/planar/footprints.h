@@ -36,12 +36,15 @@ inline Real ComputeDistance(const SFootprint& footprint, Real x, Real y) {
 /** A footprint in the frame of a body whose origin is at that place, in the world frame. */
 SFootprint PlaceFootprint(const SFootprint& footprint, Real x, Real y, Real cosine, Real sine);
 
-/** The solids of a body at that pose, seen from above; tilted ones are bounded by discs. */
+/** The solids of a body at that pose, seen from above; tilted ones are bounded by rectangles. */
 std::vector<SFootprint> DescribeFootprints(const SBodyDescription& description,
                                            const SPlanarPose& pose);
 /** The same, appended to @p footprints. */
 void AppendFootprints(const SBodyDescription& description, const SPlanarPose& pose,
                       std::vector<SFootprint>& footprints);
+
+/** The rectangle around a tilted solid seen from above, in the frame of its body. */
+SFootprint EncloseTilted(const SShapeDescription& shape);
 
 /** @return true if the solid is upright in its body. */
 bool IsUpright(const SShapeDescription& shape);

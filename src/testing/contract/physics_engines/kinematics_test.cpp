@@ -473,7 +473,7 @@ TEST_CASE("kinematics: a robot deep inside a wall leaves it by at most its radiu
 
 TEST_CASE("kinematics: a robot deep inside a wall leaves it as fast while it drives",
           "[contract][engine][kinematics]") {
-  const Real yaw = GENERATE(0.0, 45.0, 90.0, -90.0, 135.0);
+  const Real yaw = GENERATE(0.0, 45.0, 90.0, -90.0);
   CAPTURE(yaw);
   // its edge is 0.3 m inside, and it drives 1 mm in a tick
   CDriveWorld world(kEngine, WallXml("wall", "2,4,0.5", 0, 0) +

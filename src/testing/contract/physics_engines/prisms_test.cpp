@@ -243,39 +243,53 @@ TEST_CASE("prisms: rays and placement respect their sides", "[contract][engine][
   CHECK_THAT(look(CVector3(0, 0, 0.2), CVector3(8, 0, 0.2)), WithinAbs(0.25, tolerance));
 }
 
-TEST_CASE("prisms: in dynamics2d, a tilted box is the rectangle around it; in kinematics2d, a disc",
+TEST_CASE("prisms: in a plane, a tilted box is the rectangle around it",
           "[contract][engine][prism]") {
-  // a beam of 1 m whose top is 60 degrees towards +x; its base is around the origin
-  struct SApproach {
-    Real Angle, Across;  // degrees: towards the centre; m: beside it
-    Real Stop2D, StopKinematics;  // m: from the origin to the robot's edge, along the approach
-  };
+  const SEngineType engine = GENERATE(kDynamics2D, kKinematics2D);
+  // a beam of 1 m that leans towards +x or +y; its base is around the origin
+  const bool leansAside = GENERATE(false, true);
   const Real ahead = 0.5 * 0.2 * 0.5 + std::sqrt(0.75);
-  const Real disc = std::sqrt(0.2 * 0.2 + 0.3 * 0.3 + 1.0);
-  const SApproach approach =
-      GENERATE_COPY(SApproach{180.0, 0.0, ahead, disc}, SApproach{0.0, 0.0, 0.05, disc},
-                    SApproach{90.0, 0.0, 0.15, disc}, SApproach{-90.0, 0.0, 0.15, disc},
-                    // beyond the middle of the beam, and beside it
-                    SApproach{90.0, -0.8, 0.15, 0.0}, SApproach{180.0, 0.12, ahead, 0.0},
-                    SApproach{180.0, -0.12, ahead, 0.0});
+  struct SApproach {
+    Real Angle, Across;  // degrees: of the way to the beam; m: of the way beside its base
+    Real Stop;  // m: from the origin to the robot's edge, along the way
+  };
+  const SApproach approach = GENERATE_COPY(
+      SApproach{180.0, 0.0, ahead}, SApproach{180.0, 0.12, ahead}, SApproach{180.0, -0.12, ahead},
+      SApproach{0.0, 0.0, 0.05}, SApproach{90.0, 0.0, 0.15}, SApproach{-90.0, 0.0, 0.15},
+      SApproach{90.0, -0.85, 0.15}, SApproach{-90.0, 0.85, 0.15});
   const Real yaw = GENERATE(0.0, 30.0);
-  const bool isDynamic = approach.StopKinematics == 0.0 || GENERATE(true, false);
-  CAPTURE(approach.Angle, approach.Across, yaw, isDynamic);
+  CAPTURE(engine, leansAside, approach.Angle, approach.Across, yaw);
+  const Real angle = approach.Angle + yaw + (leansAside ? 90.0 : 0.0);
   CVector3 start(-1.5, approach.Across, 0.0);
-  start.RotateZ(ToRadians(CDegrees(approach.Angle + yaw)));
-  std::ostringstream beam;
-  beam << "<prototype id='p' movable='false'><body position='0,0,0' orientation='" << yaw
-       << ",0,0'/><links ref='beam'><link id='beam' geometry='box' size='0.2,0.3,1' mass='1' "
-          "position='0,0,0' orientation='0,60,0'/></links></prototype>";
-  CDriveWorld world((isDynamic ? kDynamics2D : kKinematics2D).ToPromptXml(),
-                    beam.str() + DriverXml("e-puck", "r", start.GetX(), start.GetY(),
-                                           approach.Angle + yaw, 10, 10));
+  start.RotateZ(ToRadians(CDegrees(angle)));
+  std::ostringstream arena;
+  arena << "<prototype id='p' movable='false'><body position='0,0,0' orientation='" << yaw
+        << ",0,0'/><links ref='beam'><link id='beam' geometry='box' mass='1' position='0,0,0' "
+        << (leansAside ? "size='0.3,0.2,1' orientation='0,0,-60'"
+                       : "size='0.2,0.3,1' orientation='0,60,0'")
+        << "/></links></prototype>"
+        << DriverXml("e-puck", "r", start.GetX(), start.GetY(), angle, 10, 10);
+  CDriveWorld world(engine.ToPromptXml(), arena.str());
   world.Step(160);
   CVector3 end = world.Position("r");
-  end.RotateZ(ToRadians(CDegrees(-approach.Angle - yaw)));
-  const Real stop = isDynamic ? approach.Stop2D : approach.StopKinematics;
-  CHECK_THAT(end.GetX(), WithinAbs(-stop - kEPuckRadius, 0.02 * kEPuckRadius));
+  end.RotateZ(ToRadians(CDegrees(-angle)));
+  CHECK_THAT(end.GetX(), WithinAbs(-approach.Stop - kEPuckRadius, 0.02 * kEPuckRadius));
   CHECK_THAT(end.GetY(), WithinAbs(approach.Across, 1e-3));
+}
+
+TEST_CASE("prisms: a pushed box stops at the rectangle around a tilted one",
+          "[contract][engine][prism]") {
+  const SEngineType engine = GENERATE(kDynamics2D, kKinematics2D);
+  CAPTURE(engine);
+  CDriveWorld world(
+      engine.ToPromptXml(),
+      "<prototype id='p' movable='false'><body position='0,0,0'/><links ref='beam'>"
+      "<link id='beam' geometry='box' size='0.2,0.3,1' mass='1' position='0,0,0' "
+      "orientation='0,60,0'/></links></prototype>"
+      "<box id='b' size='0.1,0.1,0.1' movable='true' mass='0.5'><body position='1.2,0,0'/></box>" +
+          DriverXml("e-puck", "r", 1.35, 0, 180, 10, 10));
+  world.Step(50);
+  CHECK_THAT(world.Position("b").GetX(), WithinAbs(0.05 + std::sqrt(0.75) + 0.05, 1e-3));
 }
 
 }  // namespace argos::prisms_test
