@@ -1,5 +1,14 @@
 """Which test programs notice changes of a source: see choose_programs()."""
 
+import re
+
+# scripts/digests.sh, which compares the digests of scenes with pinned ones
+DIGESTS = "digests"
+_STATE = (
+    "core/(control_interface|simulator/(context|entity|geometry|physics_engine|placement|space|tick)|utility/(math|spatial))"
+    "|plugins/(entities|media|physics_engines|robots)"
+)
+
 # By the first folders of a source below src/: those that test it, then wider ones that use it, which only run if the earlier
 # ones pass. So the cheap ones come first.
 PROGRAMS = {
@@ -56,4 +65,8 @@ def choose_programs(path: str) -> list[str]:
     folder = path.rpartition("/")[0].removeprefix("src/")
     while folder not in PROGRAMS:
         folder = folder.rpartition("/")[0]
-    return PROGRAMS[folder].split()
+    programs = PROGRAMS[folder].split()
+    # whatever can change the state of a scene; takes seconds
+    if re.match(_STATE, folder):
+        programs.insert(1, DIGESTS)
+    return programs
