@@ -1,4 +1,4 @@
-// The page of a report, as a browser shows it.
+// The page of a report, as a browser shows it, and the options of the command.
 
 #include "../command_line/program_run.h"
 #include "campaign_world.h"
@@ -182,6 +182,58 @@ TEST_CASE("report: a browser shows the page at the widths of a desktop and a pho
     }
     offset += width;
   }
+}
+
+TEST_CASE("report: options that a figure does not have are errors", "[campaign][report]") {
+  const CTestFolder folder;
+  folder.Write("experiment.argos", MakeCampaignExperiment("throw", 3));
+  folder.Write("c.xml", R"(<argos-campaign experiment='experiment.argos'>
+  <factors><factor name='gain' path='loop_functions/@gain' values='1, 2' /></factors>
+  <runs seeds='1' />
+  <collect><metric name='level' /></collect>
+</argos-campaign>)");
+  REQUIRE(folder.RunProgram("argos3-campaign", {"run", "c.xml", "--quiet"}).Status == 0);
+  const auto run = [&folder](std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), {"report", "c.xml"});
+    return folder.RunProgram("argos3-campaign", arguments);
+  };
+  const std::vector<std::string> figure = {"--plot", "boxplot", "-o", "f.svg"};
+  const auto runWith = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), figure.begin(), figure.end());
+    return run(arguments);
+  };
+  for (const std::vector<std::string>& options :
+       {std::vector<std::string>{"--xlog"}, {"--reference", "0"}, {"--xlog", "--reference", "1"}}) {
+    CAPTURE(options);
+    const SProgramRun refused = runWith(options);
+    CHECK(refused.Status != 0);
+    CHECK_THAT(refused.Err, Catch::Contains("--xlog and --reference belong to --plot means"));
+  }
+  for (const std::vector<std::string>& options :
+       {std::vector<std::string>{"--band", "interval"}, {"--ended", "hold"}, {"--ended", "drop"}}) {
+    CAPTURE(options);
+    const SProgramRun refused = runWith(options);
+    CHECK(refused.Status != 0);
+    CHECK_THAT(refused.Err, Catch::Contains("--band and --ended belong to --plot series"));
+  }
+  // each option of a figure without one
+  for (const std::vector<std::string>& options : {std::vector<std::string>{"--x", "gain"},
+                                                  {"--y", "level"},
+                                                  {"--z", "level"},
+                                                  {"--group", "gain"},
+                                                  {"--title", "T"},
+                                                  {"--where", "gain > 1"},
+                                                  {"--band", "interval"},
+                                                  {"--ended", "hold"},
+                                                  {"--log"},
+                                                  {"--xlog"},
+                                                  {"--reference", "1"}}) {
+    CAPTURE(options);
+    const SProgramRun refused = run(options);
+    CHECK(refused.Status != 0);
+    CHECK_THAT(refused.Err, Catch::Contains("give --plot KIND, too"));
+  }
+  CHECK_THAT(run({"--plot", "boxplot"}).Err, Catch::Contains("--plot needs -o FILE.svg"));
 }
 
 }  // namespace report_page_test

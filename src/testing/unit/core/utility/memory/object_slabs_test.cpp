@@ -146,6 +146,9 @@ TEST_CASE("object slabs: a block that is reserved ahead holds the next objects, 
   CHECK(slabs->ReserveAhead(1000).Bytes == 0);
   std::vector<void*> places = {slabs->Allocate(kBytes)};
   CHECK(slabs->GetNumBytes() == kBytes);
+  // nothing is reserved ahead that the address space cannot hold
+  CHECK(slabs->ReserveAhead(std::size_t(1) << 60).Bytes == 0);
+  CHECK(slabs->ReserveAhead(0).Bytes == 0);
   const CObjectSlabs::SBlock block = slabs->ReserveAhead(kObjects * kBytes);
   REQUIRE(block.Bytes >= kObjects * kBytes);
   std::size_t numInBlock = 0;
