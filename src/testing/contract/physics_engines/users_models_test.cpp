@@ -511,6 +511,25 @@ TEST_CASE("users' models: immovable objects, and collisions", "[contract][engine
   CHECK(world.Body("b").MoveTo(CVector3(-1, 0, 0), CQuaternion()));
 }
 
+TEST_CASE("users' models: robots without a free place are an error that says what takes it",
+          "[contract][engine]") {
+  const SEngineType type = GENERATE(kDynamics2D, kKinematics2D);
+  CAPTURE(type);
+  const auto distribute = [](const std::string& x, int quantity) {
+    return "<distribute><position method='uniform' min='" + x + ",0,0' max='" + x +
+           ",0,0'/><orientation method='constant' values='0,0,0'/><entity quantity='" +
+           std::to_string(quantity) +
+           "' max_trials='3'><crate id='k' movable='false'/></entity></distribute>";
+  };
+  const auto load = [&](const std::string& arena) {
+    return LoadError(SExperiment{.Engines = type.ToXml(), .Arena = arena});
+  };
+  CHECK(load(distribute("1", 1)) == "");
+  // the engine knows the shape only after the crate was added
+  CHECK_THAT(load(distribute("1", 2)), Contains("no free place for \"k1\" after 3 trials") &&
+                                           Contains("taken by \"something in its engine\""));
+}
+
 TEST_CASE("users' models: a robot keeps its model in another engine of its type",
           "[contract][engine]") {
   const SEngineType type = GENERATE(from_range(kEnginesWithWheels));

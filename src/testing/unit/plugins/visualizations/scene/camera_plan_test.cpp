@@ -2,9 +2,11 @@
 #include <argos3/plugins/simulator/visualizations/scene/camera_xml.h>
 #include <argos3/plugins/simulator/visualizations/scene/enclosing_entity.h>
 
+#include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/space.h>
+#include <argos3/core/simulator/visualization/appearance.h>
 #include <argos3/plugins/simulator/entities/box_entity.h>
 #include <argos3/testing/support/captured_logs.h>
 
@@ -210,6 +212,58 @@ TEST_CASE("camera plan: inside of an entity means within its visible shape",
   CHECK(find(-1.0, -0.5, 0.299) == tin);
   CHECK(find(-1.0, -0.5, 0.301) == nullptr);
   CHECK(find(-1.0, -0.5, -0.001) == nullptr);
+}
+
+TEST_CASE("camera plan: inside of a cone or a sphere", "[visualizations][offscreen][camera]") {
+  class CUsersEntity : public CComposableEntity {
+   public:
+    CUsersEntity() : CComposableEntity(nullptr, "mine") {
+      AddComponent(
+          *new CEmbodiedEntity(this, "body", CVector3(3.0, 2.0, 0.5), CQuaternion(), false));
+      SVisualPart part;
+      part.Size = CVector3(0.2, 0.2, 0.4);
+      part.Kind = SVisualPart::EKind::Cone;
+      m_appearance.Parts.push_back(part);
+      part.Kind = SVisualPart::EKind::Sphere;
+      part.Position = CVector3(0.0, 1.0, 0.0);
+      m_appearance.Parts.push_back(part);
+      part.Kind = SVisualPart::EKind::Ring;
+      part.Position = CVector3(0.0, -1.0, 0.0);
+      m_appearance.Parts.push_back(part);
+      // one sees through the last one
+      part.Kind = SVisualPart::EKind::Box;
+      part.Color.SetAlpha(254);
+      m_appearance.Parts.push_back(part);
+    }
+    const SAppearance* GetAppearance() const override { return &m_appearance; }
+
+   private:
+    SAppearance m_appearance;
+  };
+  CWorld world;
+  CUsersEntity entity;
+  world.GetSpace().GetRootEntityVector().push_back(&entity);
+  const auto isInside = [&](double x, double y, double z) {
+    return FindEnclosingEntity(world.GetSpace(), Eigen::Vector3d(3.0 + x, 2.0 + y, 0.5 + z)) ==
+           &entity;
+  };
+  // half as wide at half of its height
+  for (const auto& [height, radius] : {std::pair(0.001, 0.09975), {0.2, 0.05}, {0.396, 0.001}}) {
+    CAPTURE(height);
+    CHECK(isInside(0.99 * radius, 0.0, height));
+    CHECK_FALSE(isInside(1.01 * radius, 0.0, height));
+    CHECK(isInside(0.7 * radius, -0.7 * radius, height));
+    CHECK_FALSE(isInside(0.72 * radius, -0.72 * radius, height));
+  }
+  CHECK_FALSE(isInside(0.0, 0.0, -0.001));
+  CHECK_FALSE(isInside(0.0, 0.0, 0.401));
+  CHECK(isInside(0.0, 1.0, 0.199));
+  CHECK(isInside(0.0, 1.0, -0.199));
+  CHECK_FALSE(isInside(0.0, 1.0, 0.201));
+  CHECK(isInside(0.07, 1.07, 0.0));
+  CHECK_FALSE(isInside(0.072, 1.072, 0.0));
+  CHECK_FALSE(isInside(0.0, -1.0, 0.1));
+  world.GetSpace().GetRootEntityVector().pop_back();
 }
 
 TEST_CASE("camera plan: errors name file, line, attribute and what would be right",

@@ -360,16 +360,16 @@ TEST_CASE("scene builder: the marker of a robot is the middle of its largest par
           "[visualizations][offscreen][scene]") {
   class CUsersRobot : public CComposableEntity {
    public:
-    explicit CUsersRobot(bool isRobot) : CComposableEntity(nullptr, "mine") {
+    CUsersRobot(bool isRobot, bool hasSolids) : CComposableEntity(nullptr, "mine") {
       AddComponent(
           *new CEmbodiedEntity(this, "body", CVector3(1.0, 0.5, 0.25), CQuaternion(), false));
       if (isRobot) {
         AddComponent(*new CControllableEntity(this));
       }
       SVisualPart part;
-      part.Size = CVector3(0.125, 0.125, 0.125);
+      part.Size = CVector3(0.125, hasSolids ? 0.125 : 0.0, 0.125);
       m_appearance.Parts.push_back(part);
-      part.Size = CVector3(0.5, 0.75, 1.0);
+      part.Size = CVector3(0.5, 0.75, hasSolids ? 1.0 : 0.0);
       m_appearance.Parts.push_back(part);
     }
     const SAppearance* GetAppearance() const override { return &m_appearance; }
@@ -378,12 +378,14 @@ TEST_CASE("scene builder: the marker of a robot is the middle of its largest par
     SAppearance m_appearance;
   };
   const bool isRobot = GENERATE(true, false);
+  const bool hasSolids = GENERATE(true, false);
+  CAPTURE(isRobot, hasSolids);
   CWorld world;
-  CUsersRobot robot(isRobot);
+  CUsersRobot robot(isRobot, hasSolids);
   world.GetSpace().GetRootEntityVector().push_back(&robot);
   const SScene& scene = world.Build();
-  REQUIRE(scene.Markers.size() == (isRobot ? 1 : 0));
-  if (isRobot) {
+  REQUIRE(scene.Markers.size() == (isRobot && hasSolids ? 1 : 0));
+  if (!scene.Markers.empty()) {
     CHECK(scene.Markers[0].Position == std::array<float, 3>{1.0f, 0.5f, 0.75f});
     CHECK(scene.Markers[0].Radius == 0.375f);
   }
