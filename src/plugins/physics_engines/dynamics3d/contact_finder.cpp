@@ -495,7 +495,6 @@ UInt32 CContactFinder::FindRoot(UInt32 body) {
 }
 
 void CContactFinder::CountRows(const std::vector<SRigidBody*>& movables) {
-  m_mostRows = 0;
   for (UInt32 i = 0; i < movables.size(); ++i) {
     SIsland& own = m_islands[i];
     own.Rows += movables[i]->HasWheels() ? kAxleRows : 0;
@@ -509,10 +508,6 @@ void CContactFinder::CountRows(const std::vector<SRigidBody*>& movables) {
       m_islands[root].Supported = m_islands[root].Supported || own.Supported;
       m_islands[root].HasJoints = m_islands[root].HasJoints || own.HasJoints;
     }
-  }
-  // the rows of all roots are complete now
-  for (UInt32 i = 0; i < movables.size(); ++i) {
-    m_mostRows = std::max(m_mostRows, m_islands[i].Rows);
   }
 }
 

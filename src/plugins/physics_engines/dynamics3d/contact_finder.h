@@ -69,8 +69,6 @@ class CContactFinder {
   SIsland& GetIslandByNumber(UInt32 number) { return IslandOf(number); }
   /** After Find(): the island of an awake body. */
   SIsland& GetIsland(const SRigidBody& body) { return IslandOf(FindRoot(body.ActiveNumber)); }
-  /** After Find(): the greatest number of rows of an island. */
-  UInt32 GetMostRows() const { return m_mostRows; }
   UInt32 GetNumContacts() const { return static_cast<UInt32>(m_list.Get().size()); }
 
  private:
@@ -106,7 +104,6 @@ class CContactFinder {
   dGeomID m_probe;  // a sphere, moved to one roller after the other
   CBroadPhase m_broadPhase;
   CRigidContacts m_list;
-  UInt32 m_mostRows = 0;
   CVector3 m_gravity;
   Real m_substep = 0.0;
   TBodyForest m_parents;  // of a forest of islands, by number of body

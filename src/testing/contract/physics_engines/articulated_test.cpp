@@ -192,6 +192,32 @@ TEST_CASE("joints: a prototype of fixed joints is one rigid body in any engine",
   }
 }
 
+TEST_CASE("joints: connected links are solved directly up to max_direct_rows, six for each",
+          "[contract][engine][rigid][joints]") {
+  const int numRods = GENERATE(1, 2, 4);
+  CAPTURE(numRods);
+  std::string links = kBase;
+  std::string joints;
+  for (int i = 0; i < numRods; ++i) {
+    const std::string rod = "rod" + std::to_string(i);
+    links += "<link id='" + rod + "' geometry='box' size='0.02,0.02,0.2' mass='0.4'/>";
+    joints += Joint("type='revolute' axis='0,1,0'",
+                    i == 0 ? "link='base'" : "link='rod" + std::to_string(i - 1) + "'",
+                    "link='" + rod + "' position='0,0,0.2' orientation='0,10,0'");
+  }
+  const auto run = [&](int mostRows) {
+    CRigidScene world(
+        RigidEngine("", "<solver max_direct_rows='" + std::to_string(mostRows) + "'/>"),
+        Prototype("movable='false'", "0,0,2", links, joints));
+    world.Step(5);
+    return world.ComputeDigest();
+  };
+  const int rows = 6 * numRods;
+  CHECK(run(rows) == run(1000));
+  CHECK(run(rows - 1) == run(1));
+  CHECK(run(rows) != run(rows - 1));
+}
+
 TEST_CASE("joints: a motor accelerates with its greatest torque up to its speed",
           "[contract][engine][rigid][joints]") {
   const std::string arm = "<link id='arm' geometry='box' size='0.4,0.02,0.02' mass='0.3'/>";
