@@ -1,11 +1,13 @@
-// Light and ground sensors as components of any robot.
+// Light and ground sensors as components of any robot, and components that are made on demand.
 
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/plugins/simulator/entities/ground_sensor_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/light_sensor_equipped_entity.h>
+#include <argos3/testing/support/robot_world.h>
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace sensor_components_test {
@@ -111,6 +113,32 @@ TEST_CASE("sensor components: invalid values are refused", "[entities][errors]")
                     Contains("light_sensors") && Contains("no sensor 0"));
   CHECK_THROWS_WITH(robot.Ground.GetSensor(2),
                     Contains("ground_sensors") && Contains("no sensor 2"));
+}
+
+TEST_CASE("components: a look-up by type creates what robots make on demand, of that type only",
+          "[entities]") {
+  SRobotExperiment experiment;
+  experiment.Arena = Robot("foot-bot", "a", "position='0,0,0'") +
+                     Robot("foot-bot", "b", "position='1,0,0'") +
+                     Robot("e-puck", "c", "position='2,0,0'");
+  CRobotWorld world(experiment);
+  const auto has = [&world](const std::string& id, const std::string& type) {
+    const auto& components = world.Get<CComposableEntity>(id).GetExistingComponents();
+    return std::any_of(components.begin(), components.end(), [&](const CEntity* component) {
+      return component->GetTypeDescription() == type;
+    });
+  };
+  CSpace& space = world.GetSpace();
+  world.Get<CComposableEntity>("a").GetComponent("rab");
+  CHECK_FALSE(has("b", "rab"));
+  // a type of robots is no component of others
+  CHECK(space.GetEntitiesByType("foot-bot").size() == 2);
+  CHECK_FALSE(has("b", "rab"));
+  CHECK(space.GetEntitiesByType("rab").size() == 3);
+  CHECK(has("b", "rab"));
+  CHECK_FALSE(has("b", "battery"));
+  CHECK(space.GetEntitiesByType("battery").size() == 3);
+  CHECK_FALSE(has("b", "light_sensors"));
 }
 
 }  // namespace sensor_components_test
