@@ -40,8 +40,9 @@ check_format() {
     xargs -0 -r -n 50 -P "$jobs" clang-format --dry-run --Werror
 }
 
-# The installed headers are complete, include no third-party header except Eigen's, Lua's and, if it is there, OpenGL's, and
-# compile together at the level to which the CMake package raises users' projects.
+# The installed headers are complete, include no third-party header except Eigen's in eigen_bridge.h, Lua's and, if it is
+# there, OpenGL's, and compile together at the level to which the CMake package raises users' projects, those of users who
+# call neither Eigen nor Lua without the folders of these.
 check_installed_headers() { # check_installed_headers <include folder>
   local included found
   while IFS= read -r included; do
@@ -51,8 +52,13 @@ check_installed_headers() { # check_installed_headers <include folder>
     grep -v '/qt-opengl/gl_calls\.h:' || true)"
   [[ -z "$found" ]] || die "installed headers include third-party ones: $found"
   find "$1" -name '*.h' -printf '#include <%P>\n' | sort >"$work/all_headers.cpp"
+  # those of users who call Eigen or Lua
+  local third='/(eigen_bridge|lua_headers|lua_quaternion|lua_utility|lua_vector[23])\.h>'
+  grep -vE "$third" "$work/all_headers.cpp" >"$work/plain_headers.cpp"
+  grep -E "$third" "$work/all_headers.cpp" >"$work/third_party_headers.cpp"
+  c++ -std=gnu++17 -Wall -Wextra -Werror -fsyntax-only -I"$1" "$work/plain_headers.cpp"
   # shellcheck disable=SC2046  # several flags
-  c++ -std=gnu++17 -Wall -Wextra -Werror -fsyntax-only -I"$1" $(pkg-config --cflags eigen3 lua5.4) "$work/all_headers.cpp"
+  c++ -std=gnu++17 -Wall -Wextra -Werror -fsyntax-only -I"$1" $(pkg-config --cflags eigen3 lua5.4) "$work/third_party_headers.cpp"
   echo "$(wc -l <"$work/all_headers.cpp") headers are installed and complete, and compile as gnu++17"
 }
 

@@ -4,8 +4,6 @@
 #include <argos3/core/utility/datatypes/datatypes.h>
 #include <argos3/core/utility/errors/argos_exception.h>
 
-#include <Eigen/Core>
-
 #include <algorithm>
 #include <ios>
 #include <ostream>
@@ -14,9 +12,8 @@
 namespace argos {
 
 /**
- * A matrix of fixed size, stored row by row. The layout is a plain array and contains no Eigen
- * type, so libraries built with different vector instructions agree on it; AsEigen() maps it
- * without a copy.
+ * A matrix of fixed size, stored row by row. The layout is a plain array, and this header needs no
+ * other library; AsEigen() of eigen_bridge.h maps it without a copy.
  */
 template <UInt32 ROWS, UInt32 COLS>
 class CMatrix {
@@ -41,6 +38,10 @@ class CMatrix {
   Real operator()(UInt32 index) const { return m_pfValues[CheckIndex(index)]; }
   Real& operator()(UInt32 index) { return m_pfValues[CheckIndex(index)]; }
 
+  /** All entries, row by row. */
+  Real* GetValues() { return m_pfValues; }
+  const Real* GetValues() const { return m_pfValues; }
+
   /** @param values  row by row, (ROWS * COLS). */
   void Set(const Real* values) { std::copy_n(values, ROWS * COLS, m_pfValues); }
 
@@ -48,7 +49,11 @@ class CMatrix {
 
   CMatrix<COLS, ROWS> GetTransposed() const {
     CMatrix<COLS, ROWS> result;
-    result.AsEigen() = AsEigen().transpose();
+    for (UInt32 row = 0; row < ROWS; ++row) {
+      for (UInt32 col = 0; col < COLS; ++col) {
+        result(col, row) = (*this)(row, col);
+      }
+    }
     return result;
   }
 
@@ -63,31 +68,40 @@ class CMatrix {
     ARGOS_ASSERT(row <= ROWS - SMROWS && col <= COLS - SMCOLS,
                  "A block of " << SMROWS << "x" << SMCOLS << " entries at (" << row << "," << col
                                << ") does not fit a " << ROWS << "x" << COLS << " matrix.");
-    sub.AsEigen() = AsEigen().template block<SMROWS, SMCOLS>(row, col);
+    for (UInt32 i = 0; i < SMROWS; ++i) {
+      std::copy_n(m_pfValues + (row + i) * COLS + col, SMCOLS, &sub(i, 0));
+    }
   }
 
   /** Exact comparison. */
-  bool operator==(const CMatrix<ROWS, COLS>& other) const { return AsEigen() == other.AsEigen(); }
+  bool operator==(const CMatrix<ROWS, COLS>& other) const {
+    return std::equal(m_pfValues, m_pfValues + ROWS * COLS, other.m_pfValues);
+  }
 
   CMatrix<ROWS, COLS>& operator+=(const CMatrix<ROWS, COLS>& other) {
-    AsEigen() += other.AsEigen();
+    for (UInt32 i = 0; i < ROWS * COLS; ++i) {
+      m_pfValues[i] += other.m_pfValues[i];
+    }
     return *this;
   }
 
   CMatrix<ROWS, COLS>& operator-=(const CMatrix<ROWS, COLS>& other) {
-    AsEigen() -= other.AsEigen();
+    for (UInt32 i = 0; i < ROWS * COLS; ++i) {
+      m_pfValues[i] -= other.m_pfValues[i];
+    }
     return *this;
   }
 
   CMatrix<ROWS, COLS>& operator*=(Real factor) {
-    AsEigen() *= factor;
+    for (Real& value : m_pfValues) {
+      value *= factor;
+    }
     return *this;
   }
 
   /** this = this * other. */
   CMatrix<ROWS, COLS>& operator*=(const CMatrix<COLS, COLS>& other) {
-    AsEigen() *= other.AsEigen();
-    return *this;
+    return *this = *this * other;
   }
 
   CMatrix<ROWS, COLS> operator+(const CMatrix<ROWS, COLS>& other) const {
@@ -99,24 +113,26 @@ class CMatrix {
 
   CMatrix<ROWS, COLS> operator-() const {
     CMatrix<ROWS, COLS> result;
-    result.AsEigen() = -AsEigen();
+    for (UInt32 i = 0; i < ROWS * COLS; ++i) {
+      result(i) = -m_pfValues[i];
+    }
     return result;
   }
 
   template <UInt32 OTRCOLS>
   CMatrix<ROWS, OTRCOLS> operator*(const CMatrix<COLS, OTRCOLS>& other) const {
     CMatrix<ROWS, OTRCOLS> result;
-    result.AsEigen().noalias() = AsEigen() * other.AsEigen();
+    for (UInt32 row = 0; row < ROWS; ++row) {
+      for (UInt32 col = 0; col < OTRCOLS; ++col) {
+        Real sum = 0.0;
+        for (UInt32 i = 0; i < COLS; ++i) {
+          sum += (*this)(row, i) * other(i, col);
+        }
+        result(row, col) = sum;
+      }
+    }
     return result;
   }
-
-  // Eigen requires a matrix with one column to be column-major; the layout is the same
-  using TEigen = Eigen::Matrix<Real, static_cast<int>(ROWS), static_cast<int>(COLS),
-                               COLS == 1 && ROWS != 1 ? Eigen::ColMajor : Eigen::RowMajor>;
-
-  /** Returns an Eigen view of this matrix. */
-  Eigen::Map<TEigen> AsEigen() { return Eigen::Map<TEigen>(m_pfValues); }
-  Eigen::Map<const TEigen> AsEigen() const { return Eigen::Map<const TEigen>(m_pfValues); }
 
  protected:
   Real m_pfValues[ROWS * COLS];

@@ -17,7 +17,7 @@ void CRotationMatrix2::SetFromValues(Real value0, Real value1, Real value2, Real
 }
 
 CVector2 CRotationMatrix2::operator*(const CVector2& vector) const {
-  const Eigen::Matrix<Real, 2, 1> result = AsEigen() * ToEigen(vector);
+  const Eigen::Matrix<Real, 2, 1> result = AsEigen(*this) * ToEigen(vector);
   return FromEigen(result);
 }
 

@@ -13,9 +13,9 @@ Eigen::AngleAxis<Real> MakeRotation(const CRadians& angle, const CVector3& axis)
 }  // namespace
 
 void CRotationMatrix3::SetFromAngles(const CRadians& z, const CRadians& y, const CRadians& x) {
-  AsEigen() = MakeRotation(z, CVector3::Z).toRotationMatrix() *
-              MakeRotation(y, CVector3::Y).toRotationMatrix() *
-              MakeRotation(x, CVector3::X).toRotationMatrix();
+  AsEigen(*this) = MakeRotation(z, CVector3::Z).toRotationMatrix() *
+                   MakeRotation(y, CVector3::Y).toRotationMatrix() *
+                   MakeRotation(x, CVector3::X).toRotationMatrix();
 }
 
 void CRotationMatrix3::SetFromValues(Real value0, Real value1, Real value2, Real value3,
@@ -26,12 +26,12 @@ void CRotationMatrix3::SetFromValues(Real value0, Real value1, Real value2, Real
 }
 
 CRotationMatrix3::operator CQuaternion() const {
-  const Eigen::Matrix<Real, 3, 3> matrix = AsEigen();
+  const Eigen::Matrix<Real, 3, 3> matrix = AsEigen(*this);
   return FromEigen(Eigen::Quaternion<Real>(matrix));
 }
 
 CVector3 CRotationMatrix3::operator*(const CVector3& vector) const {
-  const Eigen::Matrix<Real, 3, 1> result = AsEigen() * ToEigen(vector);
+  const Eigen::Matrix<Real, 3, 1> result = AsEigen(*this) * ToEigen(vector);
   return FromEigen(result);
 }
 

@@ -3,9 +3,17 @@
 
 #include <argos3/core/utility/math/matrix/matrix.h>
 
-#include <Eigen/LU>
-
 namespace argos {
+
+namespace detail {
+
+/** @param values  a square matrix, row by row, (dim * dim). */
+Real ComputeDeterminant(const Real* values, UInt32 dim);
+
+/** @param inverse  result, row by row, (dim * dim); meaningless if the determinant is 0. */
+void ComputeInverse(const Real* values, UInt32 dim, Real* inverse);
+
+}  // namespace detail
 
 template <UInt32 DIM>
 class CSquareMatrix : public CMatrix<DIM, DIM> {
@@ -15,12 +23,21 @@ class CSquareMatrix : public CMatrix<DIM, DIM> {
 
   CSquareMatrix(const CMatrix<DIM, DIM>& matrix) : CMatrix<DIM, DIM>(matrix) {}
 
-  void SetIdentityMatrix() { this->AsEigen().setIdentity(); }
+  void SetIdentityMatrix() {
+    this->SetZero();
+    for (UInt32 i = 0; i < DIM; ++i) {
+      (*this)(i, i) = 1.0;
+    }
+  }
 
   /** Exact comparison. */
-  bool IsIdentityMatrix() const { return this->AsEigen() == CMatrix<DIM, DIM>::TEigen::Identity(); }
+  bool IsIdentityMatrix() const {
+    CSquareMatrix<DIM> identity;
+    identity.SetIdentityMatrix();
+    return *this == identity;
+  }
 
-  Real GetDeterminant() const { return this->AsEigen().determinant(); }
+  Real GetDeterminant() const { return detail::ComputeDeterminant(this->GetValues(), DIM); }
 
   /** Returns the matrix of (-1)^(i+j) times the determinant without row i and column j. */
   CSquareMatrix<DIM> GetCofactorMatrix() const {
@@ -44,7 +61,7 @@ class CSquareMatrix : public CMatrix<DIM, DIM> {
                                                         << *this);
     }
     CSquareMatrix<DIM> result;
-    result.AsEigen() = this->AsEigen().inverse();
+    detail::ComputeInverse(this->GetValues(), DIM, result.GetValues());
     return result;
   }
 
@@ -53,13 +70,13 @@ class CSquareMatrix : public CMatrix<DIM, DIM> {
     if constexpr (DIM == 1) {
       return 1.0;
     } else {
-      Eigen::Matrix<Real, static_cast<int>(DIM) - 1, static_cast<int>(DIM) - 1> rest;
+      CSquareMatrix<DIM - 1> rest;
       for (UInt32 i = 0; i + 1 < DIM; ++i) {
         for (UInt32 j = 0; j + 1 < DIM; ++j) {
           rest(i, j) = (*this)(i < row ? i : i + 1, j < col ? j : j + 1);
         }
       }
-      return rest.determinant();
+      return rest.GetDeterminant();
     }
   }
 };

@@ -1,5 +1,7 @@
 #include <argos3/core/utility/math/matrix/transformationmatrix2.h>
 
+#include <argos3/core/utility/math/eigen_bridge.h>
+
 namespace argos {
 
 void CTransformationMatrix2::SetFromComponents(const CRotationMatrix2& rotation,
@@ -17,7 +19,7 @@ void CTransformationMatrix2::SetFromValues(Real value0, Real value1, Real value2
 }
 
 void CTransformationMatrix2::SetRotationMatrix(const CRotationMatrix2& rotation) {
-  AsEigen().topLeftCorner<2, 2>() = rotation.AsEigen();
+  AsEigen(*this).topLeftCorner<2, 2>() = AsEigen(rotation);
 }
 
 void CTransformationMatrix2::SetTranslationVector(const CVector2& translation) {

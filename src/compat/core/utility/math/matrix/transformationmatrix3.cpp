@@ -21,11 +21,11 @@ void CTransformationMatrix3::SetFromValues(Real value0, Real value1, Real value2
 }
 
 void CTransformationMatrix3::SetRotationMatrix(const CRotationMatrix3& rotation) {
-  AsEigen().topLeftCorner<3, 3>() = rotation.AsEigen();
+  AsEigen(*this).topLeftCorner<3, 3>() = AsEigen(rotation);
 }
 
 void CTransformationMatrix3::SetTranslationVector(const CVector3& translation) {
-  AsEigen().topRightCorner<3, 1>() = ToEigen(translation);
+  AsEigen(*this).topRightCorner<3, 1>() = ToEigen(translation);
 }
 
 CRotationMatrix3 CTransformationMatrix3::GetRotationMatrix() const {
@@ -39,8 +39,8 @@ CVector3 CTransformationMatrix3::GetTranslationVector() const {
 }
 
 CVector3 CTransformationMatrix3::operator*(const CVector3& vector) const {
-  const Eigen::Matrix<Real, 3, 1> result =
-      AsEigen().topLeftCorner<3, 3>() * ToEigen(vector) + AsEigen().topRightCorner<3, 1>();
+  const Eigen::Matrix<Real, 3, 1> result = AsEigen(*this).topLeftCorner<3, 3>() * ToEigen(vector) +
+                                           AsEigen(*this).topRightCorner<3, 1>();
   return FromEigen(result);
 }
 

@@ -1,4 +1,5 @@
 #include <argos3/core/utility/configuration/argos_exception.h>
+#include <argos3/core/utility/math/eigen_bridge.h>
 #include <argos3/core/utility/math/matrix/matrix.h>
 #include <argos3/core/utility/math/matrix/rotationmatrix2.h>
 #include <argos3/core/utility/math/matrix/rotationmatrix3.h>
@@ -31,7 +32,7 @@ CMatrix<ROWS, COLS> Make(const Real (&values)[ROWS * COLS]) {
 // the Frobenius norm of the difference of two matrices of the same size
 template <typename MATRIX, typename OTHER>
 Real Difference(const MATRIX& a, const OTHER& b) {
-  return (a.AsEigen() - b.AsEigen()).norm();
+  return (AsEigen(a) - AsEigen(b)).norm();
 }
 
 static_assert(std::is_trivially_copyable_v<CMatrix<2, 3> > &&
