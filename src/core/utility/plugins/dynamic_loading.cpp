@@ -395,6 +395,70 @@ CDynamicLoading::TDLHandle TryOpen(const std::string& path, std::string& reason)
   }
 }
 
+// the library of the message "libx.so: cannot open shared object file: ..."; "" for other messages
+std::string NameOfMissing(const std::string& reason) {
+  const size_t end = reason.find(": cannot open shared object file");
+  return end == std::string::npos ? "" : reason.substr(0, end);
+}
+
+// what can be done about a failure to open a library
+std::string DescribeWayOut(const std::string& reason) {
+  const std::string missing = NameOfMissing(reason);
+  if (!missing.empty()) {
+    return "\n    It is linked with \"" + missing +
+           "\", which is neither beside it nor among the plug-ins: put the folder of that library "
+           "into ARGOS_PLUGIN_PATH or LD_LIBRARY_PATH, or link with -Wl,-rpath,FOLDER";
+  }
+  if (reason.find("undefined symbol") != std::string::npos) {
+    return "\n    Link it with the library that has this symbol, or load that one before";
+  }
+  return "";
+}
+
+CDynamicLoading::TDLHandle TryPlace(const std::string& lib, const std::string& place,
+                                    std::string& problems);
+
+// Loads a library that another one is linked with, and which the dynamic linker does not find,
+// because installed plug-ins have no run path. @return false if there is none that loads.
+bool LoadNeeded(const std::string& name, const std::string& neededBy) {
+  // libraries may be linked with each other
+  static std::set<std::string> beingLoaded;
+  if (!beingLoaded.insert(name).second) {
+    return false;
+  }
+  struct SEnd {
+    const std::string& Name;
+    ~SEnd() { beingLoaded.erase(Name); }
+  } const end{name};
+  std::vector<std::string> directories = {fs::path(neededBy).parent_path().string()};
+  for (const auto& more : {DefaultDirectories(), UserDirectories()}) {
+    directories.insert(directories.end(), more.begin(), more.end());
+  }
+  for (const std::string& directory : directories) {
+    std::error_code error;
+    const std::string file = directory + '/' + name;
+    std::string ignored;
+    if (fs::is_regular_file(file, error) && TryPlace(file, file, ignored) != nullptr) {
+      return true;
+    }
+  }
+  return false;
+}
+
+// Opens a library after those that it is linked with; returns null and sets the reason on failure.
+CDynamicLoading::TDLHandle OpenWithNeeded(const std::string& path, std::string& reason) {
+  CDynamicLoading::TDLHandle handle = TryOpen(path, reason);
+  std::set<std::string> tried;
+  while (handle == nullptr) {
+    const std::string missing = NameOfMissing(reason);
+    if (missing.empty() || !tried.insert(missing).second || !LoadNeeded(missing, path)) {
+      break;
+    }
+    handle = TryOpen(path, reason);
+  }
+  return handle;
+}
+
 // @param problems  of each file that is there
 CDynamicLoading::TDLHandle TryPlace(const std::string& lib, const std::string& place,
                                     std::string& problems) {
@@ -407,7 +471,7 @@ CDynamicLoading::TDLHandle TryPlace(const std::string& lib, const std::string& p
       return known->second.Handle;
     }
     std::string reason;
-    const CDynamicLoading::TDLHandle handle = TryOpen(candidate, reason);
+    const CDynamicLoading::TDLHandle handle = OpenWithNeeded(candidate, reason);
     // registrations may be invalid even if the library failed to load
     ThrowRegistrationProblems("The library \"" + candidate + "\" cannot be used:");
     if (handle != nullptr) {
@@ -418,7 +482,7 @@ CDynamicLoading::TDLHandle TryPlace(const std::string& lib, const std::string& p
       return handle;
     }
     if (reason != kNoSuchFile) {
-      problems += "\n  " + candidate + ": " + reason;
+      problems += "\n  " + candidate + ": " + reason + DescribeWayOut(reason);
     }
   }
   return nullptr;
@@ -485,8 +549,22 @@ void CDynamicLoading::LoadAllLibraries() {
   // before the first library, because libraries may look labels up while they are loaded
   LoadingOnDemand().IsDone = true;
   ThrowRegistrationProblems("the libraries linked to the program are not compatible");
-  for (const fs::path& file : ListAllLibraries()) {
-    LoadLibrary(fs::absolute(file).string());
+  // a library may use symbols of one that follows: those that fail are tried again after the others
+  std::vector<fs::path> files = ListAllLibraries();
+  while (!files.empty()) {
+    std::vector<fs::path> failed;
+    std::string problems;
+    for (const fs::path& file : files) {
+      const std::string path = fs::absolute(file).string();
+      if (TryPlace(path, path, problems) == nullptr) {
+        failed.push_back(file);
+      }
+    }
+    if (failed.size() == files.size()) {
+      THROW_ARGOSEXCEPTION("The library \"" << fs::absolute(failed.front()).string()
+                                            << "\" cannot be loaded; tried:" << problems);
+    }
+    files.swap(failed);
   }
 }
 

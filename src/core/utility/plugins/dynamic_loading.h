@@ -30,6 +30,10 @@ namespace argos {
  * symbols are bound when a library is loaded, and are visible to libraries loaded later. A loaded
  * library stays in the process until its end.
  *
+ * Libraries that it is linked with and that the dynamic linker does not find, as installed plug-ins
+ * have no run path, are loaded before: they are searched beside it, in the default directories, and
+ * in ARGOS_PLUGIN_PATH.
+ *
  * Thread safe; a thread waits while another one loads a library.
  */
 class CDynamicLoading {
@@ -41,7 +45,8 @@ class CDynamicLoading {
    * @return the operating system's handle.
    * @throws CARGoSException if no attempt succeeds, with the reason of each; if the library was
    *   built against another version or with other options than the core; if it registers a label
-   *   that another library has registered.
+   *   that another library has registered for another class. For the same class there is a warning,
+   *   and the later library counts.
    */
   static TDLHandle LoadLibrary(const std::string& lib);
   /** The same. @param experimentFile  the file that names the library. */
@@ -56,7 +61,8 @@ class CDynamicLoading {
 
   /**
    * Loads every library in the default directories, then in the directories of ARGOS_PLUGIN_PATH,
-   * by name within each: users' libraries need not be linked with those of this project. Skips a
+   * by name within each: users' libraries need not be linked with those of this project. Libraries
+   * that do not load are tried again after the others, whose symbols they may use. Skips a
    * library whose file name was found in an earlier directory of ARGOS_PLUGIN_PATH. Warns of a
    * directory that cannot be read.
    * @throws CARGoSException if a library does not load, or if the process has incompatible ones.

@@ -8,6 +8,7 @@
 
 #include <iostream>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <string>
 #include <typeinfo>
@@ -39,6 +40,7 @@ class CFactory {
     std::string Status;
     /** The library, or the program, that contains the class. */
     std::string Library;
+    SRegisteredClass Class = {};
   };
 
   /** By label, in alphabetical order. */
@@ -62,17 +64,24 @@ class CFactory {
   }
 
   /**
-   * Registers a class unless the label is taken.
-   * @return the library that has registered the label, or "" if the class was registered.
+   * Registers a class unless the label is taken by another class. If the label has the same class
+   * already, because two libraries contain its source, this registration replaces the earlier one.
+   * @return the replaced or, if the classes differ, the kept registration; null if the label was
+   *   free.
    */
-  static std::string RegisterIfFree(const std::string& label, const STypeInfo& info) {
+  static std::unique_ptr<const STypeInfo> RegisterUnlessTaken(const std::string& label,
+                                                              const STypeInfo& info) {
     const std::lock_guard<std::recursive_mutex> lock(detail::GetRegistrationMutex());
     STypeInfo*& known = GetTypeMap()[label];
-    if (known != nullptr) {
-      return known->Library;
+    if (known == nullptr) {
+      known = new STypeInfo(info);
+      return nullptr;
     }
-    known = new STypeInfo(info);
-    return "";
+    auto earlier = std::make_unique<const STypeInfo>(*known);
+    if (info.Class == earlier->Class) {
+      *known = info;
+    }
+    return earlier;
   }
 
   /**
@@ -161,24 +170,33 @@ class CFactory {
 /**
  * Registers a class on behalf of a REGISTER_* macro.
  *
- * A class from a library with another build id, or with a label that is already registered, is
- * rejected; the problem is recorded, and CDynamicLoading::LoadLibrary() throws it.
+ * A class from a library with another build id, or with a label that another class has registered,
+ * is rejected; the problem is recorded, and CDynamicLoading::LoadLibrary() throws it. A class that
+ * is registered again, by a second library that contains its source, replaces the first
+ * registration; LoadLibrary() warns of it, and of a class whose name a class of another library
+ * has.
  *
  * @param buildId  ARGOS_BUILD_ID when the library was compiled.
+ * @param registered  type and size of the class.
  */
 template <typename TYPE>
 void RegisterSymbol(const std::string& buildId, const std::string& label, const std::string& author,
                     const std::string& version, const std::string& briefDescription,
                     const std::string& longDescription, const std::string& status,
-                    typename CFactory<TYPE>::TCreator* creator) {
+                    typename CFactory<TYPE>::TCreator* creator,
+                    const SRegisteredClass& registered) {
   const std::string library = GetLibraryOf(reinterpret_cast<const void*>(creator));
   if (RecordIfBuildDiffers(buildId, library)) {
     return;
   }
-  const std::string holder = CFactory<TYPE>::RegisterIfFree(
-      label, {creator, author, version, briefDescription, longDescription, status, library});
-  if (!holder.empty()) {
-    RecordDuplicateLabel(label, DemangledName(typeid(TYPE)), holder, library);
+  const auto earlier = CFactory<TYPE>::RegisterUnlessTaken(
+      label,
+      {creator, author, version, briefDescription, longDescription, status, library, registered});
+  if (earlier != nullptr) {
+    RecordDuplicateLabel(label, DemangledName(typeid(TYPE)), {earlier->Library, earlier->Class},
+                         {library, registered});
+  } else {
+    RecordIfOfOtherLibrary(label, {library, registered});
   }
 }
 
@@ -207,14 +225,14 @@ class CSymbolRegistrar {
  */
 // the creator is a lambda, not a template, so it is local to its library even if another library
 // has a class of the same name
-#define REGISTER_SYMBOL(BASECLASS, CLASSNAME, LABEL, AUTHOR, VERSION, BRIEF_DESCRIPTION,          \
-                        LONG_DESCRIPTION, STATUS)                                                 \
-  [[maybe_unused]] static const ::argos::CSymbolRegistrar ARGOS_JOIN_(argosRegistrar_,            \
-                                                                      __COUNTER__)([] {           \
-    using namespace ::argos;                                                                      \
-    ::argos::RegisterSymbol<BASECLASS>(ARGOS_BUILD_ID, LABEL, AUTHOR, VERSION, BRIEF_DESCRIPTION, \
-                                       LONG_DESCRIPTION, STATUS,                                  \
-                                       []() -> BASECLASS* { return new CLASSNAME; });             \
+#define REGISTER_SYMBOL(BASECLASS, CLASSNAME, LABEL, AUTHOR, VERSION, BRIEF_DESCRIPTION,        \
+                        LONG_DESCRIPTION, STATUS)                                               \
+  [[maybe_unused]] static const ::argos::CSymbolRegistrar ARGOS_JOIN_(argosRegistrar_,          \
+                                                                      __COUNTER__)([] {         \
+    using namespace ::argos;                                                                    \
+    ::argos::RegisterSymbol<BASECLASS>(                                                         \
+        ARGOS_BUILD_ID, LABEL, AUTHOR, VERSION, BRIEF_DESCRIPTION, LONG_DESCRIPTION, STATUS,    \
+        []() -> BASECLASS* { return new CLASSNAME; }, {&typeid(CLASSNAME), sizeof(CLASSNAME)}); \
   });
 
 #ifndef ARGOS_WITHOUT_COMPANIONS

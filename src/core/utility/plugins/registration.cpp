@@ -1,31 +1,48 @@
 #include <argos3/core/utility/plugins/registration.h>
 
 #include <argos3/core/utility/errors/argos_exception.h>
+#include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/plugins/process_wide.h>
 #include <argos3/core/utility/plugins/unknown_label.h>
 #include <argos3/core/utility/text/string_utilities.h>
 
 #include <dlfcn.h>
 
+// since glibc 2.35
+#ifdef DLFO_STRUCT_HAS_EH_DBASE
+#define ARGOS_HAS_DL_FIND_OBJECT
+#endif
+#ifdef __GLIBC__
+#include <link.h>
+#endif
+
 #include <algorithm>
+#include <cstring>
 #include <map>
+#include <utility>
 
 namespace argos {
 
 namespace {
 
-std::vector<std::string>& Problems() {
+struct SRecords {
+  std::vector<std::string> Problems;
+  std::vector<std::string> Warnings;
+  std::vector<SRegisteredClass> Classes;  // of all libraries
+};
+
+SRecords& Records() {
   // function-local, because registrations happen in static initialisers, possibly before this
   // file's
-  static std::vector<std::string> problems;
-  return problems;
+  static SRecords records;
+  return records;
 }
 
-void RecordOnce(const std::string& problem) {
+void RecordOnce(std::vector<std::string> SRecords::*list, const std::string& text) {
   const std::lock_guard<std::recursive_mutex> lock(detail::GetRegistrationMutex());
-  std::vector<std::string>& problems = Problems();
-  if (std::find(problems.begin(), problems.end(), problem) == problems.end()) {
-    problems.push_back(problem);
+  std::vector<std::string>& texts = Records().*list;
+  if (std::find(texts.begin(), texts.end(), text) == texts.end()) {
+    texts.push_back(text);
   }
 }
 
@@ -60,6 +77,43 @@ std::string NameOfKind(const std::string& baseClass) {
   return name == names.end() ? baseClass : name->second;
 }
 
+// Programs have copies of data of libraries that they refer to, such as tables of virtual
+// functions.
+bool IsInProgram([[maybe_unused]] const void* address) {
+#ifdef __GLIBC__
+  Dl_info info;
+  link_map* map = nullptr;
+  return dladdr1(address, &info, reinterpret_cast<void**>(&map), RTLD_DL_LINKMAP) != 0 &&
+         map != nullptr && map->l_name[0] == '\0';
+#else
+  return false;
+#endif
+}
+
+// The library whose class the dynamic linker has chosen in place of one of the same name in the
+// given library, by their virtual functions; "" if it has not.
+std::string FindReplacement(const std::type_info& type, const std::string& library) {
+  // without a look-up by name for nearly all classes
+  if (GetLibraryOf(&type) == library) {
+    return "";
+  }
+  // it is loaded
+  void* const handle = dlopen(library.c_str(), RTLD_LAZY | RTLD_NOLOAD);
+  if (handle == nullptr) {
+    return "";
+  }
+  const std::string functions = std::string("_ZTV") + type.name();
+  const void* const own = dlsym(handle, functions.c_str());
+  const void* const chosen = dlsym(RTLD_DEFAULT, functions.c_str());
+  const bool isReplaced = own != nullptr && chosen != nullptr && own != chosen &&
+                          GetLibraryOf(own) == library && !IsInProgram(chosen);
+  return isReplaced ? GetLibraryOf(chosen) : "";
+}
+
+std::string NameOf(const SRegisteredClass& registered) {
+  return registered.Type == nullptr ? "(unknown)" : DemangledName(*registered.Type);
+}
+
 }  // namespace
 
 const char* GetCoreBuildId() {
@@ -67,9 +121,17 @@ const char* GetCoreBuildId() {
   return id.c_str();
 }
 
-std::string GetLibraryOf(const void* function) {
+std::string GetLibraryOf(const void* address) {
+#ifdef ARGOS_HAS_DL_FIND_OBJECT
+  // dladdr() also searches the nearest symbol: for all registrations, half a millisecond of a start
+  dl_find_object object;
+  if (_dl_find_object(const_cast<void*>(address), &object) == 0 &&
+      object.dlfo_link_map->l_name[0] != '\0') {
+    return object.dlfo_link_map->l_name;
+  }
+#endif
   Dl_info info;
-  if (dladdr(function, &info) == 0 || info.dli_fname == nullptr) {
+  if (dladdr(address, &info) == 0 || info.dli_fname == nullptr) {
     return "(unknown)";
   }
   return info.dli_fname;
@@ -80,29 +142,83 @@ bool RecordIfBuildDiffers(const std::string& buildId, const std::string& library
     return false;
   }
   RecordOnce(
+      &SRecords::Problems,
       "\"" + library + "\" was built against another version or with other options: it has " +
-      Difference(buildId, GetCoreBuildId()) + ", the core has " +
-      Difference(GetCoreBuildId(), buildId) + "; rebuild it against the headers of this core");
+          Difference(buildId, GetCoreBuildId()) + ", the core has " +
+          Difference(GetCoreBuildId(), buildId) + "; rebuild it against the headers of this core");
   return true;
 }
 
+bool SRegisteredClass::operator==(const SRegisteredClass& other) const {
+  return Type != nullptr && other.Type != nullptr && Size == other.Size &&
+         std::strcmp(Type->name(), other.Type->name()) == 0;
+}
+
 void RecordDuplicateLabel(const std::string& label, const std::string& kind,
-                          const std::string& firstLibrary, const std::string& secondLibrary) {
-  if (firstLibrary == secondLibrary) {
-    RecordOnce("label \"" + label + "\" of " + kind + " is registered twice by \"" + firstLibrary +
-               "\"; labels must differ");
+                          const SRegistration& first, const SRegistration& second) {
+  const std::string text = "label \"" + label + "\" of " + kind + " is registered " +
+                           (first.Library == second.Library
+                                ? "twice by \"" + first.Library + '"'
+                                : "by \"" + first.Library + "\" and by \"" + second.Library + '"');
+  const std::string firstName = NameOf(first.Class);
+  const std::string secondName = NameOf(second.Class);
+  if (first.Class == second.Class) {
+    RecordOnce(&SRecords::Warnings,
+               "The " + text + ", with the same class " + secondName +
+                   ": the last one counts. Compile its source into one library, with which the "
+                   "others are linked");
+  } else if (firstName == secondName) {
+    RecordOnce(&SRecords::Problems, text + ", with two versions of the class " + secondName +
+                                        "; build both from the same sources");
   } else {
-    RecordOnce("label \"" + label + "\" of " + kind + " is registered by \"" + firstLibrary +
-               "\" and by \"" + secondLibrary + "\"; load only one of them, or rename one label");
+    RecordOnce(&SRecords::Problems, text + ", with the classes " + firstName + " and " +
+                                        secondName +
+                                        "; load only one of them, or rename one label");
+  }
+}
+
+void RecordIfOfOtherLibrary(const std::string& label, const SRegistration& registration) {
+  const SRegisteredClass& registered = registration.Class;
+  // calls the dynamic linker, so before the lock
+  const std::string replacement =
+      registered.Type == nullptr ? "" : FindReplacement(*registered.Type, registration.Library);
+  SRegisteredClass first;
+  {
+    const std::lock_guard<std::recursive_mutex> lock(detail::GetRegistrationMutex());
+    std::vector<SRegisteredClass>& classes = Records().Classes;
+    const auto known = std::find_if(classes.begin(), classes.end(), [&](const auto& other) {
+      return other.Type == registered.Type;
+    });
+    if (known != classes.end()) {
+      first = *known;
+    }
+    classes.push_back(registered);
+  }
+  if (replacement.empty()) {
+    return;
+  }
+  const std::string text = "the class " + NameOf(registered) + " of label \"" + label + "\" in \"" +
+                           registration.Library + "\" has the name of a class in \"" + replacement +
+                           "\", whose functions the dynamic linker gives it";
+  const char* const wayOut = ". Rename one, or put it into a namespace";
+  if (first.Type != nullptr && first.Size != registered.Size) {
+    RecordOnce(&SRecords::Problems, text + wayOut);
+  } else {
+    RecordOnce(&SRecords::Warnings, "T" + text.substr(1) + wayOut + ", unless both are the same");
   }
 }
 
 void ThrowRegistrationProblems(const std::string& context) {
-  std::vector<std::string> problems;
+  SRecords records;
   {
     const std::lock_guard<std::recursive_mutex> lock(detail::GetRegistrationMutex());
-    problems.swap(Problems());
+    records.Problems.swap(Records().Problems);
+    records.Warnings.swap(Records().Warnings);
   }
+  for (const std::string& warning : records.Warnings) {
+    LOGERR << "[WARNING] " << warning << std::endl;
+  }
+  const std::vector<std::string>& problems = records.Problems;
   if (problems.empty()) {
     return;
   }

@@ -11,7 +11,9 @@
 #include <argos3/core/build_id.h>
 #include <argos3/core/config.h>
 
+#include <cstddef>
 #include <string>
+#include <typeinfo>
 #include <vector>
 
 namespace argos {
@@ -50,9 +52,10 @@ namespace argos {
 const char* GetCoreBuildId();
 
 /**
- * The path of the library, or of the program, that contains a function; "(unknown)" if none does.
+ * The path of the library, or of the program, that contains a function or an object; "(unknown)" if
+ * none does.
  */
-std::string GetLibraryOf(const void* function);
+std::string GetLibraryOf(const void* address);
 
 /**
  * Records that a library was built against another version of the headers, or with other options.
@@ -60,12 +63,41 @@ std::string GetLibraryOf(const void* function);
  */
 bool RecordIfBuildDiffers(const std::string& buildId, const std::string& library);
 
-/** Records that a label is registered by two libraries, or twice by one. */
-void RecordDuplicateLabel(const std::string& label, const std::string& kind,
-                          const std::string& firstLibrary, const std::string& secondLibrary);
+/** What is compared of two classes that are registered under one label. */
+struct SRegisteredClass {
+  const std::type_info* Type = nullptr;
+  /**
+   * Bytes of an object. Two versions of a class differ in it: libraries that contain both must not
+   * be loaded together, because the dynamic linker gives them the functions of one version.
+   */
+  std::size_t Size = 0;
+
+  /** By name and size, because each library may have its own type_info of a class. */
+  bool operator==(const SRegisteredClass& other) const;
+};
+
+/** A class, and the library that has registered it. */
+struct SRegistration {
+  std::string Library;
+  SRegisteredClass Class;
+};
 
 /**
- * Throws the recorded problems and clears the record.
+ * Records that a label is registered by two libraries, or twice by one: as a warning if the classes
+ * are the same, else as a problem.
+ */
+void RecordDuplicateLabel(const std::string& label, const std::string& kind,
+                          const SRegistration& first, const SRegistration& second);
+
+/**
+ * Records that a registered class has the name of a class of a library that was loaded before: the
+ * dynamic linker gives it the functions of that one. A problem if the sizes differ, else a warning,
+ * because both may have the same source. Does nothing if the library itself has no such class.
+ */
+void RecordIfOfOtherLibrary(const std::string& label, const SRegistration& registration);
+
+/**
+ * Writes the recorded warnings to LOGERR, throws the recorded problems, and clears both records.
  * @param context  start of the message. Does nothing if there are no problems.
  * @throws CARGoSException that lists every problem, one per line.
  */

@@ -91,7 +91,7 @@ TEST_CASE("dynamic loading: a library registers its plug-ins", "[core][plugins]"
   controller->ControlStep();
   CHECK(controller->GetId() == "r+");
   const auto& info = *CFactory<CCI_Controller>::GetTypeMap().at("test_good_controller");
-  CHECK_THAT(info.Library, Catch::EndsWith("libargos3_test_good.so"));
+  CHECK(info.Library.find("libargos3_test_") != std::string::npos);
   CHECK(info.Author == "undefined");
   // a library is loaded once, also under another path
   CHECK(CDynamicLoading::LoadLibrary(kFolder + "/../plugins/libargos3_test_good") == handle);
@@ -194,11 +194,59 @@ TEST_CASE("dynamic loading: the error on a label in two libraries names both", "
   CDynamicLoading::LoadLibrary(kGood);
   CHECK_THROWS_WITH(CDynamicLoading::LoadLibrary(kFolder + "/libargos3_test_duplicate"),
                     Contains("label \"test_good_controller\" of CCI_Controller is registered by") &&
-                        Contains("libargos3_test_good.so\" and by ") &&
-                        Contains("libargos3_test_duplicate.so\""));
+                        Contains("and by ") &&
+                        Contains("libargos3_test_duplicate.so\", with the classes "
+                                 "CTestGoodController and CTestDuplicateController;"));
+  CHECK_THAT(logs.Text(), !Contains("WARNING"));
   // the first registration stays
+  CHECK(CFactory<CCI_Controller>::GetTypeMap()
+            .at("test_good_controller")
+            ->Library.find("duplicate") == std::string::npos);
+}
+
+TEST_CASE("dynamic loading: of two libraries with one class the last one counts, with a warning",
+          "[core][plugins]") {
+  CCapturedLogs logs;
+  CDynamicLoading::LoadLibrary(kGood);
+  CHECK_NOTHROW(CDynamicLoading::LoadLibrary(kFolder + "/libargos3_test_same_class"));
+  const std::string text = logs.Text();
+  CHECK_THAT(text, Contains("[WARNING] The label \"test_good_controller\" of CCI_Controller is "
+                            "registered by \"") &&
+                       Contains("libargos3_test_good.so\" and by \"") &&
+                       Contains("libargos3_test_same_class.so\", with the same class "
+                                "CTestGoodController: the last one counts"));
+  CHECK(text.find("WARNING") == text.rfind("WARNING"));
   CHECK_THAT(CFactory<CCI_Controller>::GetTypeMap().at("test_good_controller")->Library,
-             Catch::EndsWith("libargos3_test_good.so"));
+             Catch::EndsWith("libargos3_test_same_class.so"));
+}
+
+TEST_CASE("dynamic loading: libraries that another one is linked with are found beside it",
+          "[core][plugins]") {
+  const CTemporaryFolder folder("argos_dynamic_loading_needed");
+  const std::string needing = folder.Path() + "/libneeding.so";
+  fs::copy(kFolder + "/libargos3_test_needing_1.so", needing);
+  SetPluginPath("");
+  CHECK_THROWS_WITH(
+      CDynamicLoading::LoadLibrary(needing),
+      Contains("libneeding.so: libargos3_test_needed_1.so: cannot open shared object file") &&
+          Contains("linked with \"libargos3_test_needed_1.so\"") &&
+          Contains("ARGOS_PLUGIN_PATH or LD_LIBRARY_PATH, or link with -Wl,-rpath,FOLDER"));
+  fs::copy(kFolder + "/libargos3_test_needed_1.so", folder.Path() + "/libargos3_test_needed_1.so");
+  CHECK_NOTHROW(CDynamicLoading::LoadLibrary(needing));
+}
+
+TEST_CASE("dynamic loading: libraries that fail are loaded after those that have their symbols",
+          "[core][plugins]") {
+  const CTemporaryFolder folder("argos_dynamic_loading_order");
+  fs::copy(kFolder + "/libargos3_test_needing_2.so", folder.Path() + "/liba.so");
+  SetPluginPath(folder.Path());
+  CCapturedLogs logs;
+  CHECK_THROWS_WITH(CDynamicLoading::LoadAllLibraries(),
+                    Contains("liba.so\" cannot be loaded") &&
+                        Contains("undefined symbol: argosTestNeeded2") &&
+                        Contains("Link it with the library that has this symbol"));
+  fs::copy(kFolder + "/libargos3_test_needed_2.so", folder.Path() + "/libb.so");
+  CHECK_NOTHROW(CDynamicLoading::LoadAllLibraries());
 }
 
 TEST_CASE("dynamic loading: all libraries of the plug-in path are loaded, each name once",

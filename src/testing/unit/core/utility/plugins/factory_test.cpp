@@ -2,6 +2,8 @@
 #include <argos3/core/utility/plugins/factory_impl.h>
 #include <argos3/core/utility/plugins/vtable.h>
 
+#include <argos3/testing/support/captured_logs.h>
+
 #include <catch2/catch.hpp>
 
 #include <memory>
@@ -129,15 +131,34 @@ TEST_CASE("registration: of two classes with one label the first is kept and a p
    public:
     virtual ~COther() = default;
   };
+  class CFirst : public COther {};
+  class CSecond : public COther {};
   const auto create = []() -> COther* { return new COther; };
-  RegisterSymbol<COther>(ARGOS_BUILD_ID, "x", "a", "v", "first", "l", "s", create);
-  RegisterSymbol<COther>(ARGOS_BUILD_ID, "x", "a", "v", "second", "l", "s", create);
+  const SRegisteredClass first{&typeid(CFirst), sizeof(CFirst)};
+  RegisterSymbol<COther>(ARGOS_BUILD_ID, "x", "a", "v", "first", "l", "s", create, first);
+  RegisterSymbol<COther>(ARGOS_BUILD_ID, "x", "a", "v", "second", "l", "s", create,
+                         {&typeid(CSecond), sizeof(CSecond)});
   CHECK(CFactory<COther>::GetTypeMap()["x"]->BriefDescription == "first");
-  CHECK_THROWS_WITH(
-      ThrowRegistrationProblems("context:"),
-      Contains("context:\n[FATAL]   label \"x\" of ") && Contains("is registered twice by"));
+  CHECK_THROWS_WITH(ThrowRegistrationProblems("context:"),
+                    Contains("context:\n[FATAL]   label \"x\" of ") &&
+                        Contains("is registered twice by") && Contains("CFirst and ") &&
+                        Contains("CSecond; load only one"));
   // a problem is reported once
   CHECK_NOTHROW(ThrowRegistrationProblems("context:"));
+
+  // two versions of a class differ in their sizes
+  RegisterSymbol<COther>(ARGOS_BUILD_ID, "x", "a", "v", "third", "l", "s", create,
+                         {&typeid(CFirst), sizeof(CFirst) + 8});
+  CHECK(CFactory<COther>::GetTypeMap()["x"]->BriefDescription == "first");
+  CHECK_THROWS_WITH(ThrowRegistrationProblems("context:"),
+                    Contains("with two versions of the class ") && Contains("CFirst;"));
+
+  // the same class again
+  RegisterSymbol<COther>(ARGOS_BUILD_ID, "x", "a", "v", "fourth", "l", "s", create, first);
+  CHECK(CFactory<COther>::GetTypeMap()["x"]->BriefDescription == "fourth");
+  CHECK_NOTHROW(ThrowRegistrationProblems("context:"));
+  CHECK_THAT(TakeLogErr(),
+             Contains("[WARNING] The label \"x\"") && Contains("the last one counts"));
 }
 
 TEST_CASE("registration: a class of another build is refused with the difference",
@@ -151,7 +172,8 @@ TEST_CASE("registration: a class of another build is refused with the difference
   std::string other = core;
   Replace(other, "real=double", "real=float");
   RegisterSymbol<COther2>(other, "x", "a", "v", "b", "l", "s",
-                          []() -> COther2* { return new COther2; });
+                          []() -> COther2* { return new COther2; },
+                          {&typeid(COther2), sizeof(COther2)});
   CHECK_FALSE(CFactory<COther2>::Exists("x"));
   CHECK_THROWS_WITH(ThrowRegistrationProblems("context:"),
                     Contains("was built against another version or with other options: it has "
@@ -172,7 +194,8 @@ TEST_CASE("registration: a plug-in compiled against another public header is ref
   std::string other = core;
   Replace(other, built, "0123456789ab");
   RegisterSymbol<COther3>(other, "x", "a", "v", "b", "l", "s",
-                          []() -> COther3* { return new COther3; });
+                          []() -> COther3* { return new COther3; },
+                          {&typeid(COther3), sizeof(COther3)});
   CHECK_FALSE(CFactory<COther3>::Exists("x"));
   CHECK_THROWS_WITH(
       ThrowRegistrationProblems("context:"),
