@@ -56,9 +56,9 @@ check_deb() {
   done
   ! grep -nE 'usr/local|/build/' "$listing" || die "$1 has paths that belong in no package, see above"
   if command -v lintian >/dev/null; then
-    # private libraries are linked by relative paths, there is no Debian changelog, and the address is set by those who
-    # publish packages, with -DCPACK_PACKAGE_CONTACT
-    lintian --allow-root --fail-on error --suppress-tags custom-library-search-path,no-changelog,bogus-mail-host "$file" >"$work/lintian" 2>&1 ||
+    # private libraries are linked by relative paths, there is no Debian changelog, the name of the original has an
+    # underscore, and the address is set by those who publish packages, with -DCPACK_PACKAGE_CONTACT
+    lintian --allow-root --fail-on error --suppress-tags custom-library-search-path,no-changelog,bogus-mail-host,bad-provided-package-name "$file" >"$work/lintian" 2>&1 ||
       { cat "$work/lintian" >&2; die "lintian finds errors in $1, see above"; }
   fi
   echo "  $(basename "$file"): $(grep -vc '/$' "$listing") files, $(stat -c %s "$file" | numfmt --to=iec)"
@@ -70,6 +70,10 @@ depends() { # depends PACKAGE NAME...
   for name in "${@:2}"; do
     grep -qE "(^|, )${name//+/\\+}( \(|, )" <<<"$field" || die "$1 does not depend on $name, but on: $field"
   done
+}
+
+provides() { # provides PACKAGE NAME
+  dpkg-deb --field "$out/$1"_*.deb Provides | grep -qE "(^|, )$2 \\(= " || die "$1 does not provide $2"
 }
 
 echo "in $out/:"
@@ -87,6 +91,8 @@ for format in "${formats[@]}"; do
     depends argos3-sim libc6 libgsl27 "${runtime[@]}"
     depends argos3-sim-dev argos3-sim "${dev[@]}"
     depends argos3-sim-examples argos3-sim
+    # the original's name, which packages of plug-ins depend on
+    provides argos3-sim argos3_simulator
   else
     # one archive with everything, three packages for rpm
     find "$out" -maxdepth 1 -name "*.${format/tgz/tar.gz}" -newer "$work/begin" -printf '  %f: %s bytes\n' | sort | tee "$work/made"

@@ -103,13 +103,14 @@ step_digests() {
 }
 
 inputs_build_id() {
-  print_repository src/cmake src/core/build_id.h.in src/testing/unit/build_id_test.cmake src/testing/CMakeLists.txt
+  print_repository '*/CMakeLists.txt' CMakeLists.txt src/cmake src/core/build_id.h.in src/testing/unit/'*.cmake'
 }
 
-# The test that is no program of its own.
+# The tests that are no programs of their own.
 step_build_id() {
-  echo "The build id of a changed header"
-  ctest --test-dir "$build_dir" --output-on-failure --tests-regex '^build_id_of_a_changed_header$' --no-tests=error
+  echo "The build id of a changed header, and the recipe cmake ../src"
+  ctest --test-dir "$build_dir" --output-on-failure --no-tests=error \
+    --tests-regex '^(build_id_of_a_changed_header|build_from_the_src_folder)$'
 }
 
 # All that controllers are compiled from.

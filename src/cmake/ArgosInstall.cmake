@@ -70,7 +70,20 @@ file(COPY "@PROJECT_SOURCE_DIR@/src/cmake/install/schemas.xml" DESTINATION "${fo
 ]=] @ONLY)
   install(SCRIPT "${argosGenerated}/InstallSchemas.cmake")
 endif()
-if(ARGOS_INSTALL_LDSOCONF)
+if(ARGOS_INSTALL_LDSOCONF STREQUAL "AUTO")
+  # Our programs and libraries find each other without it, but not users' programs and plug-ins that are installed without
+  # a run path. Not in packages, whose files are put together in another folder.
+  install(CODE [=[
+if("$ENV{DESTDIR}" STREQUAL "" AND CMAKE_INSTALL_PREFIX MATCHES "^/(usr|usr/local|opt|opt/local)$" AND
+   IS_DIRECTORY /etc/ld.so.conf.d)
+  execute_process(COMMAND id -u OUTPUT_VARIABLE user OUTPUT_STRIP_TRAILING_WHITESPACE)
+  if(user EQUAL 0)
+    message(STATUS "Installing: /etc/ld.so.conf.d/argos3.conf")
+    file(WRITE /etc/ld.so.conf.d/argos3.conf "${CMAKE_INSTALL_PREFIX}/lib/argos3\n")
+  endif()
+endif()
+]=])
+elseif(ARGOS_INSTALL_LDSOCONF)
   file(CONFIGURE OUTPUT "${argosGenerated}/argos3.conf" CONTENT "@CMAKE_INSTALL_PREFIX@/lib/argos3\n" @ONLY)
   install(FILES "${argosGenerated}/argos3.conf" DESTINATION /etc/ld.so.conf.d)
 endif()
@@ -81,3 +94,8 @@ if(ARGOS_BUILD_EXPERIMENTS)
   string(APPEND argosPluginPath ":${PROJECT_BINARY_DIR}/experiments")
 endif()
 configure_file(src/cmake/install/setup_env.sh.in "${PROJECT_BINARY_DIR}/setup_env.sh" @ONLY)
+# where recipes for ARGoS 3 expect them
+configure_file(src/cmake/install/argos_post_install.sh.in "${PROJECT_BINARY_DIR}/argos_post_install.sh" @ONLY
+  FILE_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+file(MAKE_DIRECTORY "${PROJECT_BINARY_DIR}/core")
+file(CREATE_LINK ../bin/argos3 "${PROJECT_BINARY_DIR}/core/argos3" SYMBOLIC)

@@ -58,10 +58,12 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS "${CMAKE_LIBRARY_OUTPUT_DIRECTOR
 argos_marked_packages(CPACK_DEBIAN_RUNTIME_PACKAGE_DEPENDS runtime)
 argos_marked_packages(CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS option)
 argos_marked_packages(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS dev)
-# the original's packages, which install the same files
-foreach(part RUNTIME DEV)
-  set(CPACK_DEBIAN_${part}_PACKAGE_CONFLICTS "argos3, argos3-simulator")
-endforeach()
+# The original's package is argos3_simulator, an older one argos3: they install the same files, and packages of plug-ins
+# depend on them. The other parts depend on this one.
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONFLICTS "argos3, argos3-simulator, argos3_simulator")
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_REPLACES "argos3, argos3-simulator, argos3_simulator")
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_PROVIDES
+  "argos3-simulator (= ${PROJECT_VERSION}), argos3_simulator (= ${PROJECT_VERSION})")
 
 set(CPACK_RPM_COMPONENT_INSTALL ON)
 set(CPACK_RPM_FILE_NAME RPM-DEFAULT)
@@ -69,6 +71,8 @@ set(CPACK_RPM_MAIN_COMPONENT runtime)
 set(CPACK_RPM_PACKAGE_RELEASE "${ARGOS_RELEASE}")
 set(CPACK_RPM_PACKAGE_LICENSE MIT)
 set(CPACK_RPM_PACKAGE_GROUP "Applications/Engineering")
+set(CPACK_RPM_RUNTIME_PACKAGE_PROVIDES "argos3_simulator = ${PROJECT_VERSION}")
+set(CPACK_RPM_RUNTIME_PACKAGE_CONFLICTS "argos3_simulator < 2026")
 set(CPACK_RPM_DEV_PACKAGE_NAME argos3-sim-devel)
 set(CPACK_RPM_EXAMPLES_PACKAGE_NAME argos3-sim-examples)
 set(CPACK_RPM_DEV_PACKAGE_REQUIRES "argos3-sim = ${PROJECT_VERSION}, cmake, gcc-c++, eigen3-devel, lua-devel")

@@ -2,6 +2,9 @@
 # code: once all of a project is configured, this raises each of its targets to gnu++17, wherever its flag stands
 # (CMAKE_CXX_FLAGS, add_definitions(), add_compile_options(), CMAKE_CXX_STANDARD, properties of targets), before or after
 # find_package(ARGoS). Higher levels stay. Targets that ask for none get the compiler's default, or gnu++17.
+#
+# Libraries that list headers only, add_library(x MODULE x.hpp), get an empty source, without which CMake cannot link them.
+# With ARGoS 3 they have one of Qt's tools.
 cmake_policy(VERSION 3.22)
 set(argosOldLevel "-std=(c|gnu)\\+\\+(98|03|0x|1y|11|14)")
 
@@ -71,6 +74,25 @@ function(argos_raise_target target flags)
   endif()
 endfunction()
 
+# Adds an empty source to a library without one.
+function(argos_add_missing_source target)
+  get_target_property(type ${target} TYPE)
+  get_target_property(language ${target} LINKER_LANGUAGE)
+  get_target_property(sources ${target} SOURCES)
+  if(language OR NOT type MATCHES "^(MODULE|SHARED|STATIC)_LIBRARY$")
+    return()
+  endif()
+  foreach(source IN LISTS sources)
+    # not a generator expression, which may name objects
+    if(NOT source MATCHES "^[^$]*\\.(h|hh|hpp|hxx|h\\+\\+|H|inl|ipp|tpp|txx)$")
+      return()
+    endif()
+  endforeach()
+  set(empty "${CMAKE_BINARY_DIR}/argos_no_sources.cpp")
+  file(CONFIGURE OUTPUT "${empty}" CONTENT "// for libraries of headers\n")
+  set_property(TARGET ${target} APPEND PROPERTY SOURCES "${empty}")
+endfunction()
+
 function(argos_raise_directory directory)
   get_directory_property(flags DIRECTORY "${directory}" DEFINITION CMAKE_CXX_FLAGS)
   if(CMAKE_BUILD_TYPE)
@@ -82,6 +104,7 @@ function(argos_raise_directory directory)
   foreach(target IN LISTS targets)
     get_target_property(type ${target} TYPE)
     if(type MATCHES "_LIBRARY$|^EXECUTABLE$")
+      argos_add_missing_source(${target})
       argos_raise_target(${target} "${flags}")
     endif()
   endforeach()
