@@ -50,6 +50,9 @@ endif()
 # default (Ubuntu) would leave it out.
 if(NOT APPLE)
   target_link_options(argos_options INTERFACE -Wl,--no-as-needed)
+  # Functions are called within their library without a look-up by name in all libraries, half of the time of a start. Data,
+  # such as static variables of templates, are still shared by all libraries.
+  target_link_options(argos_options INTERFACE -Wl,-Bsymbolic-functions)
   if(NOT ARGOS_SANITIZE)
     target_link_options(argos_options INTERFACE -Wl,--no-undefined)
   endif()
