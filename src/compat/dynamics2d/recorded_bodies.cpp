@@ -132,6 +132,20 @@ cpShape* cpSpaceAddStaticShape(cpSpace* space, cpShape* shape) {
   return cpSpaceAddShape(space, shape);
 }
 
+void cpSpaceRemoveBody(cpSpace* /*space*/, cpBody* body) {
+  argos::RequirePointer("cpSpaceRemoveBody", "body", body);
+  body->IsInSpace = body->IsDescribed;
+}
+
+void cpSpaceRemoveShape(cpSpace* /*space*/, cpShape* shape) {
+  argos::RequirePointer("cpSpaceRemoveShape", "shape", shape);
+  shape->IsInSpace = shape->body->IsDescribed;
+}
+
+void cpSpaceRemoveStaticShape(cpSpace* space, cpShape* shape) {
+  cpSpaceRemoveShape(space, shape);
+}
+
 cpFloat cpMomentForCircle(cpFloat mass, cpFloat innerRadius, cpFloat outerRadius, cpVect offset) {
   return mass * (0.5 * (innerRadius * innerRadius + outerRadius * outerRadius) +
                  offset.x * offset.x + offset.y * offset.y);

@@ -3,6 +3,7 @@
 
 #include <argos3/core/utility/math/vector2.h>
 
+#include <cstdint>
 #include <limits>
 #include <memory>
 #include <vector>
@@ -28,6 +29,13 @@ class CDynamics2DVelocityControl;
 
 using cpFloat = argos::Real;
 using cpDataPointer = void*;
+using cpBool = int;
+using cpCollisionType = std::uintptr_t;
+using cpGroup = std::uintptr_t;
+using cpLayers = unsigned int;
+
+constexpr cpGroup CP_NO_GROUP = 0;
+constexpr cpLayers CP_ALL_LAYERS = ~0U;
 
 struct cpVect {
   cpFloat x, y;
@@ -52,10 +60,11 @@ struct cpShape {
   cpBody* body = nullptr;
   cpFloat e = 0.0; /**< elasticity */
   cpFloat u = 0.0; /**< friction */
-  int sensor = 0; /**< only for the shape of a gripper */
-  unsigned collision_type = 0; /**< ignored */
-  unsigned group = 0; /**< ignored */
-  unsigned layers = ~0U; /**< ignored */
+  cpBool sensor = 0; /**< only for the shape of a gripper */
+  cpCollisionType collision_type =
+      0; /**< ignored: a gripper or a grippable is found by its object */
+  cpGroup group = CP_NO_GROUP; /**< ignored */
+  cpLayers layers = CP_ALL_LAYERS; /**< ignored */
   cpDataPointer data = nullptr;
 
   // the record
@@ -96,6 +105,7 @@ struct cpConstraint {
   cpFloat maxForce = std::numeric_limits<cpFloat>::infinity(); /**< N, or N m */
   cpFloat errorBias = 0.0; /**< ignored */
   cpFloat maxBias = 0.0; /**< ignored */
+  cpDataPointer data = nullptr;
 };
 
 /** A pair of shapes that touch. Engines do not report them to users' models. */
@@ -112,6 +122,40 @@ void cpBodySetAngle(cpBody* body, cpFloat angle);
 cpBody* cpSpaceAddBody(cpSpace* space, cpBody* body);
 cpShape* cpSpaceAddShape(cpSpace* space, cpShape* shape);
 cpShape* cpSpaceAddStaticShape(cpSpace* space, cpShape* shape);
+
+/** Take back what was added, in the constructor of a model; later they have no effect. */
+void cpSpaceRemoveBody(cpSpace* space, cpBody* body);
+void cpSpaceRemoveShape(cpSpace* space, cpShape* shape);
+void cpSpaceRemoveStaticShape(cpSpace* space, cpShape* shape);
+
+/** For destructors of models, without effect: the engine owns bodies and shapes. */
+inline void cpBodyFree(cpBody* /*body*/) {}
+inline void cpShapeFree(cpShape* /*shape*/) {}
+/** The same for constraints, of which there are none but those of controls. */
+inline void cpSpaceRemoveConstraint(cpSpace* /*space*/, cpConstraint* /*constraint*/) {}
+inline void cpConstraintFree(cpConstraint* /*constraint*/) {}
+
+inline void cpShapeSetElasticity(cpShape* shape, cpFloat elasticity) {
+  shape->e = elasticity;
+}
+inline void cpShapeSetFriction(cpShape* shape, cpFloat friction) {
+  shape->u = friction;
+}
+inline void cpShapeSetSensor(cpShape* shape, cpBool sensor) {
+  shape->sensor = sensor;
+}
+inline void cpShapeSetCollisionType(cpShape* shape, cpCollisionType type) {
+  shape->collision_type = type;
+}
+inline void cpShapeSetGroup(cpShape* shape, cpGroup group) {
+  shape->group = group;
+}
+inline void cpShapeSetLayers(cpShape* shape, cpLayers layers) {
+  shape->layers = layers;
+}
+inline void cpShapeSetUserData(cpShape* shape, cpDataPointer data) {
+  shape->data = data;
+}
 
 /** Moments about the origin of the body, kg m^2. */
 cpFloat cpMomentForCircle(cpFloat mass, cpFloat innerRadius, cpFloat outerRadius, cpVect offset);

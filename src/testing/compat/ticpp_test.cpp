@@ -1,10 +1,9 @@
-/* Code that calls the XML library of ARGoS 3 directly. */
+/* Code that calls the XML library of ARGoS 3 directly, which argos_configuration.h brings. */
 
 #include <argos3/core/simulator/loop_functions.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/utility/configuration/argos_configuration.h>
-#include <argos3/core/utility/configuration/tinyxml/ticpp.h>
 
 #include <catch2/catch.hpp>
 

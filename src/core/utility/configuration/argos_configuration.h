@@ -85,4 +85,8 @@ void SetNodeAttribute(TConfigurationNode& node, const std::string& attribute, co
 
 }  // namespace argos
 
+#ifndef ARGOS_WITHOUT_COMPANIONS
+#include <argos3/core/utility/configuration/tinyxml/ticpp.h>
+#endif
+
 #endif

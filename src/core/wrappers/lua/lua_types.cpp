@@ -25,6 +25,7 @@ struct STraits;
 
 template <>
 struct STraits<CVector2> {
+  static constexpr const char* kTypeId = "argos3.vector2";
   static constexpr const char* kName = "vector2";
   static constexpr const char* kKeys = "xy";
   static Real Get(const CVector2& v, int i) { return i == 0 ? v.GetX() : v.GetY(); }
@@ -33,6 +34,7 @@ struct STraits<CVector2> {
 
 template <>
 struct STraits<CVector3> {
+  static constexpr const char* kTypeId = "argos3.vector3";
   static constexpr const char* kName = "vector3";
   static constexpr const char* kKeys = "xyz";
   static Real Get(const CVector3& v, int i) {
@@ -45,6 +47,7 @@ struct STraits<CVector3> {
 
 template <>
 struct STraits<CQuaternion> {
+  static constexpr const char* kTypeId = "argos3.quaternion";
   static constexpr const char* kName = "quaternion";
   static constexpr const char* kKeys = "wxyz";
   static Real Get(const CQuaternion& q, int i) {
@@ -457,8 +460,11 @@ void PushMetatable(lua_State* state) {
   luaL_setfuncs(state, kCommon, 0);
   lua_pushstring(state, STraits<VALUE>::kName);
   lua_setfield(state, -2, "__name");
+  // found by address here, and by name in users' code
   lua_pushvalue(state, -1);
   lua_rawsetp(state, LUA_REGISTRYINDEX, &kMetatableKey<VALUE>);
+  lua_pushvalue(state, -1);
+  lua_setfield(state, LUA_REGISTRYINDEX, STraits<VALUE>::kTypeId);
 }
 
 }  // namespace
@@ -467,13 +473,7 @@ template <typename VALUE>
 void CLuaType<VALUE>::Register(lua_State* state) {
   PushMetatable<VALUE>(state);
   lua_pop(state, 1);
-  if constexpr (std::is_same_v<VALUE, CVector2>) {
-    lua_pushcfunction(state, Construct2);
-  } else if constexpr (std::is_same_v<VALUE, CVector3>) {
-    lua_pushcfunction(state, Construct3);
-  } else {
-    lua_pushcfunction(state, ConstructQuaternion);
-  }
+  lua_pushcfunction(state, &CLuaType::Create);
   lua_setglobal(state, STraits<VALUE>::kName);
 }
 
@@ -496,6 +496,50 @@ VALUE* CLuaType<VALUE>::Test(lua_State* state, int index) {
   const bool same = lua_rawequal(state, -1, -2) != 0 && !lua_isnil(state, -1);
   lua_pop(state, 2);
   return same ? static_cast<VALUE*>(data) : nullptr;
+}
+
+template <typename VALUE>
+VALUE& CLuaType<VALUE>::Get(lua_State* state, int index) {
+  VALUE* const value = Test(state, index);
+  if (value == nullptr) {
+    luaL_error(state, "expected a %s, got %s", STraits<VALUE>::kName, GetLuaTypeName(state, index));
+  }
+  return *value;
+}
+
+template <typename VALUE>
+int CLuaType<VALUE>::Create(lua_State* state) {
+  if constexpr (std::is_same_v<VALUE, CVector2>) {
+    return Construct2(state);
+  } else if constexpr (std::is_same_v<VALUE, CVector3>) {
+    return Construct3(state);
+  } else {
+    return ConstructQuaternion(state);
+  }
+}
+
+template <typename VALUE>
+int CLuaType<VALUE>::Call(lua_State* state, const char* method) {
+  const int numArguments = lua_gettop(state);
+  PushMetatable<VALUE>(state);
+  if (method[0] != '_') {
+    // __index is a closure with the methods
+    lua_getfield(state, -1, "__index");
+    lua_getupvalue(state, -1, 1);
+    lua_replace(state, -3);
+    lua_pop(state, 1);
+  }
+  lua_getfield(state, -1, method);
+  lua_insert(state, 1);
+  lua_pop(state, 1);
+  lua_call(state, numArguments, LUA_MULTRET);
+  return lua_gettop(state);
+}
+
+template <typename VALUE>
+const std::string& CLuaType<VALUE>::GetTypeId() {
+  static const std::string id = STraits<VALUE>::kTypeId;
+  return id;
 }
 
 template class CLuaType<CVector2>;

@@ -5,6 +5,8 @@
 #include <argos3/core/utility/math/vector2.h>
 #include <argos3/core/utility/math/vector3.h>
 
+#include <string>
+
 struct lua_State;
 
 namespace argos {
@@ -21,6 +23,21 @@ class CLuaType {
 
   /** @return null if the value at the index has another type. */
   static VALUE* Test(lua_State* state, int index);
+
+  /** Raises an error of Lua if the value at the index has another type. */
+  static VALUE& Get(lua_State* state, int index);
+
+  /** The constructor, as Lua calls it. */
+  static int Create(lua_State* state);
+
+  /**
+   * Calls a method of this type with the values on the stack, which it replaces by the results.
+   * @param method  "length", or a metamethod such as "__add". @return the number of results.
+   */
+  static int Call(lua_State* state, const char* method);
+
+  /** The name of the metatable in the registry: "argos3.vector2". */
+  static const std::string& GetTypeId();
 };
 
 extern template class CLuaType<CVector2>;

@@ -30,6 +30,11 @@ struct SPlanarSettings;
  */
 class CDynamics2DEngine : public CPlanarEngine {
  public:
+  /** For users' models: values of cpShape::collision_type. Engines ignore them. */
+  enum EShapeType { SHAPE_NORMAL = 0, SHAPE_GRIPPABLE = 1, SHAPE_GRIPPER = 2 };
+  /** For users' models: values of cpShape::layers. Engines ignore them. */
+  enum ELayerType : cpLayers { LAYER_FROZEN = 0, LAYER_NORMAL = CP_ALL_LAYERS };
+
   CDynamics2DEngine();
   ~CDynamics2DEngine() override;
 

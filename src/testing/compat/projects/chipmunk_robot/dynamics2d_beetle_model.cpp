@@ -33,6 +33,8 @@ CDynamics2DBeetleModel::CDynamics2DBeetleModel(CDynamics2DEngine& c_engine, CBee
   cpShape* ptShape = cpSpaceAddShape(ptSpace, cpCircleShapeNew(ptBody, BEETLE_RADIUS, cpvzero));
   ptShape->e = 0.0;
   ptShape->u = 0.7;
+  ptShape->collision_type = CDynamics2DEngine::SHAPE_NORMAL;
+  ptShape->layers = CDynamics2DEngine::LAYER_NORMAL;
   /* the wheels */
   m_cDiffSteering.AttachTo(ptBody);
   SetBody(ptBody, BEETLE_HEIGHT);
@@ -43,6 +45,11 @@ CDynamics2DBeetleModel::CDynamics2DBeetleModel(CDynamics2DEngine& c_engine, CBee
 
 CDynamics2DBeetleModel::~CDynamics2DBeetleModel() {
   m_cDiffSteering.Detach();
+  cpSpace* ptSpace = GetDynamics2DEngine().GetPhysicsSpace();
+  if (m_ptTail != nullptr) {
+    cpSpaceRemoveConstraint(ptSpace, m_ptTail);
+    cpConstraintFree(m_ptTail);
+  }
 }
 
 /****************************************/

@@ -25,6 +25,8 @@ class CDynamics2DBeetleModel : public CDynamics2DSingleBodyObjectModel {
   CWheeledEntity& m_cWheeledEntity;
 
   CDynamics2DDifferentialSteeringControl m_cDiffSteering;
+  /* in place of a part that not every beetle has */
+  cpConstraint* m_ptTail = nullptr;
 
   /* left and right, m/s */
   const Real* m_pfWheelVelocity;

@@ -1,8 +1,11 @@
 #include "lua_tester.h"
 
 #include <argos3/core/utility/math/angles.h>
+#include <argos3/core/wrappers/lua/lua_quaternion.h>
 #include <argos3/core/wrappers/lua/lua_types.h>
 #include <argos3/core/wrappers/lua/lua_utility.h>
+#include <argos3/core/wrappers/lua/lua_vector2.h>
+#include <argos3/core/wrappers/lua/lua_vector3.h>
 
 #include <catch2/catch.hpp>
 
@@ -273,6 +276,42 @@ TEST_CASE("lua types: userdata of another library is not accepted as a vector", 
     REQUIRE(CLuaType<CVector3>::Test(state, -1) != nullptr);
     CHECK(CLuaType<CVector3>::Test(state, -1)->GetZ() == 3.0);
   });
+}
+
+// the classes that users' C++ code for ARGoS 3 uses
+TEST_CASE("lua types: C functions of users read and push values", "[lua][types]") {
+  CLuaTester lua;
+  lua_State* const state = lua.Get();
+  CLuaVector2::RegisterType(state);
+  CLuaVector3::PushVector3(state, 1.0, 2.0, 3.0);
+  CHECK(luaL_checkudata(state, -1, CLuaVector3::GetTypeId().c_str()) != nullptr);
+  CHECK(CLuaVector3::GetTypeId() == "argos3.vector3");
+  CLuaVector3::ToVector3(state, -1).SetX(9.0);
+  lua_setglobal(state, "pushed");
+  CHECK(lua.Get("pushed") == "9,2,3");
+  CLuaQuaternion::PushQuaternion(state, CRadians::PI, CVector3::Z);
+  CHECK_THAT(CLuaQuaternion::ToQuaternion(state, -1).GetZ(), WithinAbs(1.0, kRounding));
+  lua_pop(state, 1);
+
+  lua_register(state, "mirror", [](lua_State* inner) {
+    const CVector2& vector = CLuaVector2::ToVector2(inner, 1);
+    CLuaVector2::PushVector2(inner, vector.GetY(), vector.GetX());
+    return 1;
+  });
+  CHECK(lua.Get("mirror(vector2(1, 2))") == "2,1");
+  CHECK_THAT(lua.GetError("mirror(7)"), Contains("expected a vector2, got number"));
+  // metamethods and methods have the form of C functions
+  lua_register(state, "sum", &CLuaVector2::Add);
+  lua_register(state, "length", &CLuaVector3::Length);
+  lua_register(state, "text", &CLuaVector2::ToString);
+  lua_register(state, "component", &CLuaVector2::Index);
+  lua_register(state, "make", &CLuaVector2::Create);
+  lua_register(state, "inverse", &CLuaQuaternion::Inverse);
+  CHECK(lua.Get("sum(vector2(1, 2), vector2(3, 4))") == "4,6");
+  CHECK(lua.Get("length(vector3(2, 3, 6))") == "7.0");
+  CHECK(lua.Get("text(make(5, 6))") == "5,6");
+  CHECK(lua.Get("component(vector2(5, 6), 'y')") == "6.0");
+  CHECK(lua.Get("inverse(quaternion(1, 2, 3, 4)).x") == "-2.0");
 }
 
 }  // namespace lua_types_test
