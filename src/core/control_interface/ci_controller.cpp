@@ -7,7 +7,28 @@
 
 namespace argos {
 
+CCI_Controller::CCI_Controller(const CCI_Controller& other)
+    : CBaseConfigurableResource(other),
+      CSlabObject(other),
+      m_mapActuators(other.m_mapActuators),
+      m_mapSensors(other.m_mapSensors),
+      m_strId(other.m_strId),
+      m_isCopy(true) {}
+
+CCI_Controller& CCI_Controller::operator=(const CCI_Controller& other) {
+  if (this != &other && (m_isCopy || (m_mapActuators.empty() && m_mapSensors.empty()))) {
+    m_mapActuators = other.m_mapActuators;
+    m_mapSensors = other.m_mapSensors;
+    m_strId = other.m_strId;
+    m_isCopy = true;
+  }
+  return *this;
+}
+
 CCI_Controller::~CCI_Controller() {
+  if (m_isCopy) {
+    return;
+  }
   for (auto& actuator : m_mapActuators) {
     delete actuator.second;
   }
@@ -83,11 +104,20 @@ void AddDevice(MAP& devices, const std::string& type, DEVICE* device) {
 }
 }  // namespace
 
+void CCI_Controller::CheckOwnsDevices() const {
+  if (m_isCopy) {
+    THROW_ARGOSEXCEPTION("Robot \"" << m_strId
+                                    << "\": a copy of its controller cannot get devices");
+  }
+}
+
 void CCI_Controller::AddActuator(const std::string& type, CCI_Actuator* actuator) {
+  CheckOwnsDevices();
   AddDevice(m_mapActuators, type, actuator);
 }
 
 void CCI_Controller::AddSensor(const std::string& type, CCI_Sensor* sensor) {
+  CheckOwnsDevices();
   AddDevice(m_mapSensors, type, sensor);
 }
 

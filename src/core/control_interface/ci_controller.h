@@ -37,10 +37,12 @@ namespace argos {
 class CCI_Controller : public CBaseConfigurableResource, public CSlabObject {
  public:
   CCI_Controller() = default;
-  CCI_Controller(const CCI_Controller&) = delete;
-  CCI_Controller& operator=(const CCI_Controller&) = delete;
+  /** A copy uses the devices of the original, which must outlive it, and owns none. */
+  CCI_Controller(const CCI_Controller& other);
+  /** A controller keeps its devices and its id; one that has none uses those of the other. */
+  CCI_Controller& operator=(const CCI_Controller& other);
 
-  /** Deletes the devices. */
+  /** Deletes the devices, but not those of the original of a copy. */
   ~CCI_Controller() override;
 
   /** @param node  the <params> element. */
@@ -94,6 +96,7 @@ class CCI_Controller : public CBaseConfigurableResource, public CSlabObject {
   std::string m_strId;
 
  private:
+  void CheckOwnsDevices() const;
   template <typename DEVICE_IMPL, typename MAP>
   DEVICE_IMPL* GetDevice(const MAP& devices, const std::string& type, const char* kind) const {
     const auto device = devices.find(type);
@@ -117,6 +120,8 @@ class CCI_Controller : public CBaseConfigurableResource, public CSlabObject {
   [[noreturn]] void ThrowDeviceOfOtherType(const std::string& kind, const std::string& type,
                                            const std::type_info& found,
                                            const std::type_info& expected) const;
+
+  bool m_isCopy = false;  // true: the devices belong to another controller
 };
 
 }  // namespace argos

@@ -65,6 +65,15 @@ class CMediumMember : public CPositionalEntity {
     CPositionalEntity::SetEnabled(false);
   }
 
+  CMediumMember& operator=(const CMediumMember& other) {
+    if (this != &other) {
+      ClearMedium();
+      CPositionalEntity::operator=(other);
+      CPositionalEntity::SetEnabled(false);
+    }
+    return *this;
+  }
+
   /** Leaves the medium. */
   void Destroy() override {
     CPositionalEntity::Destroy();

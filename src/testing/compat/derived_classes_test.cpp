@@ -8,7 +8,10 @@
 #include <argos3/plugins/robots/generic/simulator/light_default_sensor.h>
 #include <argos3/plugins/robots/generic/simulator/proximity_default_sensor.h>
 #include <argos3/plugins/robots/generic/simulator/range_and_bearing_medium_sensor.h>
+#include <argos3/plugins/simulator/entities/box_entity.h>
+#include <argos3/plugins/simulator/entities/cylinder_entity.h>
 #include <argos3/plugins/simulator/entities/ground_sensor_equipped_entity.h>
+#include <argos3/plugins/simulator/entities/light_entity.h>
 #include <argos3/plugins/simulator/entities/light_sensor_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/proximity_sensor_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/rab_equipped_entity.h>
@@ -21,6 +24,7 @@
 namespace derived_classes_test {
 
 using namespace argos;
+using Catch::Contains;
 using Catch::Matchers::WithinAbs;
 
 /****************************************/
@@ -333,11 +337,14 @@ TEST_CASE("compat: components of robots can be copied", "[compat]") {
 
   CRABEquippedEntity& cRAB = cRobot.GetComponent<CRABEquippedEntity>("rab");
   CRABEquippedEntity cRABCopy = cRAB;
-  CHECK(cRABCopy.GetIndex() == -1);
+  CHECK(cRABCopy.GetIndex() == cRAB.GetIndex());
   cRABCopy.SetRange(7.0);
   cRABCopy.GetData()[0] = 9;
   CHECK(cRAB.GetRange() != 7.0);
   CHECK(cRAB.GetData()[0] == 0);
+
+  cTagCopy = cTag;
+  CHECK(cTagCopy.GetPayload() == "payload");
 
   CEmbodiedEntity& cBody = cRobot.GetComponent<CEmbodiedEntity>("body");
   SAnchor sAnchor = cBody.GetOriginAnchor();
@@ -345,6 +352,94 @@ TEST_CASE("compat: components of robots can be copied", "[compat]") {
   CHECK(sAnchor.Id == "origin");
   CHECK(&sAnchor.Body == &cBody);
   CHECK(cBody.GetOriginAnchor().Position.GetX() == 0.0);
+}
+
+/* what loop functions do that keep their objects in a vector of values */
+TEST_CASE("compat: copies of bodies and lights refer to the originals and own nothing",
+          "[compat]") {
+  SRobotExperiment sExperiment;
+  sExperiment.Engine = "<dynamics2d id=\"engine\"/>";
+  CRobotWorld cWorld(sExperiment);
+  CSpace& cSpace = cWorld.GetSimulator().GetSpace();
+  std::vector<CCylinderEntity> vecFood;
+  for (const Real fX : {0.0, 1.0, 2.0}) {
+    vecFood.push_back(cWorld.Add(std::make_unique<CCylinderEntity>(
+        "food" + ToString(fX), CVector3(fX, 0.0, 0.0), CQuaternion(), true, 0.1, 0.2, 1.0)));
+  }
+  auto& cFirst = dynamic_cast<CCylinderEntity&>(cSpace.GetEntity("food0"));
+  CHECK(vecFood[0].GetId() == "food0");
+  CHECK(vecFood[0].GetIndex() == cFirst.GetIndex());
+  CHECK(vecFood[0].GetRadius() == 0.1);
+  CHECK(&vecFood[0].GetEmbodiedEntity() == &cFirst.GetEmbodiedEntity());
+  CHECK(&vecFood[0].GetComponent("body") == &cFirst.GetEmbodiedEntity());
+  /* live values */
+  CHECK(cFirst.GetEmbodiedEntity().MoveTo(CVector3(0.0, 1.0, 0.0), CQuaternion()));
+  CHECK(vecFood[0].GetEmbodiedEntity().GetOriginAnchor().Position == CVector3(0.0, 1.0, 0.0));
+  /* erase() assigns */
+  vecFood.erase(vecFood.begin());
+  CHECK(vecFood[0].GetId() == "food1");
+  CHECK(vecFood[0].GetEmbodiedEntity().GetOriginAnchor().Position.GetX() == 1.0);
+  /* one that was never added becomes a copy, too; one in the arena stays what it is */
+  CCylinderEntity cSpare("spare", CVector3(), CQuaternion(), false, 0.3, 0.2);
+  cSpare = vecFood[1];
+  CHECK(&cSpare.GetEmbodiedEntity() == &vecFood[1].GetEmbodiedEntity());
+  CHECK_THROWS_WITH(cFirst = vecFood[0], Contains("\"food0\" is in use"));
+  CHECK_THROWS_WITH(cSpare.RemoveComponent("leds"), Contains("\"food2\" (cylinder) is a copy"));
+  vecFood.clear();
+  cWorld.Step(2);
+  CHECK(cFirst.GetEmbodiedEntity().GetOriginAnchor().Position.GetY() == 1.0);
+
+  auto& cLight = cWorld.Add(
+      std::make_unique<CLightEntity>("lamp", CVector3(1.0, 1.0, 1.0), CColor::YELLOW, 2.0));
+  std::vector<CLightEntity> vecLights(2, cLight);
+  vecLights[0] = cLight;
+  CHECK(vecLights[0].GetIntensity() == 2.0);
+  STATIC_REQUIRE(std::is_copy_constructible_v<CBoxEntity>);
+  STATIC_REQUIRE(std::is_copy_assignable_v<CBoxEntity>);
+}
+
+class CCounting : public CCI_Controller {
+ public:
+  int Count = 0;
+};
+
+TEST_CASE("compat: copies of controllers use the devices of the original and delete none",
+          "[compat]") {
+  class CDevice : public CCI_Sensor {
+   public:
+    explicit CDevice(int& n_deleted) : m_nDeleted(n_deleted) {}
+    virtual ~CDevice() { ++m_nDeleted; }
+
+   private:
+    int& m_nDeleted;
+  };
+  int nDeleted = 0;
+  {
+    CCounting cOriginal;
+    cOriginal.SetId("robot");
+    cOriginal.AddSensor("device", new CDevice(nDeleted));
+    cOriginal.Count = 3;
+    {
+      CCounting cCopy = cOriginal;
+      CHECK(cCopy.GetId() == "robot");
+      CHECK(cCopy.GetSensor<CDevice>("device") == cOriginal.GetSensor<CDevice>("device"));
+      CHECK_THROWS_WITH(cCopy.AddSensor("other", nullptr), Contains("a copy of its controller"));
+      CCounting cAssigned;
+      cAssigned = cOriginal;
+      CHECK(cAssigned.HasSensor("device"));
+      CHECK(cAssigned.Count == 3);
+    }
+    CHECK(nDeleted == 0);
+    /* a robot's controller keeps its devices */
+    CCounting cOther;
+    cOther.SetId("other");
+    cOther.Count = 8;
+    cOriginal = cOther;
+    CHECK(cOriginal.Count == 8);
+    CHECK(cOriginal.GetId() == "robot");
+    CHECK(cOriginal.HasSensor("device"));
+  }
+  CHECK(nDeleted == 1);
 }
 
 /****************************************/

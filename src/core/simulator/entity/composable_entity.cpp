@@ -51,8 +51,31 @@ CComposableEntity::CComposableEntity(CComposableEntity* parent) : CEntity(parent
 CComposableEntity::CComposableEntity(CComposableEntity* parent, const std::string& id)
     : CEntity(parent, id) {}
 
+CComposableEntity::CComposableEntity(const CComposableEntity& other)
+    : CEntity(other), m_components(other.m_components), m_lazyComponents(other.m_lazyComponents) {}
+
+CComposableEntity& CComposableEntity::operator=(const CComposableEntity& other) {
+  if (this != &other) {
+    const bool wasOwner = !IsCopy();
+    CEntity::operator=(other);
+    if (wasOwner) {
+      DeleteComponents();
+    }
+    m_components = other.m_components;
+    m_componentMap.reset();
+    m_lazyComponents = other.m_lazyComponents;
+  }
+  return *this;
+}
+
 CComposableEntity::~CComposableEntity() {
-  // only for entities that were never in a space: the space removes components itself
+  if (!IsCopy()) {
+    DeleteComponents();
+  }
+}
+
+// only for entities that were never in a space: the space removes components itself
+void CComposableEntity::DeleteComponents() {
   while (!m_components.empty()) {
     const std::unique_ptr<CEntity> last(m_components.back());
     m_components.pop_back();
@@ -118,7 +141,16 @@ void CComposableEntity::ReturnToStart() {
   }
 }
 
+void CComposableEntity::CheckIsNoCopy() const {
+  if (IsCopy()) {
+    THROW_ARGOSEXCEPTION("\"" << GetId() << "\" (" << GetTypeDescription()
+                              << ") is a copy of an entity: change the components of the entity "
+                                 "that is in the arena");
+  }
+}
+
 void CComposableEntity::AddComponent(CEntity& component) {
+  CheckIsNoCopy();
   component.SetParent(*this);
   if (m_components.empty()) {
     m_components.reserve(kNumComponents);
@@ -128,12 +160,14 @@ void CComposableEntity::AddComponent(CEntity& component) {
 }
 
 void CComposableEntity::InsertComponent(CEntity& component, const CEntity& next) {
+  CheckIsNoCopy();
   component.SetParent(*this);
   m_components.insert(std::find(m_components.begin(), m_components.end(), &next), &component);
   m_componentMap.reset();
 }
 
 CEntity& CComposableEntity::RemoveComponent(const std::string& path) {
+  CheckIsNoCopy();
   CRobotsCode::CheckShared(*this, "RemoveComponent()");
   CEntity& component = GetComponent(path);
   CComposableEntity& parent = component.GetParent();

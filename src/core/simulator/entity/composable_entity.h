@@ -22,7 +22,9 @@ class CComposableEntity : public CEntity {
   explicit CComposableEntity(CComposableEntity* parent);
   CComposableEntity(CComposableEntity* parent, const std::string& id);
   ~CComposableEntity() override;
-  CComposableEntity(const CComposableEntity&) = delete;
+  /** A copy has the same components, but does not own them and cannot get others. */
+  CComposableEntity(const CComposableEntity& other);
+  CComposableEntity& operator=(const CComposableEntity& other);
 
   void Reset() override;
   void Destroy() override;
@@ -80,10 +82,12 @@ class CComposableEntity : public CEntity {
   void SetLazyComponents(CLazyComponents* lazyComponents) { m_lazyComponents = lazyComponents; }
 
  private:
+  void DeleteComponents();
+  void CheckIsNoCopy() const;
   CEntity* TryGetComponent(const std::string& path);
   void CreateLazyComponents(const std::string& type);
 
-  CEntity::TVector m_components;  // owned
+  CEntity::TVector m_components;  // owned, unless this is a copy
   std::unique_ptr<CEntity::TMultiMap> m_componentMap;  // by type; null before the first request
   CLazyComponents* m_lazyComponents = nullptr;
 };

@@ -19,7 +19,7 @@ thread_local UInt32 numSetups = 0;  // that exist in this thread
 CEntity::CEntity(CComposableEntity* parent) : CEntity(parent, std::string()) {}
 
 CEntity::CEntity(CComposableEntity* parent, const std::string& id)
-    : m_parent(parent), m_id(id), m_index(-1) {}
+    : m_parent(parent), m_id(id), m_index(-1), m_isCopy(false) {}
 
 CEntity::CEntity(const CEntity& other)
     : CBaseConfigurableResource(other),
@@ -27,12 +27,35 @@ CEntity::CEntity(const CEntity& other)
       CSlabObject(other),
       m_parent(other.m_parent),
       m_id(other.m_id),
-      m_index(-1),
+      m_index(other.m_index),
+      m_isCopy(true),
       m_enabled(other.m_enabled),
       m_enabledAtStart(other.m_enabledAtStart) {
   if (other.m_configurationNode != nullptr) {
     SetNode(*other.m_configurationNode);
   }
+}
+
+CEntity& CEntity::operator=(const CEntity& other) {
+  if (this != &other) {
+    // one in a space stays what it is
+    if (!m_isCopy && (m_parent != nullptr || m_index >= 0)) {
+      THROW_ARGOSEXCEPTION("entity \"" << GetContext() << m_id
+                                       << "\" is in use: only a copy can be assigned to");
+    }
+    ReleaseNode();
+    m_parent = other.m_parent;
+    m_id = other.m_id;
+    m_index = other.m_index;
+    m_isCopy = true;
+    m_enabled = other.m_enabled;
+    m_enabledAtStart = other.m_enabledAtStart;
+    m_startValues.reset();
+    if (other.m_configurationNode != nullptr) {
+      SetNode(*other.m_configurationNode);
+    }
+  }
+  return *this;
 }
 
 CEntity::~CEntity() {
@@ -131,7 +154,8 @@ bool CEntity::MustKeep(const void* key) {
   if (numSetups > 0 && m_startValues != nullptr) {
     m_startValues->Remove(key);
   }
-  return m_index >= 0 && numSetups == 0 && (m_startValues == nullptr || !m_startValues->Has(key));
+  return m_index >= 0 && !m_isCopy && numSetups == 0 &&
+         (m_startValues == nullptr || !m_startValues->Has(key));
 }
 
 CEntity::CSetup::CSetup() {

@@ -49,9 +49,12 @@ class CEntity : public CBaseConfigurableResource,
   explicit CEntity(CComposableEntity* parent);
   CEntity(CComposableEntity* parent, const std::string& id);
   ~CEntity() override;
-  /** Copies have the same parent but are neither its components nor in a space. */
+  /**
+   * A copy has the id and index of the original, and refers to the same parts and to the same body.
+   * It is in no space: it owns nothing, and must not be used after the original was removed.
+   */
   CEntity(const CEntity& other);
-  CEntity& operator=(const CEntity&) = delete;
+  CEntity& operator=(const CEntity& other);
 
   /**
    * Reads `id`. A component without one is called `<type>_<n>`.
@@ -115,6 +118,8 @@ class CEntity : public CBaseConfigurableResource,
    * values that setters have changed since. Called before Reset().
    */
   virtual void ReturnToStart();
+  /** True for a copy of another entity. */
+  bool IsCopy() const { return m_isCopy; }
   bool IsEnabledAtStart() const { return m_enabledAtStart; }
   void SetEnabledAtStart(bool enabled) { m_enabledAtStart = enabled; }
 
@@ -165,7 +170,8 @@ class CEntity : public CBaseConfigurableResource,
   CComposableEntity* m_parent;
   TConfigurationNode* m_configurationNode = nullptr;
   std::string m_id;
-  SInt64 m_index : 40;  // shares its word with those below
+  SInt64 m_index : 39;  // shares its word with those below
+  bool m_isCopy : 1;
   bool m_ownsNode = false;  // a copy; elements of the experiment need none
   bool m_enabled = true;
   bool m_enabledAtStart = true;

@@ -24,9 +24,9 @@ const CControllableEntity* GetRobot(const SRunningCode& code) {
              : nullptr;
 }
 
-// false for a component that is being created, too
+// false for a component that is being created, and for a copy
 bool IsInSpace(const CEntity& entity) {
-  return entity.GetIndex() >= 0;
+  return entity.GetIndex() >= 0 && !entity.IsCopy();
 }
 
 bool IsOfRunningRobot(const CEntity& entity) {
