@@ -36,13 +36,15 @@ void CheckIds(TConfigurationNode& section, TLines& lines) {
   }
 }
 
-// of walls the origin may be outside, of movable bodies not
+// Of walls the origin may be outside, of movable bodies not. An arena without a height has none
+// that bodies could be outside of.
 bool IsOutside(const CEmbodiedEntity& body, const CRange<CVector3>& limits) {
   const CVector3& position = body.GetOriginAnchor().Position;
   const Real reach = body.IsMovable() || body.GetBodyDescription() == nullptr
                          ? 0.0
                          : body.GetBodyDescription()->ComputeBoundingRadius();
-  for (UInt32 axis = 0; axis < 3; ++axis) {
+  const bool isFlat = !(limits.GetMin().GetZ() < limits.GetMax().GetZ());
+  for (UInt32 axis = 0; axis < (isFlat ? 2U : 3U); ++axis) {
     if (position[axis] < limits.GetMin()[axis] - reach - kArenaTolerance ||
         position[axis] > limits.GetMax()[axis] + reach + kArenaTolerance) {
       return true;

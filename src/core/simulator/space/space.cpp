@@ -102,9 +102,12 @@ void CSpace::Init(TConfigurationNode& tree) {
   GetNodeAttribute(tree, "size", arena.Size);
   GetNodeAttributeOrDefault(tree, "center", arena.Center, CVector3());
   for (UInt32 axis = 0; axis < 3; ++axis) {
-    if (!(arena.Size[axis] > 0.0 && arena.Size[axis] <= kMostDistant)) {
+    // files for robots on the ground have arenas without a height
+    const bool isFlat = axis == 2 && arena.Size.GetZ() == 0.0;
+    if (!isFlat && !(arena.Size[axis] > 0.0 && arena.Size[axis] <= kMostDistant)) {
       THROW_ARGOSEXCEPTION(tree.GetLocation()
-                           << ": <arena>: \"size\" must be positive along every axis and at most "
+                           << ": <arena>: \"size\" must be positive along both axes of the ground, "
+                              "not negative along Z, and at most "
                            << kMostDistant << " m, found \"" << arena.Size << "\"");
     }
     if (!(std::abs(arena.Center[axis]) <= kMostDistant)) {

@@ -82,9 +82,9 @@ void CConfigurationAttribute::WarnOfLooseText(const std::string& text,
 }
 
 void CConfigurationAttribute::ThrowUnparsable(const std::string& text, const std::string& expected,
-                                              const std::string& reason) const {
+                                              const std::string& reason, bool isLoose) const {
   m_record->Store->HandleOf(m_record->Element)
-      ->ThrowUnparsable("attribute \"" + Name() + '"', text.c_str(), expected, reason);
+      ->ThrowUnparsable("attribute \"" + Name() + '"', text.c_str(), expected, reason, isLoose);
 }
 
 CConfigurationAttributeIterator CConfigurationAttributeIterator::begin(

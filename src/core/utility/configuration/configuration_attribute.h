@@ -56,8 +56,9 @@ class CConfigurationAttribute {
     std::string reason;
     if (!detail::ParseText(text.c_str(), value, reason)) {
       const std::string expected = detail::ExpectedText(static_cast<const T*>(nullptr));
-      if (!IsLenient() || !detail::ParseLoosely(text.c_str(), value)) {
-        ThrowUnparsable(text, expected, reason);
+      const bool isLoose = detail::ParseLoosely(text.c_str(), value);
+      if (!IsLenient() || !isLoose) {
+        ThrowUnparsable(text, expected, reason, isLoose);
       }
       WarnOfLooseText(text, expected);
     }
@@ -65,7 +66,7 @@ class CConfigurationAttribute {
   bool IsLenient() const;
   void WarnOfLooseText(const std::string& text, const std::string& expected) const;
   [[noreturn]] void ThrowUnparsable(const std::string& text, const std::string& expected,
-                                    const std::string& reason) const;
+                                    const std::string& reason, bool isLoose) const;
   const tinyxml2::XMLAttribute& Checked() const;
   CConfigurationAttribute Successor() const;
   void SetText(const std::string& text);

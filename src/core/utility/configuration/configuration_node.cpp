@@ -11,6 +11,7 @@
 #include <argos3/core/utility/text/classic_locale.h>
 
 #include <algorithm>
+#include <cstring>
 #include <iterator>
 
 namespace argos {
@@ -178,21 +179,24 @@ void CConfigurationNode::WarnOfLooseText(const std::string& what, const char* te
 }
 
 void CConfigurationNode::ThrowUnparsable(const std::string& what, const char* text,
-                                         const std::string& expected,
-                                         const std::string& reason) const {
+                                         const std::string& expected, const std::string& reason,
+                                         bool isLoose) const {
   std::string details = reason;
+  // of other texts, the reason tells what is too much
+  const bool isList = std::strchr(text, ',') != nullptr;
   // the reason may be the text of another exception, with its own prefix
   Replace(details, "[FATAL] ", "");
-  THROW_CONFIGURATION_ERROR(GetLocation() << ": <" << Value() << ">: " << what << ": found \""
-                                          << text << "\", expected " << expected
-                                          << (details.empty() ? "" : " (" + details + ")"));
+  THROW_CONFIGURATION_ERROR(
+      GetLocation() << ": <" << Value() << ">: " << what << ": found \"" << text << "\", expected "
+                    << expected << (details.empty() ? "" : " (" + details + ")")
+                    << (isLoose && isList ? "; --lenient reads it as ARGoS 3 does" : ""));
 }
 
 void CConfigurationNode::ThrowIfHuge(const std::string& name, const char* text) const {
   if (HasHugeNumber(text) && !IsOfUser(*Record().Element)) {
     CTextOutput expected;
     expected << "real numbers from " << -kMostReal << " to " << kMostReal;
-    ThrowUnparsable("attribute \"" + name + '"', text, expected.str(), "");
+    ThrowUnparsable("attribute \"" + name + '"', text, expected.str(), "", false);
   }
 }
 

@@ -256,8 +256,9 @@ class CConfigurationNode {
   void ConvertLoosely(const std::string& what, const char* text, T& value,
                       const std::string& reason) const {
     const std::string expected = detail::ExpectedText(static_cast<const T*>(nullptr));
-    if (!IsLenient() || !detail::ParseLoosely(text, value)) {
-      ThrowUnparsable(what, text, expected, reason);
+    const bool isLoose = detail::ParseLoosely(text, value);
+    if (!IsLenient() || !isLoose) {
+      ThrowUnparsable(what, text, expected, reason, isLoose);
     }
     WarnOfLooseText(what, text, expected);
   }
@@ -268,7 +269,8 @@ class CConfigurationNode {
   void WarnOfLooseText(const std::string& what, const char* text,
                        const std::string& expected) const;
   [[noreturn]] void ThrowUnparsable(const std::string& what, const char* text,
-                                    const std::string& expected, const std::string& reason) const;
+                                    const std::string& expected, const std::string& reason,
+                                    bool isLoose) const;
 
   SConfigurationRecord& Record() const;
   void SetTag(const std::string& tag);

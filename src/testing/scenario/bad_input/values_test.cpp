@@ -71,11 +71,28 @@ TEST_CASE("bad input: invalid threads and methods", "[bad_input]") {
 
 TEST_CASE("bad input: an invalid size of the arena", "[bad_input]") {
   const std::string wrong =
-      GENERATE(as<std::string>{}, "0,4,1", "4,-4,1", "4,4", "4,4,1,1", "4,4,high", "");
+      GENERATE(as<std::string>{}, "0,4,1", "4,-4,1", "4,4,-1", "4,4", "4,4,1,1", "4,4,high", "");
   CAPTURE(wrong);
   SExperimentText experiment;
   experiment.ArenaAttributes = "size=\"" + wrong + "\"";
   CHECK_THAT(LoadError(experiment), Contains(At(SExperimentText::kArenaLine)) && Contains("size"));
+}
+
+TEST_CASE("bad input: an arena may have no height", "[bad_input]") {
+  SExperimentText experiment;
+  experiment.ArenaAttributes =
+      "size=\"4,4,0\" center=\"" + GENERATE(as<std::string>{}, "0,0,0", "0,0,0.5") + '"';
+  const std::string engine =
+      GENERATE(as<std::string>{}, "dynamics2d", "kinematics2d", "dynamics3d", "pointmass3d");
+  CAPTURE(experiment.ArenaAttributes, engine);
+  experiment.Engines = "<physics_engines><" + engine + " id=\"e\"/></physics_engines>";
+  experiment.Media = "<media><led id=\"l\" index=\"grid\"/><range_and_bearing id=\"rab\"/></media>";
+  experiment.Robot =
+      "<distribute><position method=\"uniform\" min=\"-2,-2,0\" max=\"0,2,0\"/>"
+      "<orientation method=\"constant\" values=\"0,0,0\"/>"
+      "<entity quantity=\"3\" max_trials=\"100\"><e-puck id=\"ep\"><controller config=\"c\"/>"
+      "</e-puck></entity></distribute>";
+  CHECK(LoadWarnings(experiment) == "");
 }
 
 TEST_CASE("bad input: zero and negative sizes and masses", "[bad_input]") {
@@ -105,6 +122,20 @@ TEST_CASE("bad input: errors on malformed values give attribute, text and expect
   experiment.Box =
       "<box id=\"b\" size=\"1,1,1\" movable=\"false\"><body position=\"1;0;0\"/></box>";
   CHECK_THAT(LoadError(experiment), Contains("position") && Contains("1;0;0") && Contains("x,y,z"));
+}
+
+TEST_CASE("bad input: errors on text that ARGoS 3 accepts name --lenient", "[bad_input]") {
+  const auto [position, isAccepted] = GENERATE(table<std::string, bool>(
+      {{"--1,-1,0", true}, {"-1,,0", true}, {"1,0,0,7", true}, {"1,0", false}, {"", false}}));
+  CAPTURE(position);
+  SExperimentText experiment;
+  experiment.Box = "<box id=\"b\" size=\"0.2,0.2,0.2\" movable=\"false\"><body position=\"" +
+                   position + "\"/></box>";
+  const std::string error = LoadError(experiment);
+  CHECK_THAT(error, Contains("found \"" + position + "\", expected three real numbers"));
+  CHECK((error.find("--lenient reads it as ARGoS 3 does") != std::string::npos) == isAccepted);
+  experiment.Framework = Framework("ticks_per_second=\"10\" length=\"1\" lenient=\"true\"");
+  CHECK((LoadError(experiment) == "") == isAccepted);
 }
 
 TEST_CASE("bad input: whole numbers may be written as real numbers", "[bad_input]") {
