@@ -221,11 +221,10 @@ void PrintDigest(const CSpace& space) {
 
 void PrintSummary(const SRunSummary& summary) {
   if (summary.Signal != 0) {
-    LOG << "[INFO] stopped by SIG" << sigabbrev_np(summary.Signal) << " after tick "
-        << summary.Ticks << std::endl;
+    CLogControl::Notify(
+        fmt::format("stopped by SIG{} after tick {}", sigabbrev_np(summary.Signal), summary.Ticks));
   }
-  LOG << "[INFO] " << DescribeRun(summary) << std::endl;
-  LOG.Flush();
+  CLogControl::Notify(DescribeRun(summary));
   PrintFailedRobots(summary);
 }
 

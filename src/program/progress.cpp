@@ -3,6 +3,7 @@
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/utility/logging/argos_log.h>
+#include <argos3/core/utility/logging/log_control.h>
 
 #include <fmt/format.h>
 
@@ -43,6 +44,11 @@ bool IsTerminal(int file) {
 
 bool GoesToTerminal(const CARGoSLog& log, int file) {
   return IsTerminal(file) && !log.IsRedirected();
+}
+
+// lines of CLogControl::Notify()
+bool AreNoticesOnTerminal() {
+  return !LOG.IsRedirected() && GoesToTerminal(LOGERR, STDERR_FILENO);
 }
 
 }  // namespace
@@ -163,7 +169,7 @@ CProgressLine::CProgressLine(CSimulator& simulator, std::optional<Real> logPerio
       m_start(TClock::now()),
       m_nextDrawing(m_start + kRefreshPeriod),
       m_firstTick(simulator.GetSpace().GetSimulationClock()),
-      m_logPeriod(logPeriod.value_or(GoesToTerminal(LOG, STDOUT_FILENO) ? 0.0 : kLogPeriod)),
+      m_logPeriod(logPeriod.value_or(AreNoticesOnTerminal() ? 0.0 : kLogPeriod)),
       m_nextLogLine(m_start + std::chrono::duration<Real>(m_logPeriod)) {
   if (!IsTerminal(STDERR_FILENO)) {
     return;
@@ -190,8 +196,7 @@ void CProgressLine::Update() {
   const TClock::time_point now = TClock::now();
   if (m_logPeriod > 0.0 && now >= m_nextLogLine) {
     m_nextLogLine = now + std::chrono::duration<Real>(m_logPeriod);
-    LOG << "[INFO] " << Describe(now) << std::endl;
-    LOG.Flush();
+    CLogControl::Notify(Describe(now));
   }
   if (m_screen && now >= m_nextDrawing) {
     m_nextDrawing = now + kRefreshPeriod;

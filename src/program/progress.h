@@ -30,16 +30,17 @@ std::string DescribeProgress(const SProgress& progress);
  * Shows the progress of the run during the lifetime of the object.
  *
  * On a terminal, a line is redrawn at most five times a second, and erased before other output to
- * std::cout or std::cerr. If the log is not on a terminal, it gets a line from time to time.
+ * std::cout or std::cerr. If lines about the run (CLogControl::Notify()) do not go to a terminal,
+ * there is one from time to time.
  */
 class CProgressLine {
  public:
-  /** Of lines in a log that is not on a terminal, s of wall time. */
+  /** Of lines that do not go to a terminal, s of wall time. */
   static constexpr Real kLogPeriod = 60.0;
 
   /**
    * @param simulator  must outlive this object.
-   * @param logPeriod  s, between lines in any log; 0: none. Not given: as kLogPeriod says.
+   * @param logPeriod  s, between lines wherever they go; 0: none. Not given: as kLogPeriod says.
    */
   explicit CProgressLine(CSimulator& simulator, std::optional<Real> logPeriod = std::nullopt);
   /** Erases the line. */

@@ -13,7 +13,8 @@ namespace argos {
 
 /** Log output since the last call, or since the start of the test case, without colours. */
 std::string TakeLog();
-/** As TakeLog(), for LOGERR; without warnings of bodies outside of the arena. */
+/** As TakeLog(), for LOGERR; without lines about the run, and warnings of bodies outside of the
+ * arena. */
 std::string TakeLogErr();
 
 }  // namespace argos

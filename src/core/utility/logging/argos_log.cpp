@@ -12,6 +12,7 @@
 #include <cstring>
 #include <mutex>
 #include <new>
+#include <sstream>
 #include <streambuf>
 #include <string_view>
 #include <unistd.h>
@@ -418,6 +419,18 @@ CARGoSLog LOG(std::cout, SLogColor(ARGOS_LOG_ATTRIBUTE_BRIGHT, ARGOS_LOG_COLOR_G
               WantsColors(STDOUT_FILENO));
 CARGoSLog LOGERR(std::cerr, SLogColor(ARGOS_LOG_ATTRIBUTE_BRIGHT, ARGOS_LOG_COLOR_RED),
                  WantsColors(STDERR_FILENO));
+
+void CLogControl::Notify(const std::string& text) {
+  CARGoSLog& log = LOG.IsRedirected() ? LOG : LOGERR;
+  std::ostringstream line;
+  if (log.IsColoredOutput()) {
+    // within the colour of the log, which is that of errors
+    line << green;
+  }
+  line << "[INFO] " << text;
+  log << line.str() << std::endl;
+  log.Flush();
+}
 
 std::size_t DEBUG_INDENTATION = 0;
 

@@ -27,6 +27,14 @@ class CLogControl {
   static void SetLevel(ELogLevel level);
   static ELogLevel GetLevel();
 
+  /**
+   * Writes "[INFO] " and the text, a line about the run, at once: to the file of LOG if that is
+   * redirected, else to the standard error, in the colour of LOG. On the standard output, the lines
+   * that follow the start of a run are those of users' code, and scripts read the last one. Not
+   * while robots are updated.
+   */
+  static void Notify(const std::string& text);
+
   /** @param line  with its mark, without colours and without the line break. */
   using TLineReceiver = std::function<void(ELogLevel level, const std::string& line)>;
 

@@ -6,7 +6,7 @@
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/metrics.h>
 #include <argos3/core/simulator/space/space.h>
-#include <argos3/core/utility/logging/argos_log.h>
+#include <argos3/core/utility/logging/log_control.h>
 #include <argos3/core/utility/text/string_utilities.h>
 #include <argos3/plugins/simulator/outputs/recording/format/drawing_coding.h>
 #include <argos3/support/numbered_file.h>
@@ -180,14 +180,11 @@ void CRecordingOutput::Finish(CSimulator& simulator) {
     return m_numRobotTicks > 0 ? static_cast<Real>(bytes) / static_cast<Real>(m_numRobotTicks)
                                : 0.0;
   };
-  LOG << "[INFO] "
-      << fmt::format(
-             "Recorded {} states to {}: {} bytes, {:.3g} for each robot and state, {:.3g} "
-             "before compression",
-             m_numFrames, NumberFile(m_file, static_cast<int>(m_run)),
-             m_writer->GetNumWrittenBytes(), perRobot(m_writer->GetNumWrittenBytes()),
-             perRobot(m_writer->GetNumCodedBytes()))
-      << std::endl;
+  CLogControl::Notify(fmt::format(
+      "Recorded {} states to {}: {} bytes, {:.3g} for each robot and state, {:.3g} "
+      "before compression",
+      m_numFrames, NumberFile(m_file, static_cast<int>(m_run)), m_writer->GetNumWrittenBytes(),
+      perRobot(m_writer->GetNumWrittenBytes()), perRobot(m_writer->GetNumCodedBytes())));
   m_writer.reset();
 }
 

@@ -5,6 +5,7 @@
 #include <argos3/core/utility/files/file_replacement.h>
 #include <argos3/core/utility/files/writing.h>
 #include <argos3/core/utility/logging/argos_log.h>
+#include <argos3/core/utility/logging/log_control.h>
 #include <argos3/core/utility/text/string_utilities.h>
 #include <argos3/support/child_process.h>
 #include <argos3/support/numbered_file.h>
@@ -206,12 +207,11 @@ void CFilmWriter::Finish() {
                                        << "\" cannot be renamed: " << std::strerror(error));
   }
   std::error_code ignored;
-  LOG << fmt::format("[INFO] The film {} is complete: {} picture{}, {:.4g} s, {}, {:.3g} MB",
-                     m_file, m_numPictures, m_numPictures == 1 ? "" : "s",
-                     static_cast<double>(m_numPictures) / m_rate.Get(),
-                     DescribeSpeed(m_settings.Speed),
-                     static_cast<double>(fs::file_size(m_file, ignored)) / kBytesPerMegabyte)
-      << std::endl;
+  CLogControl::Notify(fmt::format(
+      "The film {} is complete: {} picture{}, {:.4g} s, {}, {:.3g} MB", m_file, m_numPictures,
+      m_numPictures == 1 ? "" : "s", static_cast<double>(m_numPictures) / m_rate.Get(),
+      DescribeSpeed(m_settings.Speed),
+      static_cast<double>(fs::file_size(m_file, ignored)) / kBytesPerMegabyte));
   DropRun();
 }
 

@@ -3,7 +3,7 @@
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/simulator/visualization/view_drawing.h>
-#include <argos3/core/utility/logging/argos_log.h>
+#include <argos3/core/utility/logging/log_control.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/film_frames.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/film_writer.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/frame_writer.h>
@@ -40,10 +40,9 @@ CFrameRecorder::~CFrameRecorder() = default;
 
 void CFrameRecorder::Announce() const {
   const SRenderSettings& render = m_settings.Render;
-  LOG << "[INFO] " << m_settings.Announcement
-      << m_sink->Describe(render.Width, render.Height, m_settings.Every) << " ("
-      << m_pipeline->DescribeDriver() << ")" << std::endl;
-  LOG.Flush();
+  CLogControl::Notify(m_settings.Announcement +
+                      m_sink->Describe(render.Width, render.Height, m_settings.Every) + " (" +
+                      m_pipeline->DescribeDriver() + ")");
 }
 
 void CFrameRecorder::Begin() {

@@ -7,6 +7,7 @@
 #include <argos3/core/utility/files/file_replacement.h>
 #include <argos3/core/utility/files/lock_file.h>
 #include <argos3/core/utility/logging/argos_log.h>
+#include <argos3/core/utility/logging/log_control.h>
 #include <argos3/plugins/simulator/visualizations/scene/drawing_to_scene.h>
 #include <argos3/support/child_process.h>
 #include <argos3/support/shell_quoting.h>
@@ -70,8 +71,8 @@ void CPovrayRecorder::Begin() {
   const bool renders = m_settings.Render != SPovrayRecording::ERender::No &&
                        !FindProgram(GetPovrayProgram()).empty();
   const std::string scene = m_files.MakeFileName(0, "pov");
-  LOG << "[INFO] <povray> writes scene files, " << scene << " and following"
-      << (renders ? ", and renders them with " + GetPovrayProgram() : "") << std::endl;
+  CLogControl::Notify("<povray> writes scene files, " + scene + " and following" +
+                      (renders ? ", and renders them with " + GetPovrayProgram() : ""));
   if (renders) {
     m_renderer = std::make_unique<CPovrayRenderer>(MakeJob());
   } else if (m_settings.Render == SPovrayRecording::ERender::IfInstalled) {
@@ -82,10 +83,9 @@ void CPovrayRecorder::Begin() {
              MakeJob(), name, std::filesystem::path(name).stem().string() + ".png")) {
       command += ' ' + QuoteForShell(argument);
     }
-    LOG << "[INFO] <povray> renders nothing, because \"" << GetPovrayProgram()
-        << "\" is not installed. Where it is: " << command << std::endl;
+    CLogControl::Notify("<povray> renders nothing, because \"" + GetPovrayProgram() +
+                        "\" is not installed. Where it is: " + command);
   }
-  LOG.Flush();
 }
 
 void CPovrayRecorder::Observe(CSimulator& simulator) {

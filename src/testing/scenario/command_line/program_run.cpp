@@ -10,6 +10,8 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <sstream>
+#include <string>
 #include <thread>
 
 namespace argos {
@@ -43,6 +45,13 @@ void RedirectTo(int file, const std::string& path) {
 
 }  // namespace
 
+void SplitStandardError(const std::string& text, SProgramRun& run) {
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    (line.rfind("[INFO] ", 0) == 0 ? run.Notices : run.Err) += line + (lines.eof() ? "" : "\n");
+  }
+}
+
 SProgramRun CTestFolder::Run(const std::vector<std::string>& arguments, int signal,
                              const std::string& trigger) const {
   return RunProgram("argos3", arguments, signal, trigger);
@@ -63,7 +72,8 @@ SProgramRun CTestFolder::RunProgram(const std::string& name,
   int status = 0;
   while (waitpid(child, &status, WNOHANG) == 0) {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    if (!signalled && Read("stdout.txt").find(trigger) != std::string::npos) {
+    if (!signalled &&
+        (Read("stdout.txt") + Read("stderr.txt")).find(trigger) != std::string::npos) {
       kill(child, signal);
       signalled = true;
     }
@@ -74,7 +84,7 @@ SProgramRun CTestFolder::RunProgram(const std::string& name,
   SProgramRun run;
   run.Status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   run.Out = Read("stdout.txt");
-  run.Err = Read("stderr.txt");
+  SplitStandardError(Read("stderr.txt"), run);
   return run;
 }
 

@@ -11,16 +11,20 @@ namespace argos {
 /** The result of running a program. */
 struct SProgramRun {
   int Status = -1; /**< exit status; 128 + number if a signal killed it */
-  std::string Out;
-  std::string Err;
+  std::string Out; /**< standard output */
+  std::string Err; /**< standard error, without the lines of Notices */
+  std::string Notices; /**< lines of the standard error about the run: "[INFO] ..." */
 };
+
+/** Sets Err and Notices. */
+void SplitStandardError(const std::string& text, SProgramRun& run);
 
 /** A temporary folder in which programs run. */
 class CTestFolder : public CTemporaryFolder {
  public:
   /**
    * Runs argos3 in this folder and waits for its end.
-   * @param signal  if not 0, sent once as soon as the standard output contains @p trigger.
+   * @param signal  if not 0, sent once as soon as @p trigger was printed.
    */
   SProgramRun Run(const std::vector<std::string>& arguments, int signal = 0,
                   const std::string& trigger = "") const;

@@ -109,9 +109,9 @@ TEST_CASE("argos3: a run ends with a summary and status 0", "[command_line]") {
   const SProgramRun run = folder.Run({"-c", "e.argos"});
   CHECK(run.Status == 0);
   CHECK(run.Err == "");
-  CHECK(
-      std::regex_search(run.Out, std::regex("\\[INFO\\] simulated 1 s in [0-9.e+-]+ s of wall time "
-                                            "\\(real-time factor [0-9.e+-]+, 3 robots\\)\n")));
+  CHECK(std::regex_search(run.Notices,
+                          std::regex("\\[INFO\\] simulated 1 s in [0-9.e+-]+ s of wall time "
+                                     "\\(real-time factor [0-9.e+-]+, 3 robots\\)\n")));
   CHECK_THAT(run.Out, Contains("[INFO] Using random seed = 1\n") &&
                           Contains("[INFO] Total experiment length in clock ticks = 10\n"));
 }
@@ -145,8 +145,8 @@ TEST_CASE("argos3: --length, --threads, --seed and --set change the run", "[comm
       folder.Run({"-c", "e.argos", "--length", "2", "--threads", "2", "--seed", "77", "--set",
                   "arena/distribute/entity/@quantity=5", "--set", "//e-puck/@id=robot"});
   CHECK(run.Status == 0);
-  CHECK_THAT(run.Out, Contains("simulated 2 s") && Contains("5 robots") &&
-                          Contains("Using random seed = 77") && Contains("Using 2 threads"));
+  CHECK_THAT(run.Notices, Contains("simulated 2 s") && Contains("5 robots"));
+  CHECK_THAT(run.Out, Contains("Using random seed = 77") && Contains("Using 2 threads"));
 }
 
 TEST_CASE("argos3: --lenient accepts malformed numbers with warnings", "[command_line]") {
@@ -264,7 +264,8 @@ TEST_CASE("argos3: a signal ends the run in order, with its own status", "[comma
                                       "framework/experiment/@real_time=true"},
                                      signal, "Total experiment length");
   CHECK(run.Status == status);
-  CHECK_THAT(run.Out, Contains("stopped by SIG") && Contains("simulated ") && Contains("digest: "));
+  CHECK_THAT(run.Notices, Contains("stopped by SIG") && Contains("simulated "));
+  CHECK_THAT(run.Out, Contains("digest: "));
 }
 
 TEST_CASE("argos3: a file needs no -c, and --check runs nothing and writes nothing",
@@ -401,7 +402,7 @@ TEST_CASE("argos3: --quiet and --log-level choose the lines of the logs", "[comm
   CHECK(std::regex_match(quiet.Out, std::regex("digest: [0-9a-f]{16}\n")));
   CHECK_THAT(quiet.Err, Contains("[WARNING]") && Contains("nobody_reads_me"));
   const SProgramRun errors = folder.Run({"e.argos", "--log-level", "error"});
-  CHECK(errors.Out + errors.Err == "");
+  CHECK(errors.Out + errors.Err + errors.Notices == "");
   CHECK_THAT(folder.Run({"e.argos"}).Out, !Contains("Loaded library"));
   CHECK_THAT(folder.Run({"e.argos", "--log-level", "debug"}).Out,
              Contains("[DEBUG] Loaded library \"" + kBadControllers));

@@ -227,7 +227,8 @@ TEST_CASE("on_error: a program whose robots were stopped says so and ends with s
   folder.Write("cpp.argos", experiment.ToXml());
   const SProgramRun cpp = folder.Run({"-c", "cpp.argos", "--digest", "--threads", "2"});
   CHECK(cpp.Status == 3);
-  CHECK_THAT(cpp.Out, Contains("simulated 1 s") && Contains("digest: "));
+  CHECK_THAT(cpp.Notices, Contains("simulated 1 s"));
+  CHECK_THAT(cpp.Out, Contains("digest: "));
   CHECK_THAT(cpp.Err,
              Contains("[FATAL] 5 of 5 robots are stopped because of errors, 5 of them in "
                       "quarantine; all errors of robots in this run:\n[FATAL] 5 times, first in "

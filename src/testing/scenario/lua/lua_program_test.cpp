@@ -167,13 +167,13 @@ TEST_CASE("lua program: an error in step() ends the run only on request", "[lua]
           "[FATAL] once, first in tick 1, of \"fb\": robot \"fb\": the Lua script \"bad.lua\" "
           "failed in step()\n"
           "[FATAL]   bad.lua:2: robot.wheels.set_velocity: argument 2 must be a number, got nil\n");
-  CHECK_THAT(goesOn.Out, Contains("simulated 1 s"));
+  CHECK_THAT(goesOn.Notices, Contains("simulated 1 s"));
   folder.Write("e.argos", Experiment("script='bad.lua' on_error='end_run'"));
   const SProgramRun ends = folder.Run({"-c", "e.argos"});
   CHECK(ends.Status == 1);
   CHECK_THAT(ends.Err,
              Contains("robot \"fb\": ControlStep() threw in tick 1") && Contains("bad.lua:2:"));
-  CHECK_THAT(ends.Out, !Contains("simulated"));
+  CHECK_THAT(ends.Notices, !Contains("simulated"));
 }
 
 TEST_CASE("lua program: errors of loop functions end the run with status 1, in every hook",
@@ -210,7 +210,7 @@ TEST_CASE("lua program: the crowd example of the documentation runs", "[lua][pro
                                       "--length", "2", "--set", "//entity/@quantity=100"});
   CHECK(run.Status == 0);
   CHECK(run.Err == "");
-  CHECK_THAT(run.Out, Contains("100 robots"));
+  CHECK_THAT(run.Notices, Contains("100 robots"));
 }
 
 TEST_CASE("lua program: diffusion in Lua and in C++ is equal bit by bit", "[lua][program]") {

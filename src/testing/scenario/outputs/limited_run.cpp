@@ -79,7 +79,7 @@ SProgramRun RunProgramUnder(const CTestFolder& folder, const std::vector<std::st
   SProgramRun run;
   run.Status = WaitFor(StartProgram(folder, arguments, circumstances));
   run.Out = folder.Read("stdout.txt");
-  run.Err = folder.Read("stderr.txt");
+  SplitStandardError(folder.Read("stderr.txt"), run);
   return run;
 }
 

@@ -110,9 +110,9 @@ TEST_CASE("films: each format has the frames of the run, and its duration",
   const CTestFolder folder;
   const SProgramRun run = folder.Run(Flocking({"--video", film, "--speed", "2"}));
   CheckSuccess(run);
-  CHECK_THAT(run.Out, Contains("writing a film to " + film +
-                               ", 160x120 pixels, 20 frames a second, 2x real time") &&
-                          Contains("The film " + film + " is complete: 21 pictures, 1.05 s"));
+  CHECK_THAT(run.Notices, Contains("writing a film to " + film +
+                                   ", 160x120 pixels, 20 frames a second, 2x real time") &&
+                              Contains("The film " + film + " is complete: 21 pictures, 1.05 s"));
   CHECK_THAT(Probe(folder, film), Catch::StartsWith(codec + ",160,120,20/1,21\n1.05"));
   CHECK(ListParts(folder).empty());
 }
@@ -297,7 +297,7 @@ TEST_CASE("films: an interrupted run leaves a whole film", "[scenario][recording
                   "--video", "a.mp4", "--set", "//offscreen/@size=160x120"},
                  SIGINT, "writing a film");
   CHECK(run.Status == 130);
-  CHECK_THAT(run.Out, Contains("The film a.mp4 is complete"));
+  CHECK_THAT(run.Notices, Contains("The film a.mp4 is complete"));
   CHECK_THAT(Probe(folder, "a.mp4"), Catch::StartsWith("h264,160,120,10/1,"));
 }
 
