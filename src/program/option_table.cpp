@@ -136,8 +136,9 @@ TOptions MakeOutputOptions() {
        EWords::Listed,
        {"error", "warning", "info", "debug"}},
       {"--progress", "S", kOutput,
-       "write a line about the progress into the log every S seconds; by default 60 if the log is "
-       "not on a terminal; 0: never",
+       "write a line about the progress every S seconds, into the log file or to the standard "
+       "error; "
+       "by default 60 unless that is a terminal; 0: never",
        EUse::Run},
       {"-l,--log-file", "FILE", kOutput, "write the log to this file; it is truncated",
        EUse::Always, EWords::File},
