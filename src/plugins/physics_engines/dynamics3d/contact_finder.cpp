@@ -14,7 +14,7 @@ namespace {
 
 // contacts of two geoms: the corners of a face. Of the eight contacts that two boxes may have, ODE
 // selects distant ones; the solver converges better with fewer.
-constexpr int kMaxContacts = 4;
+constexpr int kMaxContacts = CContactCache::kMaxContacts;
 // m/s; below this speed, the direction of sliding is ignored
 constexpr Real kSlidingSpeed = 1e-4;
 // cosine of the greatest angle between normals that are taken for one
@@ -140,6 +140,7 @@ void CContactFinder::Find(const std::vector<SRigidBody*>& movables,
   m_gravity = gravity;
   m_substep = substep;
   m_list.StartSubstep();
+  m_cache.StartSubstep();
   ResetForest(m_parents, movables.size());
   m_islands.assign(movables.size(), {});
   const std::vector<SRigidPair>& pairs = m_broadPhase.FindPairs(movables, fixed);
@@ -249,14 +250,38 @@ void CContactFinder::TouchPair(const SRigidBody& first, size_t a, const SRigidBo
     return;
   }
   dContact contacts[kMaxContacts];
-  const int count =
-      FindContacts(one, other, kMaxContacts, &contacts[0].geom, sizeof(dContact), reach);
-  if (m_settings.Stepper != SRigidSettings::EStepper::Direct) {
-    Level(contacts, count);
-  }
+  const int count = FindLeveled(first, a, second, b, reach, contacts);
   for (int i = 0; i < count; ++i) {
     AddSolidContact(contacts[i], first, a, second, b);
   }
+}
+
+// Contacts of two solids, of those that do not move against each other the same as before.
+int CContactFinder::FindLeveled(const SRigidBody& first, size_t a, const SRigidBody& second,
+                                size_t b, Real reach, dContact* contacts) {
+  const dGeomID one = first.Solids[a];
+  const dGeomID other = second.Solids[b];
+  const auto find = [&] {
+    return FindContacts(one, other, kMaxContacts, &contacts[0].geom, sizeof(dContact), reach);
+  };
+  if (m_settings.Stepper == SRigidSettings::EStepper::Direct) {
+    return find();
+  }
+  // robots are anticipated by their speed
+  const bool isKept = !first.HasDrive() && !second.HasDrive();
+  int count = -1;
+  if (isKept) {
+    const UInt64 key = ComputeKey(first.Serial, second.Serial, a * kMaxSolids + b);
+    count = m_cache.Find(key, one, other, contacts);
+  }
+  if (count < 0) {
+    count = find();
+    Level(contacts, count);
+    if (isKept) {
+      m_cache.Store(contacts, count);
+    }
+  }
+  return count;
 }
 
 // the links of an articulated body

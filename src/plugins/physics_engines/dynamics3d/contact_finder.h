@@ -3,6 +3,7 @@
 
 #include <argos3/core/utility/configuration/argos_exception.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/broad_phase.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/contact_cache.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_body.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_contacts.h>
 #include <argos3/plugins/simulator/physics_engines/planar/body_forest.h>
@@ -60,7 +61,10 @@ class CContactFinder {
   /** Destroys the contacts in ODE. */
   void Clear();
   /** The next contacts do not start with the forces of the last ones. */
-  void ForgetForces() { m_list.Forget(); }
+  void ForgetForces() {
+    m_list.Forget();
+    m_cache.Clear();
+  }
 
   /** After Find(): the contacts; the world sets their forces. */
   std::vector<SRigidContact>& GetContacts() { return m_list.Get(); }
@@ -81,6 +85,8 @@ class CContactFinder {
   void Touch(SRigidBody& first, SRigidBody& second);
   void TouchSolids(const SRigidBody& first, const SRigidBody& second);
   void TouchPair(const SRigidBody& first, size_t a, const SRigidBody& second, size_t b, Real reach);
+  int FindLeveled(const SRigidBody& first, size_t a, const SRigidBody& second, size_t b, Real reach,
+                  dContact* contacts);
   void TouchItself(const SRigidBody& body);
   void Roll(SRigidBody& robot, const SRigidBody& ground);
   bool FindRollerContact(const SRoller& roller, const CVector3& centre, const SRigidBody& ground,
@@ -104,6 +110,7 @@ class CContactFinder {
   dGeomID m_probe;  // a sphere, moved to one roller after the other
   CBroadPhase m_broadPhase;
   CRigidContacts m_list;
+  CContactCache m_cache;
   CVector3 m_gravity;
   Real m_substep = 0.0;
   TBodyForest m_parents;  // of a forest of islands, by number of body

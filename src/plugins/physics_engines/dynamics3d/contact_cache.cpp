@@ -1,0 +1,165 @@
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/contact_cache.h>
+
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_body.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_settings.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <utility>
+
+namespace argos {
+
+namespace {
+
+// m; solids that have moved against each other by less keep their contacts: they touch within
+// their skin, which is five times as thick
+constexpr Real kStill = 0.2 * kSkin;
+// places of the hash table for each pair, at least
+constexpr size_t kRoom = 2;
+
+bool IsNear(const CVector3& a, const CVector3& b, Real most) {
+  return std::abs(a.GetX() - b.GetX()) <= most && std::abs(a.GetY() - b.GetY()) <= most &&
+         std::abs(a.GetZ() - b.GetZ()) <= most;
+}
+
+bool IsFixed(dGeomID solid) {
+  return dGeomGetBody(solid) == nullptr;
+}
+
+// half the diagonal of the solid's bounds, m
+Real ComputeReach(dGeomID solid) {
+  dReal bounds[6];
+  dGeomGetAABB(solid, bounds);
+  return 0.5 *
+         CVector3(bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4]).Length();
+}
+
+}  // namespace
+
+CVector3 CContactCache::SFrame::ToWorld(const CVector3& v) const {
+  return Axes[0] * v.GetX() + Axes[1] * v.GetY() + Axes[2] * v.GetZ();
+}
+
+CVector3 CContactCache::SFrame::ToOwn(const CVector3& v) const {
+  return CVector3(Axes[0].DotProduct(v), Axes[1].DotProduct(v), Axes[2].DotProduct(v));
+}
+
+void CContactCache::StartSubstep() {
+  std::swap(m_present, m_last);
+  m_present.clear();
+  m_isTableFilled = false;
+  m_next = 0;
+}
+
+void CContactCache::Clear() {
+  m_present.clear();
+}
+
+// A plane is its own frame.
+CContactCache::SFrame CContactCache::FrameOf(dGeomID solid) {
+  SFrame frame;
+  if (dGeomGetClass(solid) == dPlaneClass) {
+    frame.Axes = {CVector3::X, CVector3::Y, CVector3::Z};
+    return frame;
+  }
+  const dReal* const rotation = dGeomGetRotation(solid);
+  frame.Place = FromODE(dGeomGetPosition(solid));
+  for (UInt32 i = 0; i < 3; ++i) {
+    frame.Axes[i].Set(rotation[i], rotation[4 + i], rotation[8 + i]);
+  }
+  return frame;
+}
+
+void CContactCache::FillTable() {
+  const size_t size = std::bit_ceil(kRoom * m_last.size() + 1);
+  m_table.assign(size, 0);
+  for (size_t i = 0; i < m_last.size(); ++i) {
+    size_t place = m_last[i].Key & (size - 1);
+    while (m_table[place] != 0) {
+      place = (place + 1) & (size - 1);
+    }
+    m_table[place] = static_cast<UInt32>(i + 1);
+  }
+  m_isTableFilled = true;
+}
+
+const CContactCache::SPair* CContactCache::FindLast(UInt64 key) {
+  if (m_next < m_last.size() && m_last[m_next].Key == key) {
+    return &m_last[m_next++];
+  }
+  if (!m_isTableFilled) {
+    FillTable();
+  }
+  for (size_t place = key & (m_table.size() - 1); m_table[place] != 0;
+       place = (place + 1) & (m_table.size() - 1)) {
+    if (m_last[m_table[place] - 1].Key == key) {
+      m_next = m_table[place];
+      return &m_last[m_next - 1];
+    }
+  }
+  return nullptr;
+}
+
+// Adds the pair to the present ones.
+void CContactCache::Describe(dGeomID first, dGeomID second) {
+  m_first = FrameOf(first);
+  m_second = FrameOf(second);
+  m_isOfSecond = IsFixed(second);
+  m_reach = std::min(dGeomGetClass(first) == dPlaneClass ? HUGE_VAL : ComputeReach(first),
+                     dGeomGetClass(second) == dPlaneClass ? HUGE_VAL : ComputeReach(second));
+  SPair& pair = m_present.back();
+  pair.Place = m_first.ToOwn(m_second.Place - m_first.Place);
+  for (size_t i = 0; i < 3; ++i) {
+    pair.Axes[i] = m_first.ToOwn(m_second.Axes[i]);
+  }
+}
+
+bool CContactCache::IsStill(const SPair& last) const {
+  const SPair& now = m_present.back();
+  const Real turn = kStill / m_reach;
+  return IsNear(last.Place, now.Place, kStill) && IsNear(last.Axes[0], now.Axes[0], turn) &&
+         IsNear(last.Axes[1], now.Axes[1], turn) && IsNear(last.Axes[2], now.Axes[2], turn);
+}
+
+int CContactCache::Find(UInt64 key, dGeomID first, dGeomID second, dContact* contacts) {
+  m_present.emplace_back().Key = key;
+  Describe(first, second);
+  const SPair* const last = FindLast(key);
+  if (last == nullptr || !IsStill(*last)) {
+    return -1;
+  }
+  // the pose at which the contacts were found
+  m_present.back() = *last;
+  for (int i = 0; i < last->Count; ++i) {
+    const SPoint& point = last->Points[i];
+    const CVector3 own = m_first.Place + m_first.ToWorld(point.OfFirst);
+    const CVector3 other = m_second.Place + m_second.ToWorld(point.OfSecond);
+    const CVector3 normal = (m_isOfSecond ? m_second : m_first).ToWorld(point.Normal);
+    dContactGeom& contact = contacts[i].geom;
+    const CVector3 middle = (own + other) * 0.5;
+    for (UInt32 axis = 0; axis < 3; ++axis) {
+      contact.pos[axis] = middle[axis];
+      contact.normal[axis] = normal[axis];
+    }
+    contact.depth = point.Depth - normal.DotProduct(own - other);
+    contact.g1 = first;
+    contact.g2 = second;
+    contact.side1 = contact.side2 = -1;
+  }
+  return last->Count;
+}
+
+void CContactCache::Store(const dContact* contacts, int count) {
+  SPair& pair = m_present.back();
+  pair.Count = count;
+  for (int i = 0; i < count; ++i) {
+    const dContactGeom& contact = contacts[i].geom;
+    const CVector3 place = FromODE(contact.pos);
+    const CVector3 normal = FromODE(contact.normal);
+    pair.Points[i] = {m_first.ToOwn(place - m_first.Place), m_second.ToOwn(place - m_second.Place),
+                      (m_isOfSecond ? m_second : m_first).ToOwn(normal), contact.depth};
+  }
+}
+
+}  // namespace argos

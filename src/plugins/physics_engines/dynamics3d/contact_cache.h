@@ -1,0 +1,79 @@
+#ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS3D_CONTACT_CACHE_H
+#define ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS3D_CONTACT_CACHE_H
+
+#include <argos3/core/utility/math/vector3.h>
+
+#include <ode/ode.h>
+
+#include <array>
+#include <vector>
+
+namespace argos {
+
+/**
+ * The contacts of pairs of solids, which stay the same points of both while these hardly move
+ * against each other.
+ *
+ * Searched anew in each substep, the four contacts of two faces would jump between their corners
+ * with every rounding error: a stack would rattle on them and never converge. While both solids
+ * have moved against each other by less than kStill, depths follow from the motion of the points.
+ */
+class CContactCache {
+ public:
+  static constexpr int kMaxContacts = 4;
+
+  /** Begins the next substep. */
+  void StartSubstep();
+  /** Forgets all. */
+  void Clear();
+  /**
+   * @param key  of the pair of solids. @param contacts  receives at most kMaxContacts.
+   * @return their number; -1 if they are to be searched, and then given to Store().
+   */
+  int Find(UInt64 key, dGeomID first, dGeomID second, dContact* contacts);
+  void Store(const dContact* contacts, int count);
+
+ private:
+  // a solid's frame
+  struct SFrame {
+    CVector3 Place;  // m
+    std::array<CVector3, 3> Axes;
+
+    CVector3 ToWorld(const CVector3& v) const;
+    CVector3 ToOwn(const CVector3& v) const;
+  };
+  struct SPoint {
+    CVector3 OfFirst;  // m, frame of the solid
+    CVector3 OfSecond;
+    CVector3 Normal;  // frame of the first, or of the second if that does not move
+    Real Depth = 0.0;  // m
+  };
+  struct SPair {
+    UInt64 Key = 0;
+    CVector3 Place;  // of the second in the frame of the first, m
+    std::array<CVector3, 3> Axes;
+    int Count = 0;
+    std::array<SPoint, kMaxContacts> Points;
+  };
+
+  static SFrame FrameOf(dGeomID solid);
+  void Describe(dGeomID first, dGeomID second);
+  bool IsStill(const SPair& last) const;
+  const SPair* FindLast(UInt64 key);
+  void FillTable();
+
+  std::vector<SPair> m_present;
+  std::vector<SPair> m_last;
+  std::vector<UInt32> m_table;  // hash table: 1 + index in m_last
+  bool m_isTableFilled = false;
+  size_t m_next = 0;  // in m_last: pairs come in nearly the same order in each substep
+  // of the pair that is searched
+  SFrame m_first;
+  SFrame m_second;
+  Real m_reach = 0.0;  // m; of the second's points from its centre
+  bool m_isOfSecond = false;  // the normals
+};
+
+}  // namespace argos
+
+#endif
