@@ -3,6 +3,7 @@
 
 #include <argos3/testing/contract/physics_engines/drive_world.h>
 #include <argos3/testing/contract/physics_engines/engines.h>
+#include <argos3/testing/support/polygons.h>
 #include <argos3/testing/support/sanitizers.h>
 
 #include <catch2/catch.hpp>
@@ -58,6 +59,23 @@ class CScene {
                  Movable(mass),
              "cylinder");
   }
+  /** A prism over a polygon, which Shape() makes of a box. */
+  void AddPrism(const std::string& id, Real x, Real y, std::vector<CVector2> corners, Real mass,
+                Real degrees = 0.0) {
+    AddBox(id, x, y, 0.1, 0.1, mass, degrees);
+    if (m_isMirrored) {
+      for (CVector2& corner : corners) {
+        corner.SetY(-corner.GetY());
+      }
+      std::reverse(corners.begin(), corners.end());
+    }
+    m_prisms.emplace_back(id, std::move(corners));
+  }
+  void Shape(CDriveWorld& world) const {
+    for (const auto& [id, corners] : m_prisms) {
+      world.Reshape(id, SShapeDescription::Prism(corners, 0.1));
+    }
+  }
   const std::string& GetArena() const { return m_arena; }
 
   /** The place of a body, as in the scene that is not turned, m. */
@@ -94,6 +112,7 @@ class CScene {
   Real m_degrees;
   bool m_isMirrored;
   std::string m_arena;
+  std::vector<std::pair<std::string, std::vector<CVector2>>> m_prisms;
 };
 
 std::string MakeEngine(const SEngineType& engine, UInt32 iterations, const SFriction& friction) {
@@ -406,6 +425,121 @@ TEST_CASE("pushing: a light box at a wall is not shot aside", "[contract][engine
   world.Step(50);
   CHECK_THAT(world.Position("b").GetY(), WithinAbs(aside, 1e-3));
   CHECK_THAT(world.Position("b").GetX(), WithinAbs(0.05, 1e-3));
+}
+
+namespace {
+
+// A copy of a scene.
+struct SCopy {
+  Real Degrees;
+  bool IsMirrored;
+};
+const std::vector<SCopy> kCopies{{0.0, false}, {0.0, true}, {37.0, false}, {122.0, true}};
+
+const std::vector<SEngineType> kAllThatPush{kDynamics2D, kKinematics2D, kDynamics3D};
+
+// with friction of a force (N) on an object of a mass, which is its weight in dynamics3d
+std::string MakeGround(const SEngineType& engine, UInt32 iterations, Real force) {
+  if (engine.Ground == EGround::Force) {
+    return MakeEngine(engine, iterations, {force, force});
+  }
+  const std::string substeps =
+      iterations > 0 ? "iterations='" + std::to_string(iterations) + "'" : "";
+  return engine.ToXml("e", substeps, "<floor/><gravity g='9.81'/>");
+}
+
+}  // namespace
+
+TEST_CASE("pushing: robots move a prism by what their forces together move", "[contract][engine]") {
+  const SEngineType engine = GENERATE(from_range(kAllThatPush));
+  const UInt32 iterations = GENERATE(0, 5);
+  const UInt32 count = GENERATE(1, 3);
+  const Real share = GENERATE(0.5, 0.9, 1.1, 2.0);  // of friction in the force of the drives
+  const SCopy copy = GENERATE(from_range(kCopies));
+  CAPTURE(engine, iterations, count, share, copy.Degrees, copy.IsMirrored);
+  SPusher robot = kFootBot;
+  if (engine.Ground == EGround::Weight) {
+    robot.Force = 0.8 * kFootBot.Mass * kEngineGravity;  // what its wheels bear
+  }
+  constexpr Real kGap = 0.005;
+  const Real half = 0.1 * count;
+  CScene scene(copy.Degrees, copy.IsMirrored);
+  for (UInt32 i = 0; i < count; ++i) {
+    scene.AddRobot(robot, "r" + std::to_string(i), -0.1 - kGap - robot.Radius,
+                   0.2 * (i - 0.5 * (count - 1.0)), 0.0);
+  }
+  const Real force = share * count * robot.Force;
+  const Real mass = engine.Ground == EGround::Weight ? force / kEngineGravity : 1.0;
+  // a house that lies on its side
+  scene.AddPrism("p", 0.0, 0.0,
+                 {CVector2(-0.1, -half), CVector2(0.1, -half), CVector2(0.1 + 0.5 * half, 0.0),
+                  CVector2(0.1, half), CVector2(-0.1, half)},
+                 mass);
+  CDriveWorld world(MakeGround(engine, iterations, force), scene.GetArena());
+  scene.Shape(world);
+  world.Step(50);
+  const Real exact = ComputeWay(engine, robot, count, mass, force, 50 * kTick - kGap / kSpeed);
+  const CVector3 way = scene.PlaceOf(world, "p");
+  const Real substep = kTick / (iterations > 0 ? iterations : 2);
+  CHECK_THAT(way.GetX(), WithinAbs(exact, 0.03 * exact + kSpeed * substep));
+  CHECK_THAT(way.GetY(), WithinAbs(0.0, 2e-3));
+  CHECK_THAT(scene.TurnOf(world, "p"), WithinAbs(0.0, 5e-3));
+}
+
+namespace {
+
+// Three foot-bots push a pile of boxes, cylinders and prisms, of which the places after 4 s follow.
+std::vector<CVector3> PushPile(const SEngineType& engine, UInt32 iterations, const SCopy& copy) {
+  CScene scene(copy.Degrees, copy.IsMirrored);
+  for (int i = 0; i < 3; ++i) {
+    scene.AddRobot(kFootBot, "r" + std::to_string(i), -0.2, 0.18 * (i - 1), 0.0);
+  }
+  std::vector<std::string> ids;
+  for (int i = 0; i < 9; ++i) {
+    const std::string id = ids.emplace_back("o" + std::to_string(i));
+    const Real x = 0.13 * (i % 3) + 0.005 * (i * 5 % 7);
+    const Real y = 0.13 * (i / 3 - 1) + 0.004 * (i * 3 % 5);
+    constexpr Real kMass = 0.15;
+    if (i % 3 == 0) {
+      scene.AddBox(id, x, y, 0.1, 0.09, kMass, 11.0 * i);
+    } else if (i % 3 == 1) {
+      scene.AddCylinder(id, x, y, 0.05, kMass);
+    } else {
+      scene.AddPrism(id, x, y, RegularPolygon(5, 0.055), kMass, 17.0 * i);
+    }
+  }
+  CDriveWorld world(MakeGround(engine, iterations, 1.49), scene.GetArena());
+  scene.Shape(world);
+  world.Step(40);
+  std::vector<CVector3> places;
+  for (const std::string& id : ids) {
+    places.push_back(scene.PlaceOf(world, id));
+  }
+  return places;
+}
+
+Real FindFarthest(const std::vector<CVector3>& a, const std::vector<CVector3>& b) {
+  Real farthest = 0.0;
+  for (size_t i = 0; i < a.size(); ++i) {
+    farthest = std::max(farthest, Distance(a[i], b[i]));
+  }
+  return farthest;
+}
+
+}  // namespace
+
+TEST_CASE("pushing: a pile moves alike in turned and mirrored copies, and over substeps",
+          "[contract][engine]") {
+  const SEngineType engine = GENERATE(from_range(kAllThatPush));
+  CAPTURE(engine);
+  const std::vector<CVector3> exact = PushPile(engine, 50, kCopies[0]);
+  for (const UInt32 iterations : {0U, 1U, 5U}) {
+    for (const SCopy& copy : kCopies) {
+      CAPTURE(iterations, copy.Degrees, copy.IsMirrored);
+      // a twelfth of the way of the robots
+      CHECK(FindFarthest(PushPile(engine, iterations, copy), exact) < 0.03);
+    }
+  }
 }
 
 TEST_CASE("kinematics2d: robots that touch in a queue advance together in each tick",
