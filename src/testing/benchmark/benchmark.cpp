@@ -1,5 +1,6 @@
 // Measures the cost of a robot-tick in an arena of rooms, where robots roam or press, of robots
-// that all press against a wall, or of robots that stand and record a metric, and prints it as CSV.
+// that all press against a wall, or of robots that stand and record a metric, and prints it as CSV;
+// or of boxes and balls that lie on each other.
 // Every line is measured in a process of its own, so that the memory is that of one swarm.
 //
 //   argos3_benchmark [--scene rooms] [--robots 100,1000,10000,100000] [--threads 0] [--ticks 600]
@@ -8,6 +9,7 @@
 
 #include <argos3/testing/benchmark/bare_box2d.h>
 #include <argos3/testing/benchmark/in_child.h>
+#include <argos3/testing/benchmark/piles.h>
 #include <argos3/testing/support/crowd.h>
 #include <argos3/testing/support/experiment.h>
 #include <argos3/testing/support/overlap.h>
@@ -133,7 +135,12 @@ std::string MakeWorld(const SOptions& options, UInt32 robots, UInt32 threads) {
   if (options.Scene == "shove") {
     return argos::testing::MakeShove(robots, threads, options.Engine, options.EngineAttributes);
   }
-  return MakeRooms(options, robots, threads);
+  const auto make = options.Scene == "towers"  ? &argos::testing::MakeTowers
+                    : options.Scene == "stack" ? &argos::testing::MakeStack
+                    : options.Scene == "pile"  ? &argos::testing::MakePile
+                                               : nullptr;
+  return make != nullptr ? make(robots, threads, options.Engine, options.EngineAttributes)
+                         : MakeRooms(options, robots, threads);
 }
 
 void Report(const SOptions& options, UInt32 robots, UInt32 threads) {
@@ -201,14 +208,18 @@ void Report(const SOptions& options, UInt32 robots, UInt32 threads) {
 int main(int argc, char** argv) {
   SOptions options;
   CLI::App app("Measures what a robot-tick costs; prints CSV.");
-  app.add_option("--scene", options.Scene,
-                 "rooms: robots that keep apart; crowd: robots that press, in rooms; wall: robots "
-                 "that all press against a wall; records: robots that record a metric; shove: "
-                 "foot-bots that push boxes and cylinders about")
-      ->check(CLI::IsMember({"rooms", "crowd", "wall", "records", "shove"}));
+  app.add_option(
+         "--scene", options.Scene,
+         "rooms: robots that keep apart; crowd: robots that press, in rooms; wall: robots "
+         "that all press against a wall; records: robots that record a metric; shove: "
+         "foot-bots that push boxes and cylinders about; towers, stack, pile: that many boxes "
+         "or balls on each other")
+      ->check(
+          CLI::IsMember({"rooms", "crowd", "wall", "records", "shove", "towers", "stack", "pile"}));
   app.add_option("--robots", options.Robots, "numbers of robots")->delimiter(',');
   app.add_option("--threads", options.Threads, "numbers of threads")->delimiter(',');
   app.add_option("--ticks", options.Ticks, "ticks of 0.1 s that are measured");
+  app.add_option("--warm-up", options.WarmUp, "ticks before those");
   app.add_option("--side", options.Side,
                  "side of the rooms in m; 0: always the same density (rooms), 40 (crowd)");
   app.add_option("--engine", options.Engine, "physics engine");

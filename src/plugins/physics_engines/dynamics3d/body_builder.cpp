@@ -544,6 +544,7 @@ void PlaceRigidBody(SRigidBody& body, const SRigidPose& pose, const SRigidMotion
 
 void WakeRigidBody(SRigidBody& body) {
   body.QuietTime = 0.0;
+  body.Dozes = false;
   if (body.Asleep) {
     body.Asleep = false;
     ForEachPart(body, &dBodyEnable);

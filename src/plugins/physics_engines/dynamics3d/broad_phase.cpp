@@ -25,15 +25,11 @@ UInt32 ChooseAxis(const std::vector<SRigidBody*>& movables) {
   return alongX >= alongY ? 0 : 1;
 }
 
-bool Overlap(const SRigidBody& a, const SRigidBody& b, UInt32 axis) {
-  return a.Low[axis] <= b.High[axis] && b.Low[axis] <= a.High[axis];
-}
-
 }  // namespace
 
-void UpdateBounds(SRigidBody& body) {
+void UpdateBounds(SRigidBody& body, Real path) {
   // bodies at rest touch within their skins
-  const Real reach = body.RollerMargin + kSkin;
+  const Real reach = body.RollerMargin + kSkin + path;
   const CVector3 margin(reach, reach, reach);
   for (size_t i = 0; i < body.Solids.size(); ++i) {
     dReal bounds[6];  // m: least and greatest x, y and z
@@ -48,10 +44,12 @@ void UpdateBounds(SRigidBody& body) {
 }
 
 const std::vector<SRigidPair>& CBroadPhase::FindPairs(const std::vector<SRigidBody*>& movables,
-                                                      const std::vector<SRigidBody*>& fixed) {
+                                                      const std::vector<SRigidBody*>& fixed,
+                                                      Real substep) {
   for (SRigidBody* body : movables) {
     if (!body->Asleep) {
-      UpdateBounds(*body);
+      const Real speed = IsBall(*body) ? FromODE(dBodyGetLinearVel(body->Body)).Length() : 0.0;
+      UpdateBounds(*body, kForesight * speed * substep);
     }
   }
   if (m_isChanged) {
@@ -63,14 +61,14 @@ const std::vector<SRigidPair>& CBroadPhase::FindPairs(const std::vector<SRigidBo
   m_isChanged = false;
 
   m_pairs.clear();
-  const UInt32 other = 1 - m_axis;
   for (size_t i = 0; i < m_entries.size(); ++i) {
-    SRigidBody& first = *m_entries[i].Body;
-    for (size_t j = i + 1; j < m_entries.size() && m_entries[j].Low <= m_entries[i].High; ++j) {
-      SRigidBody& second = *m_entries[j].Body;
-      if ((first.IsMovable() || second.IsMovable()) && Overlap(first, second, other) &&
-          Overlap(first, second, 2)) {
-        m_pairs.push_back({&first, &second});
+    const SEntry& first = m_entries[i];
+    for (size_t j = i + 1; j < m_entries.size() && m_entries[j].Low <= first.High; ++j) {
+      const SEntry& second = m_entries[j];
+      if (second.OtherLow[0] <= first.OtherHigh[0] && first.OtherLow[0] <= second.OtherHigh[0] &&
+          second.OtherLow[1] <= first.OtherHigh[1] && first.OtherLow[1] <= second.OtherHigh[1] &&
+          (first.IsMovable || second.IsMovable)) {
+        m_pairs.push_back({first.Body, second.Body});
       }
     }
   }
@@ -82,7 +80,11 @@ void CBroadPhase::List(const std::vector<SRigidBody*>& movables,
   m_entries.clear();
   for (const auto* bodies : {&movables, &fixed}) {
     for (SRigidBody* body : *bodies) {
-      m_entries.push_back({0.0, 0.0, body, static_cast<UInt32>(m_entries.size())});
+      SEntry entry;
+      entry.Body = body;
+      entry.IsMovable = body->IsMovable();
+      entry.Number = static_cast<UInt32>(m_entries.size());
+      m_entries.push_back(entry);
     }
   }
 }
@@ -103,6 +105,8 @@ void CBroadPhase::Sort() {
   for (SEntry& entry : m_entries) {
     entry.Low = entry.Body->Low[m_axis];
     entry.High = entry.Body->High[m_axis];
+    entry.OtherLow = {entry.Body->Low[1 - m_axis], entry.Body->Low.GetZ()};
+    entry.OtherHigh = {entry.Body->High[1 - m_axis], entry.Body->High.GetZ()};
   }
   const auto comesBefore = [](const SEntry& a, const SEntry& b) {
     return a.Low < b.Low || (a.Low == b.Low && a.Number < b.Number);

@@ -3,6 +3,7 @@
 
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_body.h>
 
+#include <array>
 #include <vector>
 
 namespace argos {
@@ -33,14 +34,21 @@ class CBroadPhase {
   /**
    * Finds the pairs at the current positions.
    * @param movables, fixed  all bodies with bounds, in the order of their numbers.
+   * @param substep  s: balls reach as far as they move in it.
    */
   const std::vector<SRigidPair>& FindPairs(const std::vector<SRigidBody*>& movables,
-                                           const std::vector<SRigidBody*>& fixed);
+                                           const std::vector<SRigidBody*>& fixed,
+                                           Real substep = 0.0);
 
  private:
   struct SEntry {
     Real Low = 0.0;  // m, along the axis of the sweep
     Real High = 0.0;
+    // the bounds along the other horizontal axis and the vertical: read in order, not from bodies
+    // all over the memory
+    std::array<Real, 2> OtherLow{};
+    std::array<Real, 2> OtherHigh{};
+    bool IsMovable = false;
     SRigidBody* Body = nullptr;
     UInt32 Number = 0;  // unique: movable bodies first
   };
@@ -56,8 +64,11 @@ class CBroadPhase {
   std::vector<SRigidPair> m_pairs;
 };
 
-/** Computes the bounds of a body from the current positions of its solids. */
-void UpdateBounds(SRigidBody& body);
+/**
+ * Computes the bounds of a body from the current positions of its solids.
+ * @param path  m: by which they are larger.
+ */
+void UpdateBounds(SRigidBody& body, Real path = 0.0);
 
 }  // namespace argos
 

@@ -4,9 +4,7 @@
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_settings.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <utility>
 
 namespace argos {
 
@@ -15,8 +13,6 @@ namespace {
 // m; solids that have moved against each other by less keep their contacts: they touch within
 // their skin, which is five times as thick
 constexpr Real kStill = 0.2 * kSkin;
-// places of the hash table for each pair, at least
-constexpr size_t kRoom = 2;
 
 bool IsNear(const CVector3& a, const CVector3& b, Real most) {
   return std::abs(a.GetX() - b.GetX()) <= most && std::abs(a.GetY() - b.GetY()) <= most &&
@@ -46,14 +42,22 @@ CVector3 CContactCache::SFrame::ToOwn(const CVector3& v) const {
 }
 
 void CContactCache::StartSubstep() {
-  std::swap(m_present, m_last);
+  m_last.Swap(m_present);
   m_present.clear();
-  m_isTableFilled = false;
   m_next = 0;
+}
+
+void CContactCache::KeepDozing() {
+  for (const SPair& pair : m_present) {
+    if (pair.Body->Dozes) {
+      m_dozing.Add() = pair;
+    }
+  }
 }
 
 void CContactCache::Clear() {
   m_present.clear();
+  m_dozing.Clear();
 }
 
 // A plane is its own frame.
@@ -71,34 +75,16 @@ CContactCache::SFrame CContactCache::FrameOf(dGeomID solid) {
   return frame;
 }
 
-void CContactCache::FillTable() {
-  const size_t size = std::bit_ceil(kRoom * m_last.size() + 1);
-  m_table.assign(size, 0);
-  for (size_t i = 0; i < m_last.size(); ++i) {
-    size_t place = m_last[i].Key & (size - 1);
-    while (m_table[place] != 0) {
-      place = (place + 1) & (size - 1);
-    }
-    m_table[place] = static_cast<UInt32>(i + 1);
-  }
-  m_isTableFilled = true;
-}
-
 const CContactCache::SPair* CContactCache::FindLast(UInt64 key) {
-  if (m_next < m_last.size() && m_last[m_next].Key == key) {
-    return &m_last[m_next++];
+  const std::vector<SPair>& last = m_last.Get();
+  if (m_next >= last.size() || last[m_next].Key != key) {
+    m_next = m_last.Find(key);
   }
-  if (!m_isTableFilled) {
-    FillTable();
+  if (m_next < last.size()) {
+    return &last[m_next++];
   }
-  for (size_t place = key & (m_table.size() - 1); m_table[place] != 0;
-       place = (place + 1) & (m_table.size() - 1)) {
-    if (m_last[m_table[place] - 1].Key == key) {
-      m_next = m_table[place];
-      return &m_last[m_next - 1];
-    }
-  }
-  return nullptr;
+  const size_t dozing = m_dozing.Find(key);
+  return dozing < m_dozing.Get().size() ? &m_dozing.Get()[dozing] : nullptr;
 }
 
 // Adds the pair to the present ones.
@@ -122,8 +108,11 @@ bool CContactCache::IsStill(const SPair& last) const {
          IsNear(last.Axes[1], now.Axes[1], turn) && IsNear(last.Axes[2], now.Axes[2], turn);
 }
 
-int CContactCache::Find(UInt64 key, dGeomID first, dGeomID second, dContact* contacts) {
-  m_present.emplace_back().Key = key;
+int CContactCache::Find(UInt64 key, const SRigidBody& body, dGeomID first, dGeomID second,
+                        dContact* contacts) {
+  SPair& added = m_present.emplace_back();
+  added.Key = key;
+  added.Body = &body;
   Describe(first, second);
   const SPair* const last = FindLast(key);
   if (last == nullptr || !IsStill(*last)) {

@@ -2,6 +2,7 @@
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS3D_CONTACT_CACHE_H
 
 #include <argos3/core/utility/math/vector3.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/key_table.h>
 
 #include <ode/ode.h>
 
@@ -9,6 +10,8 @@
 #include <vector>
 
 namespace argos {
+
+struct SRigidBody;
 
 /**
  * The contacts of pairs of solids, which stay the same points of both while these hardly move
@@ -24,13 +27,18 @@ class CContactCache {
 
   /** Begins the next substep. */
   void StartSubstep();
+  /** Keeps the present contacts of bodies that doze, besides those that are kept already. */
+  void KeepDozing();
+  /** To be called after the first substep of a tick, in which no body dozes. */
+  void ForgetDozing() { m_dozing.Clear(); }
   /** Forgets all. */
   void Clear();
   /**
-   * @param key  of the pair of solids. @param contacts  receives at most kMaxContacts.
+   * @param key  of the pair of solids. @param body  the movable one, or one of both. @param
+   * contacts receives at most kMaxContacts.
    * @return their number; -1 if they are to be searched, and then given to Store().
    */
-  int Find(UInt64 key, dGeomID first, dGeomID second, dContact* contacts);
+  int Find(UInt64 key, const SRigidBody& body, dGeomID first, dGeomID second, dContact* contacts);
   void Store(const dContact* contacts, int count);
 
  private:
@@ -50,6 +58,7 @@ class CContactCache {
   };
   struct SPair {
     UInt64 Key = 0;
+    const SRigidBody* Body = nullptr;
     CVector3 Place;  // of the second in the frame of the first, m
     std::array<CVector3, 3> Axes;
     int Count = 0;
@@ -60,12 +69,10 @@ class CContactCache {
   void Describe(dGeomID first, dGeomID second);
   bool IsStill(const SPair& last) const;
   const SPair* FindLast(UInt64 key);
-  void FillTable();
 
   std::vector<SPair> m_present;
-  std::vector<SPair> m_last;
-  std::vector<UInt32> m_table;  // hash table: 1 + index in m_last
-  bool m_isTableFilled = false;
+  CKeyTable<SPair> m_last;
+  CKeyTable<SPair> m_dozing;
   size_t m_next = 0;  // in m_last: pairs come in nearly the same order in each substep
   // of the pair that is searched
   SFrame m_first;

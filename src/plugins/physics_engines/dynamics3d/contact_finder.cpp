@@ -1,6 +1,7 @@
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/contact_finder.h>
 
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/cylinder_contacts.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/face_contacts.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_ghosts.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_grips.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_settings.h>
@@ -17,12 +18,8 @@ namespace {
 constexpr int kMaxContacts = CContactCache::kMaxContacts;
 // m/s; below this speed, the direction of sliding is ignored
 constexpr Real kSlidingSpeed = 1e-4;
-// cosine of the greatest angle between normals that are taken for one
-constexpr Real kSameNormal = 1.0 - 1e-9;
 // cosine of the greatest angle between two grounds under a wheel of which only one bears it
 constexpr Real kSameGround = 0.9;
-// a contact is anticipated if it will occur within that many substeps at the present speed
-constexpr Real kForesight = 1.5;
 // rows of the two hinges with motors of a robot
 constexpr UInt32 kAxleRows = 12;
 // rows of the motors of a planar drive
@@ -83,29 +80,6 @@ void SetDirection(dContact& contact, const CVector3& direction) {
   contact.fdir1[2] = direction.GetZ();
 }
 
-// Moves contacts with one normal along it, into a plane. The bodies can then rock on each other
-// without sliding at any of them, which friction would have to prevent with great forces between
-// the contacts. The lever of the normal force is the same.
-void Level(dContact* contacts, int count) {
-  if (count == 0) {
-    return;
-  }
-  const CVector3 normal = FromODE(contacts[0].geom.normal);
-  Real sum = 0.0;
-  for (int i = 0; i < count; ++i) {
-    if (normal.DotProduct(FromODE(contacts[i].geom.normal)) < kSameNormal) {
-      return;
-    }
-    sum += normal.DotProduct(FromODE(contacts[i].geom.pos));
-  }
-  for (int i = 0; i < count; ++i) {
-    const Real up = sum / count - normal.DotProduct(FromODE(contacts[i].geom.pos));
-    for (UInt32 axis = 0; axis < 3; ++axis) {
-      contacts[i].geom.pos[axis] += up * normal[axis];
-    }
-  }
-}
-
 CVector3 AlongSurface(const CVector3& vector, const CVector3& normal) {
   return vector - normal * vector.DotProduct(normal);
 }
@@ -143,7 +117,7 @@ void CContactFinder::Find(const std::vector<SRigidBody*>& movables,
   m_cache.StartSubstep();
   ResetForest(m_parents, movables.size());
   m_islands.assign(movables.size(), {});
-  const std::vector<SRigidPair>& pairs = m_broadPhase.FindPairs(movables, fixed);
+  const std::vector<SRigidPair>& pairs = m_broadPhase.FindPairs(movables, fixed, substep);
   WakeNeighbours(pairs, grips);
   for (SRigidBody* body : movables) {
     body->HasGroundContact = false;
@@ -159,7 +133,10 @@ void CContactFinder::Find(const std::vector<SRigidBody*>& movables,
     }
   }
   for (const SRigidPair& pair : pairs) {
-    if (IsActive(*pair.First) || IsActive(*pair.Second)) {
+    // what still dozes is not touched
+    const bool isAsleep = (pair.First->IsMovable() && pair.First->Asleep) ||
+                          (pair.Second->IsMovable() && pair.Second->Asleep);
+    if (!isAsleep && (IsActive(*pair.First) || IsActive(*pair.Second))) {
       Touch(*pair.First, *pair.Second);
     }
   }
@@ -179,10 +156,11 @@ void CContactFinder::Find(const std::vector<SRigidBody*>& movables,
 
 // Awake bodies wake their neighbours, which wake theirs.
 void CContactFinder::WakeNeighbours(const std::vector<SRigidPair>& pairs,
-                                    const CRigidGrips& grips) {
+                                    const CRigidGrips& grips) const {
   bool changed = true;
-  const auto wake = [&changed](SRigidBody& first, SRigidBody& second) {
-    if (first.IsMovable() && second.IsMovable() && first.Asleep != second.Asleep) {
+  const auto wake = [&](SRigidBody& first, SRigidBody& second) {
+    if (first.IsMovable() && second.IsMovable() && first.Asleep != second.Asleep &&
+        IsWoken(first, second)) {
       WakeRigidBody(first.Asleep ? first : second);
       changed = true;
     }
@@ -194,6 +172,25 @@ void CContactFinder::WakeNeighbours(const std::vector<SRigidPair>& pairs,
     }
     grips.ForEachGrip(wake);
   }
+}
+
+// What only dozes is woken by what touches it: it may be asleep for a tick at most.
+bool CContactFinder::IsWoken(const SRigidBody& first, const SRigidBody& second) const {
+  if (!(first.Asleep ? first : second).Dozes || first.HasDrive() || second.HasDrive()) {
+    return true;
+  }
+  const Real reach = ComputeReach(first, second);
+  const Real skins = std::min(first.Margin, kSkin) + std::min(second.Margin, kSkin);
+  dContact contacts[kMaxContacts];
+  for (const dGeomID one : first.Solids) {
+    for (const dGeomID other : second.Solids) {
+      if (DoBoundsOverlap(one, other, reach) &&
+          FindFaceContacts(one, other, reach, skins, contacts) > 0) {
+        return true;
+      }
+    }
+  }
+  return false;
 }
 
 void CContactFinder::Unite(const SRigidBody& first, const SRigidBody& second) {
@@ -223,11 +220,14 @@ void CContactFinder::Touch(SRigidBody& first, SRigidBody& second) {
 // of solids that have none
 Real CContactFinder::ComputeReach(const SRigidBody& first, const SRigidBody& second) const {
   const Real rest = m_settings.Stepper == SRigidSettings::EStepper::Direct ? 0.0 : kSkin;
-  if (!first.HasDrive() || !second.HasDrive()) {
+  const bool isOfRobots = first.HasDrive() && second.HasDrive();
+  if (!isOfRobots && (rest == 0.0 || (!IsBall(first) && !IsBall(second)))) {
     return rest;
   }
-  const CVector3 speed =
-      FromODE(dBodyGetLinearVel(first.Body)) - FromODE(dBodyGetLinearVel(second.Body));
+  const auto velocityOf = [](const SRigidBody& body) {
+    return body.Body != nullptr ? FromODE(dBodyGetLinearVel(body.Body)) : CVector3();
+  };
+  const CVector3 speed = velocityOf(first) - velocityOf(second);
   return std::max(rest, kForesight * speed.Length() * m_substep);
 }
 
@@ -251,8 +251,14 @@ void CContactFinder::TouchPair(const SRigidBody& first, size_t a, const SRigidBo
   }
   dContact contacts[kMaxContacts];
   const int count = FindLeveled(first, a, second, b, reach, contacts);
+  const size_t before = GetNumContacts();
   for (int i = 0; i < count; ++i) {
     AddSolidContact(contacts[i], first, a, second, b);
+  }
+  if (count == 1 && GetNumContacts() > before && !first.HasDrive() && !second.HasDrive()) {
+    const Real narrowest = std::min(first.IsMovable() ? first.Narrowest : HUGE_VAL,
+                                    second.IsMovable() ? second.Narrowest : HUGE_VAL);
+    m_list.Get().back().Patch = kPatchShare * narrowest;
   }
 }
 
@@ -261,22 +267,20 @@ int CContactFinder::FindLeveled(const SRigidBody& first, size_t a, const SRigidB
                                 size_t b, Real reach, dContact* contacts) {
   const dGeomID one = first.Solids[a];
   const dGeomID other = second.Solids[b];
-  const auto find = [&] {
-    return FindContacts(one, other, kMaxContacts, &contacts[0].geom, sizeof(dContact), reach);
-  };
   if (m_settings.Stepper == SRigidSettings::EStepper::Direct) {
-    return find();
+    return FindContacts(one, other, kMaxContacts, &contacts[0].geom, sizeof(dContact), reach);
   }
-  // robots are anticipated by their speed
-  const bool isKept = !first.HasDrive() && !second.HasDrive();
+  // robots are anticipated by their speed; ghosts have no number of their own
+  const bool isKept =
+      !first.HasDrive() && !second.HasDrive() && first.Serial != 0 && second.Serial != 0;
   int count = -1;
   if (isKept) {
     const UInt64 key = ComputeKey(first.Serial, second.Serial, a * kMaxSolids + b);
-    count = m_cache.Find(key, one, other, contacts);
+    count = m_cache.Find(key, first.IsMovable() ? first : second, one, other, contacts);
   }
   if (count < 0) {
-    count = find();
-    Level(contacts, count);
+    const Real skins = std::min(first.Margin, kSkin) + std::min(second.Margin, kSkin);
+    count = FindFaceContacts(one, other, reach, skins, contacts);
     if (isKept) {
       m_cache.Store(contacts, count);
     }

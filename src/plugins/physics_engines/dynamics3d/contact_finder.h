@@ -60,6 +60,15 @@ class CContactFinder {
   void CreateInODE(bool ofAll);
   /** Destroys the contacts in ODE. */
   void Clear();
+  /** After the bodies that doze have been marked. @param isFirst  of the substeps of a tick. */
+  void KeepDozing(bool isFirst) {
+    if (isFirst) {
+      m_list.ForgetDozing();
+      m_cache.ForgetDozing();
+    }
+    m_list.KeepDozing();
+    m_cache.KeepDozing();
+  }
   /** The next contacts do not start with the forces of the last ones. */
   void ForgetForces() {
     m_list.Forget();
@@ -80,7 +89,8 @@ class CContactFinder {
     ARGOS_ASSERT(body < m_islands.size(), "there is no movable body with the number " << body);
     return m_islands[body];
   }
-  static void WakeNeighbours(const std::vector<SRigidPair>& pairs, const CRigidGrips& grips);
+  void WakeNeighbours(const std::vector<SRigidPair>& pairs, const CRigidGrips& grips) const;
+  bool IsWoken(const SRigidBody& first, const SRigidBody& second) const;
   void Unite(const SRigidBody& first, const SRigidBody& second);
   void Touch(SRigidBody& first, SRigidBody& second);
   void TouchSolids(const SRigidBody& first, const SRigidBody& second);

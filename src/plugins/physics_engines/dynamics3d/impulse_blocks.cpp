@@ -9,7 +9,9 @@ namespace {
 
 // steps of Newton's method: it converges quadratically from below
 constexpr int kMaxSteps = 20;
-constexpr Real kRounding = 1e-13;
+constexpr Real kRounding = 1e-9;  // the square of it is left after a step
+// share by which both directions may differ where friction is opposite to what it must stop: balls
+constexpr Real kAlike = 1e-9;
 
 }  // namespace
 
@@ -67,9 +69,13 @@ SPair2 SolveFriction(Real kxx, Real kxy, Real kyy, const SPair2& b, Real limit) 
     return SPair2{scale * (yy * b.X - kxy * b.Y), scale * (xx * b.Y - kxy * b.X)};
   };
   SPair2 p = solve(0.0);
-  Real length = std::sqrt(p.X * p.X + p.Y * p.Y);
-  if (length <= limit) {
+  const Real square = p.X * p.X + p.Y * p.Y;
+  if (square <= limit * limit) {
     return p;
+  }
+  Real length = std::sqrt(square);
+  if (std::abs(kxx - kyy) + std::abs(kxy) < kAlike * kxx) {
+    return {p.X * limit / length, p.Y * limit / length};
   }
   // Newton's method for 1 / |p(s)| = 1 / limit, which is nearly linear in s
   Real shift = 0.0;

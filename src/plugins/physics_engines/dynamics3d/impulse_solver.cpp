@@ -9,9 +9,6 @@ namespace {
 
 using TTriple = std::array<Real, 3>;
 
-// greatest number of blocks between whose sweeps it pays to extrapolate: it takes as long as a
-// sweep, and of large islands there are few sweeps
-constexpr size_t kMaxMixed = 256;
 // sweeps from which on the tolerance grows
 constexpr Real kManySweeps = 25.0;
 
@@ -127,6 +124,11 @@ void CImpulseSolver::PrepareBlock(SBlock& block) {
                       resist(0, 2),
                       resist(1, 2)};
   block.DrivenResistance = block.Resistance;
+  if (block.Patch > 0.0) {
+    const CVector3& normal = block.Directions[0];
+    block.SpinResistance = normal.DotProduct(first.InverseInertia * normal) +
+                           normal.DotProduct(second.InverseInertia * normal);
+  }
   if (block.Softness == 0.0) {
     block.Softness = kSoftness * block.Resistance.XX;
   }
@@ -224,7 +226,23 @@ Real CImpulseSolver::SolveBlock(SBlock& block) {
   }
   Apply(block, block.Changes);
   block.Impulses = next;
-  return greatest;
+  return block.Patch > 0.0 ? std::max(greatest, SolvePatch(block)) : greatest;
+}
+
+// Two solids that touch in a point spin against each other until the friction of the patch around
+// it stops them. @return the change of a speed at its distance from the centre of the first.
+Real CImpulseSolver::SolvePatch(SBlock& block) {
+  SBody& first = Bodies[block.First];
+  SBody& second = Bodies[block.Second];
+  const CVector3& normal = block.Directions[0];
+  const Real spin = normal.DotProduct(first.Turn - second.Turn);
+  const Real limit = block.Friction * block.Patch * block.Impulses[0];
+  const Real next = Clamped(block.Spin - spin / block.SpinResistance, limit);
+  const Real change = next - block.Spin;
+  block.Spin = next;
+  first.Turn += first.InverseInertia * normal * change;
+  second.Turn -= second.InverseInertia * normal * change;
+  return std::abs(change) * block.SpinResistance * block.FirstArm.Length();
 }
 
 // @return the change of its speed, in the unit of speeds of blocks for an arm of 1 m.
@@ -286,10 +304,7 @@ void CImpulseSolver::Extrapolate() {
 }
 
 UInt32 CImpulseSolver::Solve(UInt32 maxSweeps, Real tolerance) {
-  const bool mixes = Blocks.size() <= kMaxMixed;
-  if (mixes) {
-    m_mixing.Start(Rotors.size() + 3 * Blocks.size());
-  }
+  m_mixing.Start(Rotors.size() + 3 * Blocks.size());
   for (UInt32 sweep = 1; sweep < maxSweeps; ++sweep) {
     const Real change = Sweep();
     // what converges slowly are forces of redundant contacts against each other, which hardly move
@@ -299,7 +314,7 @@ UInt32 CImpulseSolver::Solve(UInt32 maxSweeps, Real tolerance) {
       return sweep;
     }
     // the last sweeps, if they do not converge, must not be left with an extrapolation that fails
-    if (mixes && 4 * sweep < 3 * maxSweeps) {
+    if (4 * sweep < 3 * maxSweeps) {
       Extrapolate();
     }
   }

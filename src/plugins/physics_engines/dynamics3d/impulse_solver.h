@@ -74,6 +74,8 @@ class CImpulseSolver {
     // of a contact along the normal: m/s for an impulse of 1 N s; 0: kSoftness of its resistance
     Real Softness = 0.0;
     Real Friction = 0.0;  // of a contact: coefficient
+    // m, of a contact: radius of the patch on which it rubs against spinning about the normal
+    Real Patch = 0.0;
     Real ForceLimit = 0.0;  // N s, of a drive
     Real TorqueLimit = 0.0;  // N m s, of a drive
     std::array<Real, 3> Impulses{};  // N s; at the start: of the last substep
@@ -87,6 +89,8 @@ class CImpulseSolver {
     SSymmetric3 Resistance;  // changes of the three speeds for impulses of 1
     SSymmetric3 DrivenResistance;  // with a motor that keeps its speed
     std::array<Real, 3> Changes{};  // of the impulses in the last sweep
+    Real Spin = 0.0;  // N m s, of the patch
+    Real SpinResistance = 0.0;  // change of the spin for an impulse of 1
   };
 
   /** Allocates for an island of that many bodies and blocks. */
@@ -111,6 +115,7 @@ class CImpulseSolver {
   Real Sweep();
   void Extrapolate();
   Real SolveBlock(SBlock& block);
+  Real SolvePatch(SBlock& block);
   Real SolveRotor(SRotor& rotor);
   std::array<Real, 3> ComputeErrors(const SBlock& block) const;
   void Apply(const SBlock& block, const std::array<Real, 3>& change);

@@ -158,7 +158,7 @@ struct SRigidBody : SRigidParts {
   std::array<Real, 2> AxleTorques{};
   std::array<Real, 3> DriveForces{};
 
-  UInt64 Serial = 0;  // of no other body that ever was in the world
+  UInt64 Serial = 0;  // of no other body that ever was in the world; 0: of ghosts
   UInt32 Owned = 0;  // its number among all bodies of the world
   UInt32 Number = 0;  // in the world's list of movable or of fixed bodies
   UInt32 PartsNumber = 0;  // of a movable body with parts: in the world's list of these
@@ -166,6 +166,8 @@ struct SRigidBody : SRigidParts {
   // of the present substep, see CRigidStepper
   UInt32 SolverBody = 0;
   UInt32 SolverRotor = 0;  // the first of its rotors
+  bool Rests = false;  // its island did not move in the last substep, see CRigidStepper
+  bool Dozes = false;  // it is asleep until the end of the tick, because it rests
   bool Asleep = false;  // of a free robot: it has not moved in the last tick
   Real QuietTime = 0.0;  // s; since it was last faster than kQuietSpeed or kQuietTurn
 
@@ -180,6 +182,12 @@ struct SRigidBody : SRigidParts {
   size_t GetFirstRoller() const { return HasWheels() ? 0 : Wheels.size(); }
   bool IsArticulated() const { return !Links.empty(); }
 };
+
+/** @return true for an object that is one ball, whose contacts are anticipated. */
+inline bool IsBall(const SRigidBody& body) {
+  return body.Body != nullptr && body.Solids.size() == 1 && !body.HasDrive() &&
+         dGeomGetClass(body.Solids[0]) == dSphereClass;
+}
 
 /** Position of the centre of a roller of a robot, m, world frame. */
 inline CVector3 LocateRoller(const SRigidBody& robot, size_t roller) {

@@ -82,6 +82,9 @@ constexpr Real kFaceMargin = 0.01;
 constexpr Real kSkin = 1e-4;
 constexpr Real kSkinShare = 0.01;
 
+// a contact is anticipated if it will occur within that many substeps at the present speed
+constexpr Real kForesight = 1.5;
+
 // a body moves in a substep by at most this share of its narrowest side, and of the narrowest side
 // of fixed bodies
 constexpr Real kMaxStride = 0.5;
@@ -96,6 +99,14 @@ constexpr UInt32 kMaxRefined = 1000;
 constexpr UInt32 kMaxSweeps = 400;
 constexpr size_t kMaxBlockSweeps = 30000;
 constexpr Real kSweepTolerance = 1e-6;
+// the same of islands of more than MaxDirectRows rows, as a share of their fastest body's speed
+constexpr Real kRelativeTolerance = 1e-3;
+// radius of the patch of a contact of two objects in one point, as a share of the narrowest side
+constexpr Real kPatchShare = 0.01;
+
+// a supported island rests if no body is faster than by this share of gravity in a substep; a body
+// that is pulled by less than this share of its weight does not begin to move
+constexpr Real kRestShare = 5e-4;
 
 // of upright bodies: sweeps over an island at most, and sweeps times contacts over one for which
 // that is more than kFewUprightSweeps; the change of speeds with which sweeps end, m/s: over an

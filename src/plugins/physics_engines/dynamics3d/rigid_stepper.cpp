@@ -19,10 +19,6 @@ constexpr UInt32 kNone = CImpulseSolver::kNone;
 // contacts for which threads are worth their start
 constexpr size_t kManyContacts = 256;
 
-// share of the last substep's friction from which the next one starts: forces of contacts against
-// each other, which nothing needs, fade away
-constexpr Real kKeptFriction = 0.2;
-
 bool IsOwn(const SRigidBody* body) {
   return body != nullptr && body->Body != nullptr;
 }
@@ -147,6 +143,19 @@ UInt32 CRigidStepper::ChooseSweeps(UInt32 rows, size_t blocks) const {
   return std::max(fewest, std::min(most, kMaxSweeps));
 }
 
+// Of large islands that move, relative to their speed.
+Real CRigidStepper::ChooseTolerance(UInt32 rows, size_t island) const {
+  if (rows <= m_settings.MaxDirectRows) {
+    return kSweepTolerance;
+  }
+  Real square = 0.0;
+  for (UInt32 i = m_islands[island].Starts[kBodies]; i < m_islands[island + 1].Starts[kBodies];
+       ++i) {
+    square = std::max(square, FromODE(dBodyGetLinearVel(m_bodies[i]->Body)).SquareLength());
+  }
+  return std::max(kSweepTolerance, kRelativeTolerance * std::sqrt(square));
+}
+
 void CRigidStepper::StepIsland(const SSubstep& substep, size_t island, SWorkspace& space) {
   const SIsland& begin = m_islands[island];
   const SIsland& end = m_islands[island + 1];
@@ -169,8 +178,9 @@ void CRigidStepper::StepIsland(const SSubstep& substep, size_t island, SWorkspac
   }
   solver.Prepare();
   const UInt32 rows = substep.Contacts.GetIslandByNumber(begin.Number).Rows;
-  solver.Solve(ChooseSweeps(rows, solver.Blocks.size()), kSweepTolerance);
+  solver.Solve(ChooseSweeps(rows, solver.Blocks.size()), ChooseTolerance(rows, island));
   StoreForces(substep, island, space);
+  Rest(substep, island, space);
   for (UInt32 i = 1; i < space.Members.size(); ++i) {
     Move(substep, i, space);
   }
@@ -203,6 +213,7 @@ void CRigidStepper::AddBody(const SSubstep& substep, SRigidBody& body, SWorkspac
   }
   const CVector3 force = FromODE(dBodyGetForce(body.Body));
   const CVector3 torque = FromODE(dBodyGetTorque(body.Body)) - Cross(offset, force);
+  member.IsPushed = force.SquareLength() > 0.0 || torque.SquareLength() > 0.0;
   added.Velocity += (substep.Gravity + force * added.InverseMass) * substep.Length;
   added.Turn += added.InverseInertia * torque * substep.Length;
   AddRotors(body, substep.Length, number, space);
@@ -245,8 +256,9 @@ void CRigidStepper::AddContact(const SSubstep& substep, const SRigidContact& con
   block.Directions[0] = FromODE(contact.Contact.geom.normal);
   SetAcross(block.Directions);
   block.Friction = surface.mu;
+  block.Patch = contact.Patch;
   block.Impulses[0] = contact.Force * substep.Length;
-  const CVector3 friction = contact.Friction * (kKeptFriction * substep.Length);
+  const CVector3 friction = contact.Friction * substep.Length;
   block.Impulses[1] = friction.DotProduct(block.Directions[1]);
   block.Impulses[2] = friction.DotProduct(block.Directions[2]);
 
@@ -356,6 +368,28 @@ void CRigidStepper::StoreForces(const SSubstep& substep, size_t island, SWorkspa
     block += body.HasPlanarDrive() ? 1 : 0;
     for (size_t j = 0; body.HasWheels() && j < body.Wheels.size(); ++j) {
       body.AxleTorques[j] = solver.Rotors[body.SolverRotor + j].Impulse * rate;
+    }
+  }
+}
+
+// An island that stands on something and in which no body is faster than its share of gravity in a
+// substep does not move: what is left of its speeds is the error of the solver, and would be a
+// force if the next substep went on from it.
+void CRigidStepper::Rest(const SSubstep& substep, size_t island, SWorkspace& space) const {
+  std::vector<CImpulseSolver::SBody>& moved = space.Solver.Bodies;
+  const Real most = kRestShare * substep.Gravity.Length() * substep.Length;
+  bool rests = substep.Contacts.GetIslandByNumber(m_islands[island].Number).Supported &&
+               m_islands[island].Starts[kHolds] == m_islands[island + 1].Starts[kHolds];
+  for (UInt32 i = 1; rests && i < space.Members.size(); ++i) {
+    const SRigidBody& body = *space.Members[i].Body;
+    rests = !body.HasDrive() && !space.Members[i].IsPushed && body.Source.Quadrotor == nullptr &&
+            moved[i].Velocity.SquareLength() < most * most &&
+            moved[i].Turn.Length() * body.Narrowest < most;
+  }
+  for (UInt32 i = 1; i < space.Members.size(); ++i) {
+    space.Members[i].Body->Rests = rests;
+    if (rests) {
+      moved[i].Velocity = moved[i].Turn = CVector3();
     }
   }
 }

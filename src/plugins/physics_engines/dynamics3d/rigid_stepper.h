@@ -48,6 +48,7 @@ class CRigidStepper {
     SRigidBody* Body = nullptr;
     CVector3 Centre;  // of mass of all parts, m
     CVector3 Offset;  // of that from the one of the main part, frame of the body, m
+    bool IsPushed = false;  // by an add-on
   };
   // of a thread
   struct SWorkspace {
@@ -71,12 +72,14 @@ class CRigidStepper {
   void Distribute(EList list, size_t count, PLACE&& placeOf, GET&& get, std::vector<VALUE>& sorted);
   void StepIsland(const SSubstep& substep, size_t island, SWorkspace& space);
   UInt32 ChooseSweeps(UInt32 rows, size_t blocks) const;
+  Real ChooseTolerance(UInt32 rows, size_t island) const;
   void AddBody(const SSubstep& substep, SRigidBody& body, SWorkspace& space) const;
   void AddRotors(const SRigidBody& body, Real length, UInt32 number, SWorkspace& space) const;
   void AddContact(const SSubstep& substep, const SRigidContact& contact, SWorkspace& space) const;
   void AddHold(const SSubstep& substep, const CRigidGrips::SHold& hold, SWorkspace& space) const;
   static void AddDrive(const SSubstep& substep, const SRigidBody& body, SWorkspace& space);
   void StoreForces(const SSubstep& substep, size_t island, SWorkspace& space);
+  void Rest(const SSubstep& substep, size_t island, SWorkspace& space) const;
   static void Move(const SSubstep& substep, UInt32 number, const SWorkspace& space);
 
   const SRigidSettings& m_settings;

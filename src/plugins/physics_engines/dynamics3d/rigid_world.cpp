@@ -295,6 +295,9 @@ void CRigidWorld::Advance(CThreadPool* pool) {
     if (std::any_of(m_loose.begin(), m_loose.end(),
                     [](const auto* body) { return !body->Asleep; })) {
       StepLoose(pool);
+      if (!m_settings.Sleep) {
+        Doze(i == 0);
+      }
       if (i + 1 < m_numSubsteps) {
         ActivateStruck(i + 1);
       }
@@ -305,6 +308,9 @@ void CRigidWorld::Advance(CThreadPool* pool) {
   }
   m_grips->EndTick(m_settings.Tick);
   m_upright.EndTick();
+  if (!m_settings.Sleep) {
+    EndDozing();
+  }
   if (m_settings.Sleep && !m_loose.empty()) {
     UpdateSleep();
   }
@@ -318,6 +324,26 @@ void CRigidWorld::StepLoose(CThreadPool* pool) {
   Step(pool);
   m_contacts->Clear();
   m_grips->BreakOverloadedGrips();
+}
+
+// What rests in one substep would rest in the others of the tick.
+void CRigidWorld::Doze(bool isFirstSubstep) {
+  for (SRigidBody* body : m_loose) {
+    if (body->Rests && !body->Asleep) {
+      PutToSleep(*body);
+      body->Dozes = true;
+    }
+    body->Rests = false;
+  }
+  m_contacts->KeepDozing(isFirstSubstep);
+}
+
+void CRigidWorld::EndDozing() {
+  for (SRigidBody* body : m_loose) {
+    if (body->Dozes) {
+      WakeRigidBody(*body);
+    }
+  }
 }
 
 // Drives get their targets in each substep, when it is known whether they touch the ground.

@@ -101,6 +101,8 @@ class CRigidWorld {
   void SelectUpright();
   void ListLoose();
   void StepLoose(CThreadPool* pool);
+  void Doze(bool isFirstSubstep);
+  void EndDozing();
   void SetPlanarMotors();
   static Real FindFastest(const std::vector<SRigidBody*>& bodies);
   Real ComputeLongestPath(Real fastest) const;

@@ -4,11 +4,15 @@
 #include <argos3/testing/support/captured_logs.h>
 
 #include <argos3/core/simulator/loop_functions.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/dynamics3d_model.h>
 #include <argos3/core/utility/math/angles.h>
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <sstream>
+#include <vector>
 
 namespace argos::rigid_stack_test {
 
@@ -159,6 +163,209 @@ TEST_CASE("rigid stack: a cylinder on its side rolls down a slope with 2/3 of g 
   const Real path = 2.0 / 3.0 * 9.81 * std::sin(angle) * 1e-4 * n * (n + 1.0) / 2.0;
   CHECK_THAT((world.Position("c") - CVector3(top.GetX(), 0.2, top.GetZ())).Length(),
              Catch::Matchers::WithinRel(path, 0.02));
+}
+
+namespace {
+
+// rows of boxes on each other, each of one box less than the one below, side by side
+std::string PyramidXml(int rows) {
+  std::string boxes;
+  for (int row = 0; row < rows; ++row) {
+    for (int i = 0; i < rows - row; ++i) {
+      boxes += SBoxXml{Name(100 * row + i), CVector3(0.2, 0.2, 0.1),
+                       CVector3(0.21 * (i + 0.5 * row), 0, 0.1 * row), CVector3(), 0.5}
+                   .ToXml();
+    }
+  }
+  return boxes;
+}
+
+constexpr Real kBall = 0.05;  // m, radius
+constexpr Real kBallMass = 0.5;  // kg
+
+// balls above each other in a pen, 5 by 5 in a layer
+std::string PileXml(int count) {
+  constexpr Real kSide = 0.55;  // m, of the pen
+  std::ostringstream arena;
+  for (int i = 0; i < 4; ++i) {
+    const Real x = i % 2 == 0 ? (i - 1) * 0.5 * (kSide + 0.1) : 0.0;
+    const Real y = i % 2 == 0 ? 0.0 : (i - 2) * 0.5 * (kSide + 0.1);
+    arena << SBoxXml{"wall" + std::to_string(i),
+                     CVector3(i % 2 == 0 ? 0.1 : 0.75, i % 2 == 0 ? 0.75 : 0.1, 2.0),
+                     CVector3(x, y, 0),
+                     {},
+                     0.0}
+                 .ToXml();
+  }
+  for (int i = 0; i < count; ++i) {
+    // a little aside of those below
+    const Real x = 0.109 * (i % 5 - 2) + 1e-3 * (i * 7 % 5 - 2);
+    const Real y = 0.109 * (i / 5 % 5 - 2) + 1e-3 * (i * 11 % 7 - 3);
+    arena << "<prototype id='" << Name(i) << "' movable='true'><body position='" << x << "," << y
+          << "," << 0.001 + 0.107 * (i / 25) << "'/><links ref='l'><link id='l' geometry='sphere' "
+          << "radius='" << kBall << "' mass='" << kBallMass << "'/></links></prototype>";
+  }
+  return arena.str();
+}
+
+CDynamics3DModel& ModelOf(CRigidScene& world, const std::string& id) {
+  return dynamic_cast<CDynamics3DModel&>(world.Body(id).GetPhysicsModel(size_t(0)));
+}
+
+// of balls, J
+Real ComputeEnergy(CRigidScene& world, int count) {
+  Real sum = 0.0;
+  for (int i = 0; i < count; ++i) {
+    const CDynamics3DModel& model = ModelOf(world, Name(i));
+    sum += kBallMass * (kSceneGravity * model.GetCentreOfMass().GetZ() +
+                        0.5 * model.GetVelocity().SquareLength() +
+                        0.2 * kBall * kBall * model.GetAngularVelocity().SquareLength());
+  }
+  return sum;
+}
+
+// how deep balls are in each other and in the floor, m
+Real FindDeepest(CRigidScene& world, int count) {
+  std::vector<CVector3> places;
+  Real deepest = 0.0;
+  for (int i = 0; i < count; ++i) {
+    places.push_back(ModelOf(world, Name(i)).GetCentreOfMass());
+    deepest = std::max(deepest, kBall - places[i].GetZ());
+    for (int j = 0; j < i; ++j) {
+      deepest = std::max(deepest, 2.0 * kBall - Distance(places[i], places[j]));
+    }
+  }
+  return deepest;
+}
+
+}  // namespace
+
+TEST_CASE("rigid stack: a tower stands for an hour, and does not move once it stands",
+          "[contract][engine][rigid]") {
+  CRigidScene world(GroundedEngine("sleep='false'"), Stack(10));
+  world.Step(100);
+  std::vector<CVector3> places;
+  for (int i = 0; i < 10; ++i) {
+    places.push_back(world.Position(Name(i)));
+    CAPTURE(i);
+    // 1 % of the height of a box
+    CHECK(Distance(places[i], CVector3(0, 0, 0.1 * i)) < 1e-3);
+  }
+  world.Step(36000);
+  for (int i = 0; i < 10; ++i) {
+    CAPTURE(i);
+    CHECK(Distance(places[i], world.Position(Name(i))) < 1e-5);
+  }
+}
+
+TEST_CASE("rigid stack: a pyramid of boxes stands, and falls asleep", "[contract][engine][rigid]") {
+  constexpr int kRows = 12;
+  CRigidScene world(GroundedEngine(), PyramidXml(kRows));
+  world.Step(40);
+  std::vector<CVector3> places;
+  for (const bool isFirst : {true, false}) {
+    size_t number = 0;
+    for (int row = 0; row < kRows; ++row) {
+      for (int i = 0; i < kRows - row; ++i) {
+        CAPTURE(row, i);
+        const CVector3 place = world.Position(Name(100 * row + i));
+        CHECK(Distance(place, CVector3(0.21 * (i + 0.5 * row), 0, 0.1 * row)) < 1e-3);
+        if (isFirst) {
+          places.push_back(place);
+        } else {
+          CHECK(places[number++] == place);
+        }
+      }
+    }
+    world.Step(10);
+  }
+}
+
+TEST_CASE("rigid stack: a block of boxes that touch on all sides stands, and falls asleep",
+          "[contract][engine][rigid]") {
+  constexpr int kSide = 5;
+  const auto placeOf = [](int i) {
+    return CVector3(0.1 * (i % kSide), 0.1 * (i / kSide % kSide), 0.1 * (i / kSide / kSide));
+  };
+  std::string arena;
+  for (int i = 0; i < kSide * kSide * kSide; ++i) {
+    arena += SBoxXml{Name(i), CVector3(0.1, 0.1, 0.1), placeOf(i), CVector3(), 0.5}.ToXml();
+  }
+  CRigidScene world(GroundedEngine(), arena);
+  world.Step(30);
+  std::vector<CVector3> places;
+  for (int i = 0; i < kSide * kSide * kSide; ++i) {
+    places.push_back(world.Position(Name(i)));
+    CAPTURE(i);
+    CHECK(Distance(places[i], placeOf(i)) < 1e-3);
+  }
+  world.Step(5);
+  int moved = 0;
+  for (int i = 0; i < kSide * kSide * kSide; ++i) {
+    moved += world.Position(Name(i)) == places[i] ? 0 : 1;
+  }
+  CHECK(moved == 0);
+}
+
+TEST_CASE("rigid stack: a ball that spins on the floor comes to rest",
+          "[contract][engine][rigid]") {
+  CRigidScene world(GroundedEngine("sleep='false'"), PileXml(1));
+  world.Step();
+  SBodyMotion motion;
+  motion.Rotation.SetZ(20.0);
+  world.Body(Name(0)).GetPhysicsModel(0).GetEngine().SetMotion(world.Body(Name(0)), motion);
+  world.Step(10);
+  // friction on a patch with a radius of 1 to 2 % of its own: 10 to 20 rad/s^2
+  CHECK(world.Motion(Name(0)).Rotation.GetZ() > -1e-9);
+  CHECK(world.Motion(Name(0)).Rotation.GetZ() < 11.0);
+  world.Step(20);
+  CHECK_THAT(world.Motion(Name(0)).Rotation.GetZ(), WithinAbs(0.0, 1e-9));
+}
+
+TEST_CASE("rigid stack: a pile of balls loses energy, and its balls stay beside each other",
+          "[contract][engine][rigid]") {
+  constexpr int kBalls = 150;
+  CRigidScene world(GroundedEngine("sleep='false'"), PileXml(kBalls));
+  world.Step();
+  Real energy = ComputeEnergy(world, kBalls);
+  for (int tick = 0; tick < 60; ++tick) {
+    world.Step();
+    const Real now = ComputeEnergy(world, kBalls);
+    CAPTURE(tick, energy, now);
+    // what the correction of overlaps lifts
+    CHECK(now < energy + 1e-3 * kBalls * kBallMass * kSceneGravity * kBall);
+    energy = std::min(energy, now);
+  }
+  // 1 % of their size
+  CHECK(FindDeepest(world, kBalls) < 0.02 * kBall);
+  int moving = 0;
+  for (int i = 0; i < kBalls; ++i) {
+    moving += ModelOf(world, Name(i)).GetVelocity().Length() > 0.02 ? 1 : 0;
+  }
+  // one may still roll about on the top
+  CHECK(moving <= 1);
+}
+
+TEST_CASE("rigid stack: equal bit by bit for any number of threads", "[contract][engine][rigid]") {
+  const auto run = [](UInt32 threads) {
+    std::string arena;
+    for (int i = 0; i < 120; ++i) {
+      arena += SBoxXml{Name(i), CVector3(0.2, 0.2, 0.1),
+                       CVector3(0.5 * (i % 20), 0.01 * (i % 3), 0.101 * (i / 20)),
+                       CVector3(10.0 * i, 0, 0), 0.5}
+                   .ToXml();
+    }
+    CRigidScene world(GroundedEngine("sleep='false'"), arena, threads);
+    std::vector<UInt64> digests;
+    for (int tick = 0; tick < 15; ++tick) {
+      world.Step();
+      digests.push_back(world.ComputeDigest());
+    }
+    return digests;
+  };
+  const std::vector<UInt64> expected = run(0);
+  CHECK(run(1) == expected);
+  CHECK(run(4) == expected);
 }
 
 }  // namespace argos::rigid_stack_test
