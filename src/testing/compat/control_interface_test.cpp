@@ -9,6 +9,12 @@
 #include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_base_ground_sensor.h>
 #include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_light_sensor.h>
 #include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_motor_ground_sensor.h>
+#include <argos3/plugins/robots/generic/control_interface/ci_battery_sensor.h>
+#include <argos3/plugins/robots/generic/control_interface/ci_colored_blob_omnidirectional_camera_sensor.h>
+#include <argos3/plugins/robots/generic/control_interface/ci_colored_blob_perspective_camera_sensor.h>
+#include <argos3/plugins/robots/generic/control_interface/ci_differential_steering_sensor.h>
+#include <argos3/plugins/robots/generic/control_interface/ci_positioning_sensor.h>
+#include <argos3/plugins/robots/generic/control_interface/ci_range_and_bearing_sensor.h>
 #include <argos3/plugins/robots/generic/simulator/proximity_default_sensor.h>
 
 #include <catch2/catch.hpp>
@@ -241,6 +247,43 @@ TEST_CASE("compat: device interfaces work as documented", "[compat]") {
 
   CStepProximity cStep;
   CHECK(cStep.CalculateReading(0.01) == 1.0);
+}
+
+template <typename T>
+std::string Logged(const T& t_value) {
+  std::ostringstream cStream;
+  CARGoSLog cLog(cStream, SLogColor(), false);
+  cLog << t_value;
+  cLog.Flush();
+  return cStream.str();
+}
+
+TEST_CASE("compat: readings of every sensor can be logged", "[compat]") {
+  CMyProximity cProximity;
+  CHECK(Logged(cProximity.GetReadings()).substr(0, 7) == "{ 0.25 ");
+  CMyFootBotProximity cFootBot;
+  CHECK(Logged(cFootBot.GetReadings()).substr(0, 22) == "{ Value=<0.25>, Angle=");
+  CHECK(Logged(CCI_FootBotMotorGroundSensor::SReading(0.5, CVector2(1.0, 2.0))) ==
+        "Value=<0.5>, Offset=<1,2>");
+  CHECK(Logged(CCI_FootBotBaseGroundSensor::TReadings(2)) ==
+        "{ Value=<0>, Offset=<0,0> } { Value=<0>, Offset=<0,0> }\n");
+  // the operator of the user, above
+  CHECK(Logged(CCI_FootBotLightSensor::SReading(0.5, CRadians(0.25))) != "");
+  CHECK(Logged(CCI_EyeBotLightSensor::TReadings()) == "\n");
+  CHECK(Logged(CCI_EPuckProximitySensor::TReadings(1)).substr(0, 11) == "{ Value=<0>");
+  CHECK(Logged(CCI_BatterySensor::SReading(1.0, 2.0)) == "AvailableCharge=<1>, TimeLeft=<2>");
+  CHECK(Logged(CCI_PositioningSensor::SReading()) == "Position=<0,0,0>, Orientation=<0,0,0>");
+  CHECK(Logged(CCI_DifferentialSteeringSensor::SReading(1.0, 2.0, 3.0, 4.0, 5.0)).substr(0, 21) ==
+        "VelocityLeftWheel=<1>");
+  CHECK(Logged(CCI_RangeAndBearingSensor::TReadings(1)).substr(0, 11) == "{ Range=<0>");
+  CCI_ColoredBlobOmnidirectionalCameraSensor::SBlob sBlob(CColor::RED, CRadians::ZERO, 5.0);
+  CCI_ColoredBlobOmnidirectionalCameraSensor::SReadings sReadings;
+  sReadings.BlobList.push_back(&sBlob);
+  CHECK(Logged(sBlob).substr(0, 11) == "Color=<red>");
+  CHECK(Logged(sReadings.BlobList) == "{ " + Logged(sBlob) + " }\n");
+  CHECK(Logged(sReadings) == Logged(sReadings.BlobList));
+  CHECK(Logged(CCI_ColoredBlobPerspectiveCameraSensor::SBlob(CColor::RED, 1, 2)) ==
+        "Color=<red>, X=<1>, Y=<2>");
 }
 
 }  // namespace control_interface_test

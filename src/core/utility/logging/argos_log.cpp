@@ -339,6 +339,15 @@ std::ostream& CARGoSLog::CEntry::Stream() {
   return m_buffer.Stream;
 }
 
+CARGoSLog& CARGoSLog::operator<<(const std::vector<Real>& readings) {
+  CEntry entry(*this, m_colored);
+  for (size_t i = 0; i < readings.size(); ++i) {
+    entry.Stream() << (i == 0 ? "{ " : " { ") << readings[i] << " }";
+  }
+  entry.Stream() << '\n';
+  return *this;
+}
+
 CARGoSLog& CARGoSLog::operator<<(std::ostream& (*manipulator)(std::ostream&)) {
   // manipulators (escape sequences, line ends) are not coloured
   CEntry entry(*this, false);

@@ -11,6 +11,7 @@
 #include <iostream>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace argos {
 
@@ -100,6 +101,9 @@ class CARGoSLog {
     entry.Stream() << msg;
     return *this;
   }
+
+  /** Readings of sensors that are numbers: `{ 0.5 } { 0 }` and an end of line. */
+  CARGoSLog& operator<<(const std::vector<Real>& readings);
 
  private:
   struct SThreadBuffer;

@@ -1,10 +1,12 @@
 #ifndef ARGOS3_PLUGINS_ROBOTS_FOOT_BOT_CONTROL_INTERFACE_CI_FOOTBOT_DISTANCE_SCANNER_SENSOR_H
 #define ARGOS3_PLUGINS_ROBOTS_FOOT_BOT_CONTROL_INTERFACE_CI_FOOTBOT_DISTANCE_SCANNER_SENSOR_H
 
+#include <argos3/core/control_interface/print_readings.h>
 #include <argos3/core/utility/datatypes/datatypes.h>
 #include <argos3/core/utility/math/angles.h>
 #include <argos3/plugins/robots/generic/control_interface/table_sensor.h>
 
+#include <ostream>
 #include <map>
 #include <utility>
 #include <vector>
@@ -28,6 +30,15 @@ class CCI_FootBotDistanceScannerSensor : public CTableSensor {
   struct SReading {
     CRadians Angle; /**< of the beam, in (-PI,PI], counter-clockwise from ahead */
     Real Distance = kNothing; /**< from the surface of the body, cm; or one of the above */
+
+    template <int = 0>
+    friend std::ostream& operator<<(std::ostream& stream, const SReading& reading) {
+      return PrintReading(stream, "Angle", reading.Angle, "Distance", reading.Distance);
+    }
+    template <int = 0>
+    friend std::ostream& operator<<(std::ostream& stream, const std::vector<SReading>& readings) {
+      return PrintReadings(stream, readings);
+    }
   };
 
   typedef std::map<CRadians, Real> TReadingsMap;

@@ -1,8 +1,11 @@
 #ifndef ARGOS3_PLUGINS_ROBOTS_GENERIC_CONTROL_INTERFACE_CI_BATTERY_SENSOR_H
 #define ARGOS3_PLUGINS_ROBOTS_GENERIC_CONTROL_INTERFACE_CI_BATTERY_SENSOR_H
 
+#include <argos3/core/control_interface/print_readings.h>
 #include <argos3/core/utility/datatypes/datatypes.h>
 #include <argos3/plugins/robots/generic/control_interface/table_sensor.h>
+
+#include <ostream>
 
 namespace argos {
 
@@ -16,6 +19,12 @@ class CCI_BatterySensor : public CTableSensor {
     SReading() = default;
     SReading(Real availableCharge, Real timeLeft)
         : AvailableCharge(availableCharge), TimeLeft(timeLeft) {}
+
+    template <int = 0>
+    friend std::ostream& operator<<(std::ostream& stream, const SReading& reading) {
+      return PrintReading(stream, "AvailableCharge", reading.AvailableCharge, "TimeLeft",
+                          reading.TimeLeft);
+    }
   };
 
   const SReading& GetReading() const { return m_sReading; }

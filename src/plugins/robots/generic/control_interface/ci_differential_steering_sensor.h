@@ -1,8 +1,11 @@
 #ifndef ARGOS3_PLUGINS_ROBOTS_GENERIC_CONTROL_INTERFACE_CI_DIFFERENTIAL_STEERING_SENSOR_H
 #define ARGOS3_PLUGINS_ROBOTS_GENERIC_CONTROL_INTERFACE_CI_DIFFERENTIAL_STEERING_SENSOR_H
 
+#include <argos3/core/control_interface/print_readings.h>
 #include <argos3/core/utility/datatypes/datatypes.h>
 #include <argos3/plugins/robots/generic/control_interface/table_sensor.h>
+
+#include <ostream>
 
 namespace argos {
 
@@ -24,6 +27,15 @@ class CCI_DifferentialSteeringSensor : public CTableSensor {
           CoveredDistanceLeftWheel(distanceLeft),
           CoveredDistanceRightWheel(distanceRight),
           WheelAxisLength(axisLength) {}
+
+    template <int = 0>
+    friend std::ostream& operator<<(std::ostream& stream, const SReading& reading) {
+      return PrintReading(stream, "VelocityLeftWheel", reading.VelocityLeftWheel,
+                          "VelocityRightWheel", reading.VelocityRightWheel,
+                          "CoveredDistanceLeftWheel", reading.CoveredDistanceLeftWheel,
+                          "CoveredDistanceRightWheel", reading.CoveredDistanceRightWheel,
+                          "WheelAxisLength", reading.WheelAxisLength);
+    }
   };
 
   const SReading& GetReading() const { return m_sReading; }

@@ -1,10 +1,12 @@
 #ifndef ARGOS3_PLUGINS_ROBOTS_GENERIC_CONTROL_INTERFACE_CI_PHEROMONE_SENSOR_H
 #define ARGOS3_PLUGINS_ROBOTS_GENERIC_CONTROL_INTERFACE_CI_PHEROMONE_SENSOR_H
 
+#include <argos3/core/control_interface/print_readings.h>
 #include <argos3/core/utility/datatypes/datatypes.h>
 #include <argos3/core/utility/math/vector2.h>
 #include <argos3/plugins/robots/generic/control_interface/table_sensor.h>
 
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -17,6 +19,15 @@ class CCI_PheromoneSensor : public CTableSensor {
   struct SReading {
     Real Value = 0.0; /**< concentration, amount per m^2 */
     CVector2 Offset; /**< of the point from the robot's centre, in the robot's frame, cm */
+
+    template <int = 0>
+    friend std::ostream& operator<<(std::ostream& stream, const SReading& reading) {
+      return PrintReading(stream, "Value", reading.Value, "Offset", reading.Offset);
+    }
+    template <int = 0>
+    friend std::ostream& operator<<(std::ostream& stream, const std::vector<SReading>& readings) {
+      return PrintReadings(stream, readings);
+    }
   };
   typedef std::vector<SReading> TReadings;
 

@@ -1,11 +1,14 @@
 #ifndef ARGOS3_PLUGINS_ROBOTS_GENERIC_CONTROL_INTERFACE_CI_POSITIONING_SENSOR_H
 #define ARGOS3_PLUGINS_ROBOTS_GENERIC_CONTROL_INTERFACE_CI_POSITIONING_SENSOR_H
 
+#include <argos3/core/control_interface/print_readings.h>
 #include <argos3/core/utility/datatypes/datatypes.h>
 #include <argos3/core/utility/math/angles.h>
 #include <argos3/core/utility/math/quaternion.h>
 #include <argos3/core/utility/math/vector3.h>
 #include <argos3/plugins/robots/generic/control_interface/table_sensor.h>
+
+#include <ostream>
 
 namespace argos {
 
@@ -19,6 +22,11 @@ class CCI_PositioningSensor : public CTableSensor {
     SReading() = default;
     SReading(const CVector3& position, const CQuaternion& orientation)
         : Position(position), Orientation(orientation) {}
+
+    template <int = 0>
+    friend std::ostream& operator<<(std::ostream& stream, const SReading& reading) {
+      return PrintReading(stream, "Position", reading.Position, "Orientation", reading.Orientation);
+    }
   };
 
   const SReading& GetReading() const { return m_sReading; }

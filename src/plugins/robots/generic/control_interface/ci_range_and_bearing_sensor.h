@@ -1,11 +1,13 @@
 #ifndef ARGOS3_PLUGINS_ROBOTS_GENERIC_CONTROL_INTERFACE_CI_RANGE_AND_BEARING_SENSOR_H
 #define ARGOS3_PLUGINS_ROBOTS_GENERIC_CONTROL_INTERFACE_CI_RANGE_AND_BEARING_SENSOR_H
 
+#include <argos3/core/control_interface/print_readings.h>
 #include <argos3/core/utility/datatypes/byte_array.h>
 #include <argos3/core/utility/datatypes/datatypes.h>
 #include <argos3/core/utility/math/angles.h>
 #include <argos3/plugins/robots/generic/control_interface/table_sensor.h>
 
+#include <ostream>
 #include <vector>
 
 namespace argos {
@@ -21,6 +23,17 @@ class CCI_RangeAndBearingSensor : public CTableSensor {
     CByteArray Data;
 
     SPacket() = default;
+
+    template <int = 0>
+    friend std::ostream& operator<<(std::ostream& stream, const SPacket& reading) {
+      return PrintReading(stream, "Range", reading.Range, "HorizontalBearing",
+                          reading.HorizontalBearing, "VerticalBearing", reading.VerticalBearing,
+                          "Data", reading.Data);
+    }
+    template <int = 0>
+    friend std::ostream& operator<<(std::ostream& stream, const std::vector<SPacket>& readings) {
+      return PrintReadings(stream, readings);
+    }
   };
   typedef std::vector<SPacket> TReadings;
 

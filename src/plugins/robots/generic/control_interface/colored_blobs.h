@@ -4,6 +4,7 @@
 #include <argos3/core/utility/datatypes/datatypes.h>
 #include <argos3/plugins/robots/generic/control_interface/table_sensor.h>
 
+#include <ostream>
 #include <vector>
 
 namespace argos {
@@ -30,6 +31,11 @@ class CColoredBlobs : public CSwitchedTableSensor {
   struct SReadings {
     TBlobList BlobList; /**< not owned; the blobs are valid until the next step */
     UInt64 Counter = 0; /**< number of images since the start */
+
+    template <int = 0>
+    friend std::ostream& operator<<(std::ostream& stream, const SReadings& readings) {
+      return stream << readings.BlobList;
+    }
   };
 
   const SReadings& GetReadings() const { return m_sReadings; }

@@ -1,11 +1,13 @@
 #ifndef ARGOS3_PLUGINS_ROBOTS_GENERIC_CONTROL_INTERFACE_PLACED_READINGS_H
 #define ARGOS3_PLUGINS_ROBOTS_GENERIC_CONTROL_INTERFACE_PLACED_READINGS_H
 
+#include <argos3/core/control_interface/print_readings.h>
 #include <argos3/core/utility/datatypes/datatypes.h>
 #include <argos3/core/utility/math/angles.h>
 #include <argos3/core/utility/math/vector2.h>
 #include <argos3/plugins/robots/generic/control_interface/table_sensor.h>
 
+#include <ostream>
 #include <vector>
 
 /*
@@ -31,6 +33,15 @@ class CAngularReadings {
 
     SReading() = default;
     SReading(Real value, const CRadians& angle) : Value(value), Angle(angle) {}
+
+    template <int = 0>
+    friend std::ostream& operator<<(std::ostream& stream, const SReading& reading) {
+      return PrintReading(stream, "Value", reading.Value, "Angle", reading.Angle);
+    }
+    template <int = 0>
+    friend std::ostream& operator<<(std::ostream& stream, const std::vector<SReading>& readings) {
+      return PrintReadings(stream, readings);
+    }
   };
 
   typedef std::vector<SReading> TReadings;
@@ -60,6 +71,15 @@ class COffsetReadings {
 
     SReading() = default;
     SReading(Real value, const CVector2& offset) : Value(value), Offset(offset) {}
+
+    template <int = 0>
+    friend std::ostream& operator<<(std::ostream& stream, const SReading& reading) {
+      return PrintReading(stream, "Value", reading.Value, "Offset", reading.Offset);
+    }
+    template <int = 0>
+    friend std::ostream& operator<<(std::ostream& stream, const std::vector<SReading>& readings) {
+      return PrintReadings(stream, readings);
+    }
   };
 
   typedef std::vector<SReading> TReadings;
