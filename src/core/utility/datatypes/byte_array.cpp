@@ -292,10 +292,9 @@ CByteArray& CByteArray::operator>>(float& value) {
 }
 
 CByteArray& CByteArray::operator<<(const std::string& value) {
-  const std::size_t length = std::strlen(value.c_str());
-  UInt8* const first = Extend(length + 1);
-  std::copy_n(value.begin(), length, first);
-  first[length] = 0;
+  UInt8* const first = Extend(value.size() + 1);
+  std::copy(value.begin(), value.end(), first);
+  first[value.size()] = 0;
   return *this;
 }
 
@@ -303,12 +302,8 @@ CByteArray& CByteArray::operator>>(std::string& value) {
   const UInt8* const begin = GetStorage() + m_front;
   const UInt8* const last = GetStorage() + m_end;
   const UInt8* const end = std::find(begin, last, UInt8(0));
-  if (end == last) {
-    THROW_ARGOSEXCEPTION("Byte array: cannot read a string, none of the "
-                         << Size() << " bytes is its terminating zero");
-  }
   value.assign(begin, end);
-  RemoveFront(value.size() + 1);
+  RemoveFront(value.size() + (end == last ? 0 : 1));
   return *this;
 }
 

@@ -120,7 +120,7 @@ class CByteArray {
   CByteArray& operator>>(double& value);
   CByteArray& operator<<(float value);
   CByteArray& operator>>(float& value);
-  /** Writes the string up to its first zero byte. */
+  /** Writes all bytes and a zero. Reading ends behind the first zero, or at the end. */
   CByteArray& operator<<(const std::string& value);
   CByteArray& operator>>(std::string& value);
 
