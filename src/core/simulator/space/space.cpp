@@ -96,8 +96,6 @@ CSpace::CSpace(SSimulationContext& context)
 CSpace::~CSpace() = default;
 
 void CSpace::Init(TConfigurationNode& tree) {
-  // the second generator of its category, after the simulator's own
-  m_rng = CRandom::CreateRNG("argos");
   SArena& arena = m_context.Arena;
   GetNodeAttribute(tree, "size", arena.Size);
   GetNodeAttributeOrDefault(tree, "center", arena.Center, CVector3());
@@ -401,7 +399,6 @@ void CSpace::Destroy() {
   m_context.Metrics = nullptr;
   m_extensions.clear();
   m_entityTypes.clear();
-  m_rng = nullptr;
   m_nextIndex = 0;
   m_simulationClock = 0;
   if (numMore > 0) {
@@ -493,10 +490,7 @@ void CSpace::Update() {
 CRandom::CRNG& CSpace::GetRNG() {
   CRobotsCode::CheckShared("CSpace::GetRNG()",
                            "CRandom::CreateRNG(\"argos\") makes a generator of the robot's own");
-  if (m_rng == nullptr) {
-    THROW_ARGOSEXCEPTION("the space has no random generator before the arena is initialised");
-  }
-  return *m_rng;
+  return *GetSimulator().GetRNG();
 }
 
 UInt64 CSpace::ComputeDigest() const {

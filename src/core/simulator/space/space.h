@@ -267,7 +267,6 @@ class CSpace : public CBaseConfigurableResource {
   SSimulationContext& m_context;
   UInt32 m_simulationClock = 0;
   CFloorEntity* m_floor = nullptr;
-  CRandom::CRNG* m_rng = nullptr;  // owned by its category
 
   std::map<std::string, std::unique_ptr<CEntityType>> m_entityTypes;  // by tag; outlive entities
   CEntity::TVector m_roots;  // in order of addition, or as OrderRoots() says

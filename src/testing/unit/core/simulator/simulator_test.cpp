@@ -252,6 +252,19 @@ TEST_CASE("simulator: random generators of users repeat after a reset", "[core][
         world.GetSimulator().GetRNG()->Uniform(range));
 }
 
+TEST_CASE("simulator: the first generator of users has the second seed of the category",
+          "[core][simulator]") {
+  SExperiment experiment = Experiment();
+  experiment.Seed = 124;
+  CTestWorld world(experiment);
+  const CSimulator::CScope scope(world.GetSimulator());
+  // as in ARGoS 3, whose seeder gives 455545294 and then 2996933276
+  CRandom::CRNG* const rng = CRandom::CreateRNG("argos");
+  CHECK(rng->GetSeed() == 2996933276U);
+  CHECK_THAT(rng->Uniform(CRange<Real>(0.0, 1.0)), Catch::WithinAbs(0.1766, 5e-5));
+  CHECK(&world.GetSimulator().GetSpace().GetRNG() == world.GetSimulator().GetRNG());
+}
+
 TEST_CASE("simulator: without a seed, one is taken from the clock and logged",
           "[core][simulator]") {
   SExperiment experiment = Experiment();
