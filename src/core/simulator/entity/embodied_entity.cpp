@@ -132,6 +132,10 @@ const SAnchor& CEmbodiedEntity::GetAnchor(const std::string& id) const {
 }
 
 SAnchor& CEmbodiedEntity::GetAnchor(const std::string& id) {
+  if (m_mapAnchors.count(id) == 0 && HasParent()) {
+    // that of a component that the robot creates on demand, such as a camera
+    GetParent().HasComponent(id);
+  }
   return const_cast<SAnchor&>(static_cast<const CEmbodiedEntity*>(this)->GetAnchor(id));
 }
 

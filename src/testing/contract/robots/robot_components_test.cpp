@@ -53,6 +53,22 @@ std::string WithDrive(const std::string& id, const std::string& attributes) {
 
 }  // namespace
 
+TEST_CASE("robots: the frame of the perspective camera is an anchor", "[contract][robots]") {
+  SRobotExperiment experiment;
+  experiment.Arena =
+      Robot("foot-bot", "r", "position=\"1,2,0\"") + Robot("eye-bot", "e", "position=\"0,0,2\"");
+  CRobotWorld world(experiment);
+  for (const char* robot : {"r", "e"}) {
+    CAPTURE(robot);
+    auto& body = world.Get<CComposableEntity>(robot).GetComponent<CEmbodiedEntity>("body");
+    SAnchor& anchor = body.GetAnchor("perspective_camera");
+    CHECK(anchor.Id == "perspective_camera");
+    CHECK(&body.GetAnchor("perspective_camera") == &anchor);
+    CHECK_THROWS_WITH(body.GetAnchor("camera"), Contains("has no anchor \"camera\""));
+    CHECK(body.GetAnchors().count("perspective_camera") == 1);
+  }
+}
+
 TEST_CASE("robots: bodies and wheels have the published measures", "[contract][robots]") {
   const SExpected expected = GENERATE(kRobots[0], kRobots[1]);
   CAPTURE(expected.Tag);

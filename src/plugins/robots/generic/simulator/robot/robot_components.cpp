@@ -59,6 +59,14 @@ CEntity& MakePerspectiveCamera(CRobotEntity& robot, const CVector3& offset,
       "perspective_camera_0", parameters.Aperture, parameters.FocalLength, parameters.Range,
       kImageWidth, kImageHeight, robot.GetEmbodiedEntity().GetAnchor(anchor));
   camera.SetMount(offset, orientation);
+  // for users' code: the frame of the camera
+  CEmbodiedEntity& body = robot.GetEmbodiedEntity();
+  if (body.GetAnchors().count("perspective_camera") == 0) {
+    const SAnchor& mount = body.GetAnchor(anchor);
+    body.AddAnchor("perspective_camera",
+                   mount.OffsetPosition + CVector3(offset).Rotate(mount.OffsetOrientation),
+                   mount.OffsetOrientation * orientation);
+  }
   return camera;
 }
 
