@@ -4,6 +4,7 @@
 #include <argos3/core/utility/math/text_input.h>
 
 #include <array>
+#include <cmath>
 
 namespace argos {
 
@@ -36,7 +37,8 @@ CQuaternion& CQuaternion::FromAngleAxis(const CRadians& angle, const CVector3& a
 void CQuaternion::ToAngleAxis(CRadians& angle, CVector3& axis) const {
   const CVector3 vectorPart(m_x, m_y, m_z);
   const Real sine = vectorPart.Length();
-  angle = 2.0 * ATan2(sine, m_w);
+  // both identities, (1,0,0,0) and (-1,0,0,0), turn by 0
+  angle = sine > 0.0 ? 2.0 * ATan2(sine, m_w) : CRadians::ZERO;
   axis = sine > 0.0 ? vectorPart / sine : CVector3::Z;
 }
 
@@ -76,6 +78,17 @@ void CQuaternion::ToEulerAngles(CRadians& z, CRadians& y, CRadians& x) const {
 CQuaternion& CQuaternion::BetweenTwoVectors(const CVector3& from, const CVector3& to) {
   if (from.SquareLength() == 0.0 || to.SquareLength() == 0.0) {
     return *this = CQuaternion();
+  }
+  constexpr Real kOpposite = 1e-12;
+  const Real lengths = std::sqrt(from.SquareLength() * to.SquareLength());
+  if (from.DotProduct(to) < (kOpposite - 1.0) * lengths) {
+    // half a turn; of all axes normal to both the one that is also normal to x, or to y
+    CVector3 axis = from;
+    axis.CrossProduct(CVector3::X);
+    if (axis.SquareLength() < kOpposite * from.SquareLength()) {
+      axis = CVector3(from).CrossProduct(CVector3::Y);
+    }
+    return FromAngleAxis(CRadians::PI, axis.Normalize());
   }
   return *this = FromEigen(Eigen::Quaternion<Real>::FromTwoVectors(ToEigen(from), ToEigen(to)));
 }

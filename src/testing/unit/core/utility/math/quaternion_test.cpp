@@ -214,6 +214,22 @@ TEST_CASE("quaternion: the rotation between two vectors is the shortest", "[core
   CHECK_THAT(angle.GetValue(), WithinAbs(CVector3(from).GetAngleWith(to).GetValue(), 3e-8));
 }
 
+TEST_CASE("quaternion: the angle of both identities is 0", "[core][math]") {
+  for (const Real w : {1.0, -1.0}) {
+    CRadians angle(1.0);
+    CVector3 axis;
+    CQuaternion(w, 0.0, 0.0, 0.0).ToAngleAxis(angle, axis);
+    CHECK(angle == CRadians::ZERO);
+    CHECK(axis == CVector3::Z);
+  }
+}
+
+TEST_CASE("quaternion: half a turn is about the axis that is normal to x", "[core][math]") {
+  const CQuaternion turn(CVector3::Z, -CVector3::Z);
+  CHECK_THAT(turn.GetY(), WithinAbs(1.0, 1e-15));
+  CHECK_THAT(CQuaternion(CVector3::X, -CVector3::X).GetZ(), WithinAbs(1.0, 1e-15));
+}
+
 TEST_CASE("quaternion: opposite and zero vectors have a rotation between them", "[core][math]") {
   const CVector3 from = GENERATE(CVector3(1, 0, 0), CVector3(0, 0, 2), CVector3(1, -2, 3));
   const CQuaternion rotation(from, -2.0 * from);
