@@ -40,6 +40,7 @@ void CPassiveBodyEntity::InitBody(TConfigurationNode& tree) {
   } else {
     // read the attribute, which is allowed and ignored, so that it is not reported as unread
     NodeAttributeExists(tree, "mass");
+    m_mass = 0.0;
   }
   m_body->Init(GetNode(tree, "body"));
   m_body->SetMovable(movable);
@@ -94,7 +95,8 @@ void CPassiveBodyEntity::SetMass(Real mass) {
   RequireIn(kMass, mass, GetTypeDescription() + " \"" + GetId() + "\"", "mass");
   KeepForReset(&m_mass, [this, start = m_mass] {
     ReturnBodyToStart();
-    SetMass(start);
+    m_mass = start;
+    Describe();
   });
   m_mass = mass;
   Describe();
@@ -109,7 +111,8 @@ void CPassiveBodyEntity::Describe() {
   auto description = std::make_shared<SBodyDescription>();
   description->Shapes.push_back(MakeShape());
   if (m_body->IsMovable()) {
-    description->Mass = m_mass;
+    // one that was immovable in the file has none
+    description->Mass = m_mass > 0.0 ? m_mass : kDefaultMass;
     description->GroundFriction.emplace().Class = GetFrictionClass();
     description->Grippable = true;
   }

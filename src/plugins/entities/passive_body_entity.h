@@ -30,7 +30,7 @@ class CPassiveBodyEntity : public CComposableEntity {
   /** The RFID tags on the body; created by the first call. */
   CRFIDTagEquippedEntity& GetRFIDTagEquippedEntity();
 
-  /** Mass, kg; undefined if the body is not movable. */
+  /** Mass, kg; 0 if the experiment file has an immovable body. */
   Real GetMass() const { return m_mass; }
   /**
    * Changes the mass; a body that is in an engine is removed and added again, at rest.
@@ -67,7 +67,9 @@ class CPassiveBodyEntity : public CComposableEntity {
   CEmbodiedEntity* m_body = nullptr;  // a component
   CLEDEquippedEntity* m_leds = nullptr;  // a component
   CRFIDTagEquippedEntity* m_rfidTags = nullptr;  // a component; null until the first request
-  Real m_mass = 1.0;  // kg
+  static constexpr Real kDefaultMass = 1.0;  // kg
+
+  Real m_mass = kDefaultMass;
   SAppearance m_appearance;
 };
 

@@ -43,6 +43,7 @@ TEST_CASE("box: its description follows the file", "[entities]") {
   CHECK(fixed.Shapes[0].Size == CVector3(4.0, 0.1, 0.5));
   CHECK_FALSE(fixed.GroundFriction.has_value());
   CHECK_FALSE(fixed.Drive.has_value());
+  CHECK(wall.GetMass() == 0.0);
 
   auto& crate = world.Get<CBoxEntity>("crate");
   CHECK(crate.GetEmbodiedEntity().IsMovable());
