@@ -235,6 +235,9 @@ class CConfigurationNode {
   /** Throws the error of a missing child element; the text gives the nearest existing tags. */
   [[noreturn]] void ThrowMissingChild(const std::string& tag) const;
 
+  /** @return true if the document accepts malformed values as ARGoS 3 does, with a warning each. */
+  bool IsLenient() const;
+
  private:
   friend class CConfigurationAttribute;
   friend class CConfigurationAttributeIterator;
@@ -265,7 +268,6 @@ class CConfigurationNode {
   // not of users' <params>, <loop_functions> and <user_functions>
   void ThrowIfHuge(const std::string& name, const char* text) const;
   void NoteRequest(const std::string& name, const char* sample) const;
-  bool IsLenient() const;
   void WarnOfLooseText(const std::string& what, const char* text,
                        const std::string& expected) const;
   [[noreturn]] void ThrowUnparsable(const std::string& what, const char* text,

@@ -1,14 +1,21 @@
 #include <argos3/core/wrappers/lua/lua_arguments.h>
 
 #include <argos3/core/utility/errors/argos_exception.h>
+#include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/wrappers/lua/lua_types.h>
 #include <argos3/core/wrappers/lua/lua_utility.h>
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace argos {
 
 namespace {
+
+// in the registry: nil, or the owner of the script, or true after the warning
+constexpr const char* kFractions = "argos.fractions";
+constexpr Real kLargestFraction = 4503599627370496.0;  // 2^52: larger numbers are whole
 
 constexpr std::size_t kLongestTextShown = 40;
 
@@ -41,6 +48,14 @@ bool IsDeviceTable(lua_State* state, int index) {
 /** For the end of a message: robot.wheels:set_velocity() passes the table as the first argument. */
 std::string DescribeColon(lua_State* state, int index) {
   return index == 1 && IsDeviceTable(state, index) ? "; call it with a dot, not with a colon" : "";
+}
+
+// what to do about a number that is not whole
+const char* HintOfFraction(lua_State* state, int index) {
+  const bool isFraction = lua_type(state, index) == LUA_TNUMBER &&
+                          lua_isinteger(state, index) == 0 &&
+                          std::floor(lua_tonumber(state, index)) != lua_tonumber(state, index);
+  return isFraction ? " (--lenient truncates others)" : "";
 }
 
 }  // namespace
@@ -90,12 +105,43 @@ std::string CLuaArguments::NextString() {
   return std::string(NextText());
 }
 
-SInt64 CLuaArguments::NextInteger(SInt64 min, SInt64 max) {
+void CLuaArguments::AcceptFractions(lua_State* state, const std::string& owner) {
+  lua_pushlstring(state, owner.data(), owner.size());
+  lua_setfield(state, LUA_REGISTRYINDEX, kFractions);
+}
+
+bool CLuaArguments::ToWhole(int index, SInt64& value) const {
+  if (lua_type(m_state, index) != LUA_TNUMBER) {
+    return false;
+  }
   int isWhole = 0;
-  const lua_Integer value =
-      IsNextNumber() ? lua_tointegerx(m_state, m_next, &isWhole) : lua_Integer{0};
-  if (isWhole == 0 || value < min || value > max) {
-    ThrowNextMustBe(fmt::format("a whole number from {} to {}", min, max));
+  value = lua_tointegerx(m_state, index, &isWhole);
+  if (isWhole != 0) {
+    return true;
+  }
+  const Real number = lua_tonumber(m_state, index);
+  const int type = lua_getfield(m_state, LUA_REGISTRYINDEX, kFractions);
+  const bool isTruncated = type != LUA_TNIL && std::abs(number) < kLargestFraction;
+  if (isTruncated) {
+    value = static_cast<SInt64>(number);
+    if (type == LUA_TSTRING) {
+      LOGERR << "[WARNING] " << lua_tostring(m_state, -1)
+             << ": a Lua function takes whole numbers, "
+             << "but argument " << m_next << " is " << number
+             << ": such numbers are truncated (--lenient)" << std::endl;
+      lua_pushboolean(m_state, 1);
+      lua_setfield(m_state, LUA_REGISTRYINDEX, kFractions);
+    }
+  }
+  lua_pop(m_state, 1);
+  return isTruncated;
+}
+
+SInt64 CLuaArguments::NextInteger(SInt64 min, SInt64 max) {
+  SInt64 value = 0;
+  if (!ToWhole(m_next, value) || value < min || value > max) {
+    ThrowNextMustBe(
+        fmt::format("a whole number from {} to {}{}", min, max, HintOfFraction(m_state, m_next)));
   }
   ++m_next;
   return value;
@@ -159,12 +205,11 @@ std::vector<UInt8> CLuaArguments::NextBytes(std::size_t count) {
   std::vector<UInt8> bytes(count);
   for (std::size_t i = 0; i < count; ++i) {
     lua_rawgeti(m_state, m_next, static_cast<lua_Integer>(i) + 1);
-    int isWhole = 0;
-    const bool isNumber = lua_type(m_state, -1) == LUA_TNUMBER;
-    const lua_Integer value = isNumber ? lua_tointegerx(m_state, -1, &isWhole) : lua_Integer{0};
-    if (isWhole == 0 || value < 0 || value > 255) {
-      THROW_ARGOSEXCEPTION("argument " << m_next << " must be " << expected << ", but entry "
-                                       << i + 1 << " is " << Describe(m_state, -1));
+    SInt64 value = 0;
+    if (!ToWhole(lua_gettop(m_state), value) || value < 0 || value > 255) {
+      THROW_ARGOSEXCEPTION("argument " << m_next << " must be " << expected
+                                       << HintOfFraction(m_state, -1) << ", but entry " << i + 1
+                                       << " is " << Describe(m_state, -1));
     }
     bytes[i] = static_cast<UInt8>(value);
     lua_pop(m_state, 1);

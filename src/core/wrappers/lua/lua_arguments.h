@@ -31,6 +31,13 @@ class CLuaArguments {
  public:
   explicit CLuaArguments(lua_State* state);
 
+  /**
+   * From now on functions that take whole numbers truncate others, as in ARGoS 3: the first with a
+   * warning.
+   * @param owner  of the script, for the warning: `robot "r0"`.
+   */
+  static void AcceptFractions(lua_State* state, const std::string& owner);
+
   lua_State* GetState() const { return m_state; }
   /** Number of arguments, read or not. */
   int GetCount() const { return m_count; }
@@ -92,6 +99,8 @@ class CLuaArguments {
   [[noreturn]] void ThrowNextMustBe(const std::string& expected) const;
 
  private:
+  /** @return false if the value at @p index is not a whole number, and was not truncated to one. */
+  bool ToWhole(int index, SInt64& value) const;
   template <typename T>
   static constexpr SInt64 GetLowest() {
     return static_cast<SInt64>(std::numeric_limits<T>::min());

@@ -2,6 +2,7 @@
 
 #include <argos3/core/utility/math/random_stream.h>
 #include <argos3/core/utility/math/rng.h>
+#include <argos3/core/wrappers/lua/lua_arguments.h>
 #include <argos3/core/wrappers/lua/lua_metrics.h>
 #include <argos3/core/wrappers/lua/lua_parameters.h>
 #include <argos3/core/wrappers/lua/lua_registry.h>
@@ -60,6 +61,9 @@ void CLuaController::Load() {
     m_state->Run([this](lua_State* state) {
       if (m_reusesReadings) {
         CLuaTable::ReuseReadings(state);
+      }
+      if (m_params.IsLenient()) {
+        CLuaArguments::AcceptFractions(state, "robot \"" + GetId() + "\"");
       }
       FillRobotTable(state);
       CLuaMetrics::Register(state);

@@ -114,8 +114,8 @@ Real CLuaRandom::Exponential(Real mean) {
   return GetGenerator().Exponential(mean);
 }
 
-UInt32 CLuaRandom::Poisson(Real mean) {
-  return GetGenerator().Poisson(mean);
+SLuaInteger CLuaRandom::Poisson(Real mean) {
+  return {GetGenerator().Poisson(mean)};
 }
 
 Real CLuaRandom::Gaussian(CLuaArguments& arguments) {

@@ -4,6 +4,7 @@
 #include <argos3/core/utility/datatypes/datatypes.h>
 #include <argos3/core/utility/math/rng.h>
 #include <argos3/core/wrappers/lua/lua_arguments.h>
+#include <argos3/core/wrappers/lua/lua_value.h>
 
 #include <memory>
 #include <string>
@@ -33,7 +34,7 @@ class CLuaRandom {
   Real Uniform(CLuaArguments& arguments);
   Real UniformInt(CLuaArguments& arguments);
   Real Exponential(Real mean);
-  UInt32 Poisson(Real mean);
+  SLuaInteger Poisson(Real mean);
   Real Gaussian(CLuaArguments& arguments);
 
  private:

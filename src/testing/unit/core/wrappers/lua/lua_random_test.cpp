@@ -109,6 +109,7 @@ TEST_CASE("lua random: exponential and poisson have their mean", "[lua][random]"
   lua.Sample("poisson(3)");
   CHECK(lua.GetNumber("min") == 0.0);
   CHECK_THAT(lua.GetMean(), WithinAbs(3.0, kErrors * std::sqrt(3.0 / kDraws)));
+  CHECK(lua.Get("math.type(r.poisson(3))") == "integer");
 }
 
 TEST_CASE("lua random: gaussian has the deviation as its first argument", "[lua][random]") {

@@ -3,6 +3,7 @@
 #include <argos3/core/wrappers/lua/lua_registry.h>
 #include <argos3/core/wrappers/lua/lua_table.h>
 #include <argos3/core/wrappers/lua/lua_utility.h>
+#include <argos3/testing/support/captured_logs.h>
 
 #include <catch2/catch.hpp>
 
@@ -301,6 +302,27 @@ TEST_CASE("lua table: the length and values of byte lists are checked", "[lua][t
   CHECK_THAT(lua.GetError("robot.device.set_bytes({1, 'x', 3})"),
              Contains(expected + "but entry 2 is string \"x\""));
   CHECK_THAT(lua.GetError("robot.device.set_bytes(1)"), Contains(expected + "got 1"));
+}
+
+TEST_CASE("lua table: fractions are errors that name the option, or truncated with one warning",
+          "[lua][table]") {
+  CDeviceTester lua;
+  CHECK_THAT(lua.GetError("robot.device.set_one(1.9, 5)"),
+             Contains("argument 1 must be a whole number from 1 to 3 (--lenient truncates "
+                      "others), got 1.9"));
+  CHECK_THAT(lua.GetError("robot.device.set_bytes({1, 2, 3.5})"),
+             Contains("(--lenient truncates others), but entry 3 is 3.5"));
+  lua.Run([](lua_State* state) { CLuaArguments::AcceptFractions(state, "robot \"r\""); });
+  TakeLogErr();
+  lua.Do("robot.device.set_one(1.9, 5)");
+  CHECK(lua.Device.Ring[0].Value == 5.0);
+  lua.Do("robot.device.set_bytes({1, 2, 3.5})");
+  CHECK(lua.Device.Byte == 3);
+  const std::string warnings = TakeLogErr();
+  CHECK_THAT(warnings, Contains("[WARNING] robot \"r\"") && Contains("is 1.9"));
+  CHECK(warnings.find("3.5") == std::string::npos);
+  CHECK_THAT(lua.GetError("robot.device.set_one(3.9 + 1, 5)"),
+             Contains("whole number from 1 to 3"));
 }
 
 TEST_CASE("lua table: functions do not depend on the global robot", "[lua][table]") {
