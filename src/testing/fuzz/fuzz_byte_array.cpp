@@ -72,18 +72,18 @@ void TakeTable(const CByteArray& bytes) {
   static CLuaState lua;
   lua.Run([&bytes](lua_State* state) {
     CByteArray rest = bytes;
-    if (!CLuaUtility::LuaDeserializeTable(state, rest)) {
+    if (!CLuaUtility::LuaDeserializeTable(rest, state)) {
       return;
     }
     // what was read can be sent, and is then read as a table of that size
     CByteArray sent;
-    CLuaUtility::LuaSerializeTable(state, sent);
+    CLuaUtility::LuaSerializeTable(sent, state);
     CByteArray copy = sent;
     CByteArray again;
-    if (!CLuaUtility::LuaDeserializeTable(state, copy) || !copy.Empty()) {
+    if (!CLuaUtility::LuaDeserializeTable(copy, state) || !copy.Empty()) {
       std::abort();
     }
-    CLuaUtility::LuaSerializeTable(state, again);
+    CLuaUtility::LuaSerializeTable(again, state);
     // keys that are tables or vectors have no fixed order
     if (again.Size() != sent.Size()) {
       std::abort();

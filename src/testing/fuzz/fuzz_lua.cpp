@@ -28,8 +28,8 @@ class CMessages {
     arguments.Skip();
     arguments.Finish();
     CByteArray data;
-    CLuaUtility::LuaSerializeTable(state, data);
-    CLuaUtility::LuaDeserializeTable(state, data);
+    CLuaUtility::LuaSerializeTable(data, state);
+    CLuaUtility::LuaDeserializeTable(data, state);
     return {1};
   }
 };

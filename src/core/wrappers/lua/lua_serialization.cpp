@@ -219,15 +219,14 @@ void TakeTable(lua_State* state, CByteArray& data, int depth) {
 
 }  // namespace
 
-void CLuaUtility::LuaSerializeTable(lua_State* state, CByteArray& data) {
+void CLuaUtility::LuaSerializeTable(CByteArray& data, lua_State* state, SInt32 offset) {
   ReserveStack(state);
-  const int top = lua_gettop(state);
   CByteArray bytes;
-  AppendTable(state, top, bytes, 1);
+  AppendTable(state, lua_absindex(state, offset), bytes, 1);
   data.AddBuffer(bytes.ToCArray(), bytes.Size());
 }
 
-bool CLuaUtility::LuaDeserializeTable(lua_State* state, CByteArray& data) {
+bool CLuaUtility::LuaDeserializeTable(CByteArray& data, lua_State* state) {
   ReserveStack(state);
   const int top = lua_gettop(state);
   CByteArray rest = data;

@@ -111,18 +111,19 @@ class CLuaUtility {
   static void SetMetatable(lua_State* state, const std::string& name);
 
   /**
-   * Appends the table on top of the stack to a byte array: keys and values that are strings,
+   * Appends a table to a byte array: keys and values that are strings,
    * numbers, booleans, tables, vectors and quaternions, in a fixed order of the keys; others are
    * skipped.
+   * @param offset  where the table is on the stack; -1: on top.
    * @throws CARGoSException if tables are nested more than 32 deep.
    */
-  static void LuaSerializeTable(lua_State* state, CByteArray& data);
+  static void LuaSerializeTable(CByteArray& data, lua_State* state, SInt32 offset = -1);
 
   /**
    * Takes a table off the front of a byte array and pushes it.
    * @return false if LuaSerializeTable() did not write the bytes; then nothing is pushed.
    */
-  static bool LuaDeserializeTable(lua_State* state, CByteArray& data);
+  static bool LuaDeserializeTable(CByteArray& data, lua_State* state);
 
  private:
   static void* GetInstance(lua_State* state, const std::string& key);

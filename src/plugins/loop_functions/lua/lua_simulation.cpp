@@ -168,9 +168,9 @@ void CopyValue(lua_State* from, lua_State* to) {
   lua_insert(from, -2);
   lua_rawseti(from, -2, 1);
   CByteArray data;
-  CLuaUtility::LuaSerializeTable(from, data);
+  CLuaUtility::LuaSerializeTable(data, from);
   lua_pop(from, 1);
-  if (!CLuaUtility::LuaDeserializeTable(to, data)) {
+  if (!CLuaUtility::LuaDeserializeTable(data, to)) {
     lua_pushnil(to);
     return;
   }

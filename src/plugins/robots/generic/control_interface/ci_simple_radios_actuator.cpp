@@ -15,7 +15,7 @@ void Send(CCI_SimpleRadiosActuator::SInterface& self, CLuaArguments& arguments) 
   arguments.Finish();
   // the only argument is on top of the stack
   CByteArray message;
-  CLuaUtility::LuaSerializeTable(arguments.GetState(), message);
+  CLuaUtility::LuaSerializeTable(message, arguments.GetState());
   self.Messages.push_back(std::move(message));
 }
 

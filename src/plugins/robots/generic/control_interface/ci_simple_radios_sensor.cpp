@@ -14,7 +14,7 @@ void CCI_SimpleRadiosSensor::WriteReadings(CLuaTable& table) const {
     lua_State* const state = received.GetState();
     lua_Integer count = 0;
     for (CByteArray message : interface.Messages) {
-      if (CLuaUtility::LuaDeserializeTable(state, message)) {
+      if (CLuaUtility::LuaDeserializeTable(message, state)) {
         // the list is now below the message
         lua_rawseti(state, -2, ++count);
       }

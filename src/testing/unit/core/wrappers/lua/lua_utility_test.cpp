@@ -284,13 +284,13 @@ TEST_CASE("lua utility: tables are restored from their bytes", "[lua][utility]")
   data << UInt8(7);
   lua.Run([&data](lua_State* state) {
     lua_getglobal(state, "t");
-    CLuaUtility::LuaSerializeTable(state, data);
+    CLuaUtility::LuaSerializeTable(data, state);
     CHECK(lua_gettop(state) == 1);
   });
   data << UInt8(9);
   CHECK(data.PopFront<UInt8>() == 7);
   lua.Run([&data](lua_State* state) {
-    REQUIRE(CLuaUtility::LuaDeserializeTable(state, data));
+    REQUIRE(CLuaUtility::LuaDeserializeTable(data, state));
     CHECK(lua_gettop(state) == 1);
     lua_setglobal(state, "u");
   });
@@ -320,7 +320,7 @@ TEST_CASE("lua utility: equal tables give equal bytes in any state", "[lua][util
     CByteArray data;
     lua.Run([&data](lua_State* state) {
       lua_getglobal(state, "t");
-      CLuaUtility::LuaSerializeTable(state, data);
+      CLuaUtility::LuaSerializeTable(data, state);
     });
     return data;
   };
@@ -336,7 +336,7 @@ TEST_CASE("lua utility: a table that contains itself cannot be serialised", "[lu
   CByteArray data;
   CHECK_THROWS_WITH(lua.Run([&data](lua_State* state) {
     lua_getglobal(state, "t");
-    CLuaUtility::LuaSerializeTable(state, data);
+    CLuaUtility::LuaSerializeTable(data, state);
   }),
                     Contains("does it contain itself?"));
   CHECK(data.Empty());
@@ -348,13 +348,13 @@ TEST_CASE("lua utility: malformed bytes give no table", "[lua][utility]") {
   CByteArray good;
   lua.Run([&good](lua_State* state) {
     lua_getglobal(state, "t");
-    CLuaUtility::LuaSerializeTable(state, good);
+    CLuaUtility::LuaSerializeTable(good, state);
   });
   // every truncation of valid bytes is too short
   for (std::size_t size = 0; size < good.Size(); ++size) {
     CByteArray data(good.ToCArray(), size);
     lua.Run([&](lua_State* state) {
-      CHECK_FALSE(CLuaUtility::LuaDeserializeTable(state, data));
+      CHECK_FALSE(CLuaUtility::LuaDeserializeTable(data, state));
       CHECK(lua_gettop(state) == 0);
     });
     CHECK(data.Size() == size);
@@ -365,7 +365,7 @@ TEST_CASE("lua utility: malformed bytes give no table", "[lua][utility]") {
       CByteArray data = good;
       data[i] = static_cast<UInt8>(byte);
       lua.Run([&](lua_State* state) {
-        const bool worked = CLuaUtility::LuaDeserializeTable(state, data);
+        const bool worked = CLuaUtility::LuaDeserializeTable(data, state);
         CHECK(lua_gettop(state) == (worked ? 1 : 0));
       });
     }
