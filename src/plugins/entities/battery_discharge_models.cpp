@@ -11,6 +11,11 @@ void ReadRate(TConfigurationNode& battery, const std::string& attribute, Real& r
   RequireNotNegative(rate, OwnerOf(battery), attribute);
 }
 
+void SetRate(Real value, const std::string& name, Real& rate) {
+  RequireNotNegative(value, "discharge model of a battery", name);
+  rate = value;
+}
+
 }  // namespace
 
 void CBatteryDischargeModelTime::Init(TConfigurationNode& battery) {
@@ -19,6 +24,10 @@ void CBatteryDischargeModelTime::Init(TConfigurationNode& battery) {
 
 void CBatteryDischargeModelTime::operator()() {
   m_pcBattery->Discharge(m_delta);
+}
+
+void CBatteryDischargeModelTime::SetDelta(Real delta) {
+  SetRate(delta, "delta", m_delta);
 }
 
 void CBatteryDischargeModelMotion::Init(TConfigurationNode& battery) {
@@ -31,6 +40,14 @@ void CBatteryDischargeModelMotion::operator()() {
                          m_orientationDelta * m_pcBattery->ComputeAngleTurned().GetValue());
 }
 
+void CBatteryDischargeModelMotion::SetPosFactor(Real factor) {
+  SetRate(factor, "position factor", m_positionDelta);
+}
+
+void CBatteryDischargeModelMotion::SetOrientFactor(Real factor) {
+  SetRate(factor, "orientation factor", m_orientationDelta);
+}
+
 void CBatteryDischargeModelTimeMotion::Init(TConfigurationNode& battery) {
   ReadRate(battery, "time_factor", m_timeFactor);
   ReadRate(battery, "pos_factor", m_positionFactor);
@@ -40,6 +57,18 @@ void CBatteryDischargeModelTimeMotion::Init(TConfigurationNode& battery) {
 void CBatteryDischargeModelTimeMotion::operator()() {
   m_pcBattery->Discharge(m_timeFactor + m_positionFactor * m_pcBattery->ComputeDistanceMoved() +
                          m_orientationFactor * m_pcBattery->ComputeAngleTurned().GetValue());
+}
+
+void CBatteryDischargeModelTimeMotion::SetDelta(Real delta) {
+  SetRate(delta, "delta", m_timeFactor);
+}
+
+void CBatteryDischargeModelTimeMotion::SetPosFactor(Real factor) {
+  SetRate(factor, "position factor", m_positionFactor);
+}
+
+void CBatteryDischargeModelTimeMotion::SetOrientFactor(Real factor) {
+  SetRate(factor, "orientation factor", m_orientationFactor);
 }
 
 REGISTER_BATTERY_DISCHARGE_MODEL(CBatteryDischargeModelTime, "time")

@@ -12,6 +12,10 @@ class CBatteryDischargeModelTime : public CBatteryDischargeModel {
   void Init(TConfigurationNode& battery) override;
   void operator()() override;
 
+  Real GetDelta() const { return m_delta; }
+  /** @param delta  charge per tick, >= 0. @throws CARGoSException if it is out of range. */
+  void SetDelta(Real delta);
+
  private:
   Real m_delta = 1e-5;
 };
@@ -25,6 +29,13 @@ class CBatteryDischargeModelMotion : public CBatteryDischargeModel {
    */
   void Init(TConfigurationNode& battery) override;
   void operator()() override;
+
+  /** Charge per m and per rad. */
+  Real GetPosFactor() const { return m_positionDelta; }
+  Real GetOrientFactor() const { return m_orientationDelta; }
+  /** These throw CARGoSException if the factor is not >= 0. */
+  void SetPosFactor(Real factor);
+  void SetOrientFactor(Real factor);
 
  private:
   Real m_positionDelta = 1e-3;
@@ -41,6 +52,15 @@ class CBatteryDischargeModelTimeMotion : public CBatteryDischargeModel {
    */
   void Init(TConfigurationNode& battery) override;
   void operator()() override;
+
+  /** Charge per tick, per m and per rad. */
+  Real GetDelta() const { return m_timeFactor; }
+  Real GetPosFactor() const { return m_positionFactor; }
+  Real GetOrientFactor() const { return m_orientationFactor; }
+  /** These throw CARGoSException if the value is not >= 0. */
+  void SetDelta(Real delta);
+  void SetPosFactor(Real factor);
+  void SetOrientFactor(Real factor);
 
  private:
   Real m_timeFactor = 1e-5;

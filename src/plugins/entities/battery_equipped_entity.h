@@ -120,4 +120,8 @@ class CBatteryEquippedEntity : public CEntity {
   REGISTER_SYMBOL(CBatteryDischargeModel, CLASSNAME, LABEL, "undefined", "undefined", "undefined", \
                   "undefined", "undefined")
 
+#ifndef ARGOS_WITHOUT_COMPANIONS
+#include <argos3/plugins/simulator/entities/battery_discharge_models.h>
+#endif
+
 #endif

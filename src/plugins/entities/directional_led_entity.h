@@ -3,6 +3,7 @@
 
 #include <argos3/core/simulator/entity/robots_code.h>
 #include <argos3/core/utility/datatypes/color.h>
+#include <argos3/core/utility/datatypes/set.h>
 #include <argos3/core/utility/math/angles.h>
 #include <argos3/plugins/simulator/entities/cell_updaters.h>
 #include <argos3/plugins/simulator/entities/medium_member.h>
@@ -23,6 +24,7 @@ class CDirectionalLEDEntity : public CMediumMember<CDirectionalLEDEntity, CDirec
   ENABLE_VTABLE();
 
   typedef std::vector<CDirectionalLEDEntity*> TList;
+  typedef CSet<CDirectionalLEDEntity*, SEntityComparator> TSet;
 
   /** Creates a black LED that is visible from all sides. */
   explicit CDirectionalLEDEntity(CComposableEntity* parent);

@@ -9,13 +9,19 @@ void CDirectionalLEDEquippedEntity::Init(TConfigurationNode& tree) {
   InitInMedium(tree, "a medium of directional LEDs", "directional_led");
 }
 
+void CDirectionalLEDEquippedEntity::AddLED(const std::string& id, const CVector3& position,
+                                           const CQuaternion& orientation, SAnchor& anchor,
+                                           const CRadians& observableAngle, const CColor& color) {
+  Mount(std::make_unique<CDirectionalLEDEntity>(this, id, CVector3(), CQuaternion(),
+                                                observableAngle, color),
+        position, orientation, anchor);
+}
+
 void CDirectionalLEDEquippedEntity::AddLED(const CVector3& position, const CQuaternion& orientation,
                                            SAnchor& anchor, const CRadians& observableAngle,
                                            const CColor& color) {
-  Mount(std::make_unique<CDirectionalLEDEntity>(this,
-                                                "directional_led_" + std::to_string(GetNumLEDs()),
-                                                CVector3(), CQuaternion(), observableAngle, color),
-        position, orientation, anchor);
+  AddLED("directional_led_" + std::to_string(GetNumLEDs()), position, orientation, anchor,
+         observableAngle, color);
 }
 
 CDirectionalLEDEntity& CDirectionalLEDEquippedEntity::GetLED(UInt32 index) {
@@ -26,13 +32,13 @@ void CDirectionalLEDEquippedEntity::SetLEDColor(UInt32 index, const CColor& colo
   GetLED(index).SetColor(color);
 }
 
-void CDirectionalLEDEquippedEntity::SetAllLEDsColors(const CColor& color) {
+void CDirectionalLEDEquippedEntity::SetLEDColors(const CColor& color) {
   for (const SInstance& instance : GetInstances()) {
-    instance.Entity.SetColor(color);
+    instance.GetEntity().SetColor(color);
   }
 }
 
-void CDirectionalLEDEquippedEntity::SetAllLEDsColors(const std::vector<CColor>& colors) {
+void CDirectionalLEDEquippedEntity::SetLEDColors(const std::vector<CColor>& colors) {
   SetEach(colors, "directional LEDs", "colors",
           [](CDirectionalLEDEntity& led, const CColor& color) { led.SetColor(color); });
 }

@@ -15,6 +15,20 @@
 
 namespace argos {
 
+/** A mounted entity and its place; specialized where ARGoS 3 publishes other names. */
+template <class ENTITY>
+struct SMountedInstance {
+  ENTITY& Entity;
+  CVector3 PositionOffset; /**< in the anchor's frame, m */
+  CQuaternion OrientationOffset; /**< in the anchor's frame */
+  SAnchor& Anchor;
+
+  typedef std::vector<SMountedInstance> TVector;
+
+  ENTITY& GetEntity() const { return Entity; }
+  const CVector3& GetPositionOffset() const { return PositionOffset; }
+};
+
 /**
  * Base of directional LEDs, tags and radios on a body: entities with a pose of their own that
  * belong to a medium.
@@ -25,15 +39,7 @@ namespace argos {
 template <class ENTITY>
 class CMountedEntities : public CComposableEntity {
  public:
-  /** A mounted entity and its place. */
-  struct SInstance {
-    ENTITY& Entity;
-    CVector3 PositionOffset; /**< in the anchor's frame, m */
-    CQuaternion OrientationOffset; /**< in the anchor's frame */
-    SAnchor& Anchor;
-
-    typedef std::vector<SInstance> TVector;
-  };
+  using SInstance = SMountedInstance<ENTITY>;
 
   explicit CMountedEntities(CComposableEntity* parent, const std::string& id = std::string())
       : CComposableEntity(parent, id) {
@@ -81,7 +87,7 @@ class CMountedEntities : public CComposableEntity {
     KeepForReset(m_medium);
     m_medium = &medium;
     for (const SInstance& instance : m_instances) {
-      instance.Entity.SetMedium(medium);
+      instance.GetEntity().SetMedium(medium);
     }
   }
 
@@ -159,7 +165,7 @@ class CMountedEntities : public CComposableEntity {
                                  << " " << what << " for " << m_instances.size() << " " << owner);
     }
     for (size_t i = 0; i < values.size(); ++i) {
-      set(m_instances[i].Entity, values[i]);
+      set(m_instances[i].GetEntity(), values[i]);
     }
   }
   /** @param what "LED", for the message. @throws CARGoSException if the index is out of range. */
@@ -168,15 +174,15 @@ class CMountedEntities : public CComposableEntity {
       THROW_ARGOSEXCEPTION("\"" << GetContext() << GetId() << "\": no " << what << " " << index
                                 << "; there are " << m_instances.size() << ", numbered from 0");
     }
-    return m_instances[index].Entity;
+    return m_instances[index].GetEntity();
   }
 
  private:
   static void Place(const SInstance& instance) {
-    CVector3 position = instance.PositionOffset;
+    CVector3 position = instance.GetPositionOffset();
     position.Rotate(instance.Anchor.Orientation);
-    instance.Entity.MoveTo(position + instance.Anchor.Position,
-                           instance.Anchor.Orientation * instance.OrientationOffset);
+    instance.GetEntity().MoveTo(position + instance.Anchor.Position,
+                                instance.Anchor.Orientation * instance.OrientationOffset);
   }
 
   typename SInstance::TVector m_instances;

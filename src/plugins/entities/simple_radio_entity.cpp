@@ -11,13 +11,10 @@ namespace argos {
 
 namespace {
 
-void AddMessages(CDigest& digest, const std::vector<CByteArray>& messages) {
-  digest.Add(messages.size());
-  for (const CByteArray& message : messages) {
-    digest.Add(message.Size());
-    for (size_t i = 0; i < message.Size(); ++i) {
-      digest.Add(message.ToCArray()[i]);
-    }
+void AddBytes(CDigest& digest, const CByteArray& message) {
+  digest.Add(message.Size());
+  for (size_t i = 0; i < message.Size(); ++i) {
+    digest.Add(message.ToCArray()[i]);
   }
 }
 
@@ -45,7 +42,6 @@ void CSimpleRadioEntity::Reset() {
   m_spare.Shrink(m_messages, 0);
   m_numOld = 0;
   m_outbox.clear();
-  m_origins.clear();
 }
 
 void CSimpleRadioEntity::SetRange(Real range) {
@@ -55,9 +51,11 @@ void CSimpleRadioEntity::SetRange(Real range) {
   m_range = range;
 }
 
-void CSimpleRadioEntity::ReceiveMessage(const CByteArray& message) {
+void CSimpleRadioEntity::ReceiveMessage(const CVector3& origin, const CByteArray& message) {
   CRobotsCode::CheckOwn(*this, "ReceiveMessage()");
-  m_spare.Append(m_messages) = message;
+  TMessage& received = m_spare.Append(m_messages);
+  received.first = origin;
+  received.second = message;
 }
 
 void CSimpleRadioEntity::Send(std::vector<CByteArray>& outbox) {
@@ -73,10 +71,12 @@ void CSimpleRadioEntity::Send(std::vector<CByteArray>& outbox) {
 }
 
 void CSimpleRadioEntity::Read(std::vector<CByteArray>& read) {
-  m_spare.Shrink(read, 0);
-  read.swap(m_messages);
+  m_spareBytes.Shrink(read, 0);
+  for (TMessage& message : m_messages) {
+    m_spareBytes.Append(read).Swap(message.second);
+  }
+  m_spare.Shrink(m_messages, 0);
   m_numOld = 0;
-  m_origins.clear();
 }
 
 void CSimpleRadioEntity::DropOldMessages() {
@@ -84,29 +84,28 @@ void CSimpleRadioEntity::DropOldMessages() {
     std::rotate(m_messages.begin(), m_messages.begin() + static_cast<std::ptrdiff_t>(m_numOld),
                 m_messages.end());
     m_spare.Shrink(m_messages, m_messages.size() - m_numOld);
-    m_origins.clear();
   }
   m_numOld = m_messages.size();
 }
 
-void CSimpleRadioEntity::Deliver(const std::vector<CByteArray>& messages) {
+void CSimpleRadioEntity::Deliver(const CVector3& origin, const std::vector<CByteArray>& messages) {
   for (const CByteArray& message : messages) {
-    ReceiveMessage(message);
+    ReceiveMessage(origin, message);
   }
   m_numOld = m_messages.size();
-}
-
-void CSimpleRadioEntity::NoteOrigin(const CVector3& position) {
-  if (m_remembersOrigins) {
-    m_origins.push_back(position);
-  }
 }
 
 void CSimpleRadioEntity::UpdateDigest(CDigest& digest) const {
   CMediumMember::UpdateDigest(digest);
   digest.Add(m_range);
-  AddMessages(digest, m_messages);
-  AddMessages(digest, m_outbox);
+  digest.Add(m_messages.size());
+  for (const TMessage& message : m_messages) {
+    AddBytes(digest, message.second);
+  }
+  digest.Add(m_outbox.size());
+  for (const CByteArray& message : m_outbox) {
+    AddBytes(digest, message);
+  }
 }
 
 REGISTER_STANDARD_SPACE_OPERATIONS_ON_ENTITY(CSimpleRadioEntity)

@@ -3,11 +3,13 @@
 
 #include <argos3/core/utility/datatypes/byte_array.h>
 #include <argos3/core/utility/datatypes/set.h>
+#include <argos3/core/utility/math/vector3.h>
 #include <argos3/plugins/simulator/entities/cell_updaters.h>
 #include <argos3/plugins/simulator/entities/medium_member.h>
 #include <argos3/plugins/simulator/entities/spare_elements.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace argos {
@@ -43,10 +45,15 @@ class CSimpleRadioEntity : public CMediumMember<CSimpleRadioEntity, CSimpleRadio
   /** @throws CARGoSException if the range is not >= 0. */
   void SetRange(Real range);
 
+  /** A message, and where its sender was, m, world frame. */
+  typedef std::pair<CVector3, CByteArray> TMessage;
+
   /** Received, unread messages, in order of arrival. */
-  std::vector<CByteArray>& GetMessages() { return m_messages; }
-  const std::vector<CByteArray>& GetMessages() const { return m_messages; }
-  void ReceiveMessage(const CByteArray& message);
+  std::vector<TMessage>& GetMessages() { return m_messages; }
+  const std::vector<TMessage>& GetMessages() const { return m_messages; }
+  bool HasMessages() const { return !m_messages.empty(); }
+  /** @param origin  position of the sender, m, world frame. */
+  void ReceiveMessage(const CVector3& origin, const CByteArray& message);
 
   /** Empties @p outbox; the medium sends its messages in the next TakeActs(). */
   void Send(std::vector<CByteArray>& outbox);
@@ -54,24 +61,14 @@ class CSimpleRadioEntity : public CMediumMember<CSimpleRadioEntity, CSimpleRadio
   const std::vector<CByteArray>& GetOutbox() const { return m_outbox; }
   void ClearOutbox() { m_outbox.clear(); }
 
-  /** Swaps the received messages with the contents of @p read, which are reused; for sensors. */
+  /** Replaces @p read, whose memory is reused, by the received messages; for sensors. */
   void Read(std::vector<CByteArray>& read);
   /** Returns messages from Read() for reuse of their memory; for sensors that are reset. */
-  void TakeBack(std::vector<CByteArray>& read) { m_spare.Shrink(read, 0); }
+  void TakeBack(std::vector<CByteArray>& read) { m_spareBytes.Shrink(read, 0); }
   /** Drops messages that sensors had the chance to read; for the medium, once a tick. */
   void DropOldMessages();
-  /** For the medium: appends messages, which become old in the next tick. */
-  void Deliver(const std::vector<CByteArray>& messages);
-
-  /** Enables recording of the senders' positions; for sensors that display them. */
-  void SetRememberingOrigins(bool remember) {
-    KeepForReset(m_remembersOrigins);
-    m_remembersOrigins = remember;
-  }
-  /** For the medium: records the position of a sender, m, world frame. */
-  void NoteOrigin(const CVector3& position);
-  /** Positions of the senders of unread messages, m, world frame; cleared by Read(). */
-  const std::vector<CVector3>& GetOrigins() const { return m_origins; }
+  /** For the medium: appends messages of one sender, which become old in the next tick. */
+  void Deliver(const CVector3& origin, const std::vector<CByteArray>& messages);
 
   /** For the medium: index among its radios. */
   UInt32 GetNumberInMedium() const { return m_numberInMedium; }
@@ -81,12 +78,11 @@ class CSimpleRadioEntity : public CMediumMember<CSimpleRadioEntity, CSimpleRadio
 
  private:
   Real m_range = 0.0;  // m
-  std::vector<CByteArray> m_messages;  // received
+  std::vector<TMessage> m_messages;  // received
   size_t m_numOld = 0;  // how many of them the next DropOldMessages() drops
   std::vector<CByteArray> m_outbox;
-  CSpareElements<CByteArray> m_spare;
-  bool m_remembersOrigins = false;
-  std::vector<CVector3> m_origins;  // m, world frame
+  CSpareElements<TMessage> m_spare;
+  CSpareElements<CByteArray> m_spareBytes;  // of messages that have been read
   UInt32 m_numberInMedium = 0;
 };
 

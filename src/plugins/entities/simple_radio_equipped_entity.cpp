@@ -18,14 +18,17 @@ void CSimpleRadioEquippedEntity::Init(TConfigurationNode& tree) {
 }
 
 void CSimpleRadioEquippedEntity::AddRadio(const std::string& id, const CVector3& position,
-                                          SAnchor& anchor, Real range) {
+                                          SAnchor& anchor, CSimpleRadioEntity::CRegistry& medium,
+                                          Real range) {
   RequireNewId(id);
-  Mount(std::make_unique<CSimpleRadioEntity>(this, id, range), position, CQuaternion(), anchor);
+  auto radio = std::make_unique<CSimpleRadioEntity>(this, id, range);
+  radio->SetMedium(medium);
+  Mount(std::move(radio), position, CQuaternion(), anchor);
 }
 
 void CSimpleRadioEquippedEntity::RequireNewId(const std::string& id) const {
   for (const SInstance& instance : GetInstances()) {
-    if (instance.Entity.GetId() == id) {
+    if (instance.GetEntity().GetId() == id) {
       THROW_ARGOSEXCEPTION("radios \"" << GetContext() << GetId()
                                        << "\": there is already a radio with id \"" << id
                                        << "\"; ids must be unique");

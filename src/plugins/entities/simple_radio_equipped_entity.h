@@ -5,8 +5,23 @@
 #include <argos3/plugins/simulator/entities/simple_radio_entity.h>
 
 #include <string>
+#include <vector>
 
 namespace argos {
+
+/** A radio and its place. */
+template <>
+struct SMountedInstance<CSimpleRadioEntity> {
+  CSimpleRadioEntity& Radio;
+  CVector3 Offset; /**< in the anchor's frame, m */
+  CQuaternion OrientationOffset; /**< in the anchor's frame */
+  SAnchor& Anchor;
+
+  typedef std::vector<SMountedInstance> TVector;
+
+  CSimpleRadioEntity& GetEntity() const { return Radio; }
+  const CVector3& GetPositionOffset() const { return Offset; }
+};
 
 /** The radios on a body. Starts disabled. */
 class CSimpleRadioEquippedEntity : public CMountedEntities<CSimpleRadioEntity> {
@@ -24,8 +39,15 @@ class CSimpleRadioEquippedEntity : public CMountedEntities<CSimpleRadioEntity> {
   void Init(TConfigurationNode& tree) override;
   std::string GetTypeDescription() const override { return "simple_radios"; }
 
-  /** @param position in the anchor's frame, m. @param range m, >= 0. */
-  void AddRadio(const std::string& id, const CVector3& position, SAnchor& anchor, Real range);
+  /**
+   * @param id        unique among the radios of this entity.
+   * @param position  in the anchor's frame, m.
+   * @param medium    a CSimpleRadioMedium.
+   * @param range     m, >= 0.
+   * @throws CARGoSException if the id is in use.
+   */
+  void AddRadio(const std::string& id, const CVector3& position, SAnchor& anchor,
+                CSimpleRadioEntity::CRegistry& medium, Real range);
 
   size_t GetNumRadios() const { return GetInstances().size(); }
   /** @throws CARGoSException if the index is out of range. */

@@ -9,12 +9,20 @@ void CTagEquippedEntity::Init(TConfigurationNode& tree) {
   InitInMedium(tree, "a tag medium", "tag");
 }
 
+void CTagEquippedEntity::AddTag(const std::string& id, const CVector3& position,
+                                const CQuaternion& orientation, SAnchor& anchor,
+                                const CRadians& observableAngle, Real sideLength,
+                                const std::string& payload) {
+  Mount(std::make_unique<CTagEntity>(this, id, CVector3(), CQuaternion(), observableAngle,
+                                     sideLength, payload),
+        position, orientation, anchor);
+}
+
 void CTagEquippedEntity::AddTag(const CVector3& position, const CQuaternion& orientation,
                                 SAnchor& anchor, const CRadians& observableAngle, Real sideLength,
                                 const std::string& payload) {
-  Mount(std::make_unique<CTagEntity>(this, "tag_" + std::to_string(GetNumTags()), CVector3(),
-                                     CQuaternion(), observableAngle, sideLength, payload),
-        position, orientation, anchor);
+  AddTag("tag_" + std::to_string(GetNumTags()), position, orientation, anchor, observableAngle,
+         sideLength, payload);
 }
 
 CTagEntity& CTagEquippedEntity::GetTag(UInt32 index) {
@@ -25,13 +33,13 @@ void CTagEquippedEntity::SetTagPayload(UInt32 index, const std::string& payload)
   GetTag(index).SetPayload(payload);
 }
 
-void CTagEquippedEntity::SetAllTagPayloads(const std::string& payload) {
+void CTagEquippedEntity::SetTagPayloads(const std::string& payload) {
   for (const SInstance& instance : GetInstances()) {
-    instance.Entity.SetPayload(payload);
+    instance.GetEntity().SetPayload(payload);
   }
 }
 
-void CTagEquippedEntity::SetAllTagPayloads(const std::vector<std::string>& payloads) {
+void CTagEquippedEntity::SetTagPayloads(const std::vector<std::string>& payloads) {
   SetEach(payloads, "tags", "payloads",
           [](CTagEntity& tag, const std::string& payload) { tag.SetPayload(payload); });
 }

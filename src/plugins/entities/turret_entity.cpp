@@ -13,10 +13,10 @@ namespace argos {
 
 namespace {
 
-void RequireFinite(const CEntity& turret, const char* what, const CRadians& value) {
-  if (!std::isfinite(value.GetValue())) {
+void RequireFinite(const CEntity& turret, const char* what, Real value) {
+  if (!std::isfinite(value)) {
     THROW_ARGOSEXCEPTION("turret \"" << turret.GetContext() << turret.GetId() << "\": the " << what
-                                     << " must be a finite number, got " << value.GetValue());
+                                     << " must be a finite number, got " << value);
   }
 }
 
@@ -36,16 +36,21 @@ CTurretEntity::CTurretEntity(CComposableEntity* parent, const std::string& id, S
 void CTurretEntity::Reset() {
   SetMode(MODE_OFF);
   m_desiredRotation = CRadians::ZERO;
-  m_desiredSpeed = CRadians::ZERO;
+  m_desiredSpeed = 0.0;
+  m_speed = 0.0;
   SetRotation(CRadians::ZERO);
   m_anchor.FollowOrigin();
 }
 
-void CTurretEntity::SetMode(EMode mode) {
+void CTurretEntity::SetMode(UInt8 mode) {
+  if (mode > MODE_POSITION_CONTROL) {
+    THROW_ARGOSEXCEPTION("turret \"" << GetContext() << GetId() << "\": there is no mode "
+                                     << static_cast<int>(mode) << ", but modes 0 to 3");
+  }
   if (CRobotsCode::MayRun()) {
     CRobotsCode::CheckOwn(*this, "SetMode()");
   }
-  m_mode = mode;
+  m_mode = static_cast<EMode>(mode);
   m_hasLastError = m_hasLastError && mode == MODE_POSITION_CONTROL;
 }
 
@@ -53,11 +58,11 @@ void CTurretEntity::SetDesiredRotation(const CRadians& rotation) {
   if (CRobotsCode::MayRun()) {
     CRobotsCode::CheckOwn(*this, "SetDesiredRotation()");
   }
-  RequireFinite(*this, "desired rotation (rad)", rotation);
+  RequireFinite(*this, "desired rotation (rad)", rotation.GetValue());
   m_desiredRotation = Normalized(rotation);
 }
 
-void CTurretEntity::SetDesiredRotationSpeed(const CRadians& speed) {
+void CTurretEntity::SetDesiredRotationSpeed(Real speed) {
   if (CRobotsCode::MayRun()) {
     CRobotsCode::CheckOwn(*this, "SetDesiredRotationSpeed()");
   }
@@ -73,10 +78,10 @@ void CTurretEntity::SetRotation(const CRadians& rotation) {
   m_anchor.OffsetOrientation = CQuaternion(m_rotation, CVector3::Z);
 }
 
-Real CTurretEntity::AdvanceControl(Real tickLength) {
+Real CTurretEntity::ComputeControl(Real tickLength) {
   switch (m_mode) {
     case MODE_SPEED_CONTROL:
-      return m_desiredSpeed.GetValue();
+      return m_desiredSpeed;
     case MODE_POSITION_CONTROL: {
       const CRadians error = Normalized(m_desiredRotation - m_rotation);
       const CRadians change = m_hasLastError ? Normalized(error - m_lastError) : CRadians::ZERO;
@@ -95,7 +100,7 @@ void CTurretEntity::UpdateDigest(CDigest& digest) const {
   digest.Add(m_mode);
   digest.Add(m_rotation.GetValue());
   digest.Add(m_desiredRotation.GetValue());
-  digest.Add(m_desiredSpeed.GetValue());
+  digest.Add(m_desiredSpeed);
 }
 
 REGISTER_SPACE_OPERATIONS_TOLD_TO_ENGINES(CTurretEntity)

@@ -20,7 +20,7 @@ class CTurretEntity : public CEntity {
  public:
   ENABLE_VTABLE();
 
-  enum EMode {
+  enum EMode : UInt8 {
     MODE_OFF, /**< keeps its angle on the body; turns freely while its gripper holds a body */
     MODE_PASSIVE, /**< the same */
     MODE_SPEED_CONTROL, /**< turns at the desired speed */
@@ -41,16 +41,19 @@ class CTurretEntity : public CEntity {
 
   const SAnchor& GetAnchor() const { return m_anchor; }
   EMode GetMode() const { return m_mode; }
-  void SetMode(EMode mode);
+  /** @throws CARGoSException if it is no EMode. */
+  void SetMode(UInt8 mode);
   /** @return true if the motor drives the turret. */
   bool IsDriven() const { return m_mode == MODE_SPEED_CONTROL || m_mode == MODE_POSITION_CONTROL; }
   const CRadians& GetDesiredRotation() const { return m_desiredRotation; }
   /** For MODE_POSITION_CONTROL; takes the shorter way. @throws CARGoSException if not finite. */
   void SetDesiredRotation(const CRadians& rotation);
   /** In rad/s. */
-  const CRadians& GetDesiredRotationSpeed() const { return m_desiredSpeed; }
+  Real GetDesiredRotationSpeed() const { return m_desiredSpeed; }
   /** For MODE_SPEED_CONTROL, rad/s, counter-clockwise. @throws CARGoSException if not finite. */
-  void SetDesiredRotationSpeed(const CRadians& speed);
+  void SetDesiredRotationSpeed(Real speed);
+  /** What the motor commanded in the last tick, rad/s. */
+  Real GetRotationSpeed() const { return m_speed; }
 
   /** Angle on the body, in (-pi, pi], counter-clockwise from straight ahead. */
   const CRadians& GetRotation() const { return m_rotation; }
@@ -64,7 +67,7 @@ class CTurretEntity : public CEntity {
    * of the mode).
    * @param tickLength  s.
    */
-  Real AdvanceControl(Real tickLength);
+  Real AdvanceControl(Real tickLength) { return m_speed = ComputeControl(tickLength); }
   /** For engines without their own turret model, once a tick: turns it at the commanded speed. */
   void Advance(Real tickLength) {
     SetRotation(m_rotation + CRadians(AdvanceControl(tickLength) * tickLength));
@@ -73,12 +76,15 @@ class CTurretEntity : public CEntity {
   void UpdateDigest(CDigest& digest) const override;
 
  private:
+  Real ComputeControl(Real tickLength);
+
   SAnchor& m_anchor;
   SControlGains m_gains;
   EMode m_mode = MODE_OFF;
   CRadians m_rotation;
   CRadians m_desiredRotation;
-  CRadians m_desiredSpeed;  // rad/s
+  Real m_desiredSpeed = 0.0;  // rad/s
+  Real m_speed = 0.0;  // rad/s, commanded in the last tick
   CRadians m_lastError;  // of position control in the last tick
   bool m_hasLastError = false;
 };

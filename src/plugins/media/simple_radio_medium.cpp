@@ -104,9 +104,8 @@ void CSimpleRadioMedium::Deliver(CSimpleRadioEntity& sender) {
             !(SquareDistance(receiver.GetPosition(), place) < squareRange)) {
           return;
         }
-        receiver.Deliver(sender.GetOutbox());
+        receiver.Deliver(place, sender.GetOutbox());
         m_state->NumDelivered += sender.GetOutbox().size();
-        receiver.NoteOrigin(place);
       });
 }
 

@@ -208,7 +208,7 @@ const std::vector<SChange>& OwnChanges() {
       {"SetRange()", [](auto& a) { a.Robot.GetRABEquippedEntity().SetRange(1.0); }},
       {"SetPayload()",
        [](auto& a) {
-         a.template GetPart<CTagEquippedEntity>("tags").SetAllTagPayloads(std::to_string(a.Tick));
+         a.template GetPart<CTagEquippedEntity>("tags").SetTagPayloads(std::to_string(a.Tick));
        }},
       {"SetColor()",
        [](auto& a) {
@@ -219,7 +219,7 @@ const std::vector<SChange>& OwnChanges() {
        [](auto& a) {
          a.template GetPart<CSimpleRadioEquippedEntity>("simple_radios")
              .GetInstances()[0]
-             .Entity.SetRange(1.0);
+             .Radio.SetRange(1.0);
        }},
       {"SetVelocities()",
        [](auto& a) { a.template GetPart<CWheeledEntity>("wheels").SetVelocities(kStill); }},

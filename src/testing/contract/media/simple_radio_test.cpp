@@ -203,7 +203,7 @@ TEST_CASE("simple radio: programs can deliver messages to radios", "[contract][m
   world.Step();
   CByteArray message;
   message << std::string("from above");
-  RadioOf(world, "b").ReceiveMessage(message);
+  RadioOf(world, "b").ReceiveMessage(CVector3(1.0, 2.0, 3.0), message);
   Send(world, "a", "from a");
   world.Step();
   CHECK(Received(world, "b") == TTexts{"from above", "from a"});

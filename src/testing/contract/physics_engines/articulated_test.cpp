@@ -45,7 +45,7 @@ class CJointWorld : public CRigidScene {
  public:
   using CRigidScene::CRigidScene;
 
-  CJointEquippedEntity& Joints() { return *Get<CPrototypeEntity>("p").GetJointEquippedEntity(); }
+  CJointEquippedEntity& Joints() { return Get<CPrototypeEntity>("p").GetJointEquippedEntity(); }
   Real Coordinate(size_t joint = 0) { return Joints().GetJoint(joint).Position; }
   Real Speed(size_t joint = 0) { return Joints().GetJoint(joint).Velocity; }
   // a point of a link, given in the frame of its anchor, m, world frame

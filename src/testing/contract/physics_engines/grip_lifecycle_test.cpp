@@ -158,7 +158,7 @@ TEST_CASE("grip lifecycle: components created during a run work at once",
   world.Step();
   CHECK(world.HeldBy("r") == "box");
   robot.GetTurretEntity().SetMode(CTurretEntity::MODE_SPEED_CONTROL);
-  robot.GetTurretEntity().SetDesiredRotationSpeed(CRadians(0.1));
+  robot.GetTurretEntity().SetDesiredRotationSpeed(0.1);
   world.Step(10);
   CHECK_THAT(robot.GetTurretEntity().GetRotation().GetValue(), WithinAbs(0.1, 1e-3 + engine.Slack));
   // clearing the gripped entity releases the grip

@@ -309,7 +309,7 @@ TEST_CASE("footbot_turret: constants are those of ARGoS 3, and invalid orders ar
   CHECK_THROWS_WITH(actuator.SetRotation(CRadians(kNaN)), Contains("must be a finite angle"));
   auto& turret = world.Get<CFootBotEntity>("r").GetTurretEntity();
   CHECK_THROWS_WITH(turret.SetDesiredRotation(CRadians(kNaN)), Contains("desired rotation"));
-  CHECK_THROWS_WITH(turret.SetDesiredRotationSpeed(CRadians(kNaN)), Contains("desired speed"));
+  CHECK_THROWS_WITH(turret.SetDesiredRotationSpeed(kNaN), Contains("desired speed"));
 }
 
 TEST_CASE("gripper and turret: the devices are refused for robots without the components",
@@ -404,7 +404,7 @@ TEST_CASE("footbot_turret noise: is on each order", "[contract][robots][noise]")
     actuator.SetRotationSpeed(3);
     world.GetRobot("r").Act();
     const Real rotation = turret.GetDesiredRotation().GetValue() - 1.0;
-    const Real speed = turret.GetDesiredRotationSpeed().GetValue() * 30.0 / ARGOS_PI - 3.0;
+    const Real speed = turret.GetDesiredRotationSpeed() * 30.0 / ARGOS_PI - 3.0;
     deviations.push_back(isRotation ? rotation : speed);
     // the quantity without noise is exact, except for roundings of 3
     REQUIRE_THAT(isRotation ? speed : rotation, WithinAbs(0.0, 1e-15));

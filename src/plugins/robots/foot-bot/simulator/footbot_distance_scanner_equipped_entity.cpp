@@ -54,6 +54,14 @@ void CFootBotDistanceScannerEquippedEntity::SetEnabled(bool enabled) {
   SetFollowerEnabled(*this, enabled);
 }
 
+void CFootBotDistanceScannerEquippedEntity::SetMode(UInt8 mode) {
+  if (mode > MODE_SPEED_CONTROL) {
+    THROW_ARGOSEXCEPTION("distance scanner \"" << GetContext() << GetId() << "\": there is no mode "
+                                               << static_cast<int>(mode) << ", but modes 0 to 2");
+  }
+  m_mode = static_cast<EMode>(mode);
+}
+
 void CFootBotDistanceScannerEquippedEntity::SetRotation(const CRadians& rotation) {
   if (!std::isfinite(rotation.GetValue())) {
     THROW_ARGOSEXCEPTION("distance scanner \"" << GetContext() << GetId()

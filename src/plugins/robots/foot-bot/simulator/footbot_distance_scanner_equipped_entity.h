@@ -16,7 +16,7 @@ class CFootBotDistanceScannerEquippedEntity : public CEntity {
  public:
   ENABLE_VTABLE();
 
-  enum EMode { MODE_OFF, MODE_POSITION_CONTROL, MODE_SPEED_CONTROL };
+  enum EMode : UInt8 { MODE_OFF, MODE_POSITION_CONTROL, MODE_SPEED_CONTROL };
 
   /** Where beams begin: on a circle around the vertical axis of the body. */
   struct SMount {
@@ -38,7 +38,8 @@ class CFootBotDistanceScannerEquippedEntity : public CEntity {
   std::string GetTypeDescription() const override { return "distance_scanner"; }
 
   EMode GetMode() const { return m_mode; }
-  void SetMode(EMode mode) { m_mode = mode; }
+  /** @throws CARGoSException if it is no EMode. */
+  void SetMode(UInt8 mode);
   /** Angle of the first short-range head in the robot's frame, in [0, 2 PI). */
   const CRadians& GetRotation() const { return m_rotation; }
   /** Sets the angle at once. @throws CARGoSException if it is not finite. */

@@ -15,6 +15,10 @@ class CFootBotDistanceScannerRotZOnlySensor
  public:
   void Update() override;
 
+  bool IsShowRays() const { return m_showRays; }
+  /** @param show  true: visualizations show the sensor's rays, from the next tick on. */
+  void SetShowRays(bool show) { m_showRays = show; }
+
  private:
   void FindParts(CComposableEntity& robot) override;
   /** Also reads `show_rays`, `noise_range` (cm). */

@@ -51,7 +51,7 @@ void CFootBotTurretDefaultActuator::SetRotation(const CRadians& angle) {
 }
 
 void CFootBotTurretDefaultActuator::SetRotationSpeed(SInt32 pulses) {
-  m_speed = CRadians(kRadiansPerSecond * m_noise.Apply(QUANTITY_ROTATION_SPEED, pulses));
+  m_speed = kRadiansPerSecond * m_noise.Apply(QUANTITY_ROTATION_SPEED, pulses);
 }
 
 void CFootBotTurretDefaultActuator::SetMode(ETurretModes mode) {
@@ -67,7 +67,7 @@ void CFootBotTurretDefaultActuator::Update() {
 void CFootBotTurretDefaultActuator::Reset() {
   m_mode = MODE_OFF;
   m_rotation = CRadians::ZERO;
-  m_speed = CRadians::ZERO;
+  m_speed = 0.0;
   m_noise.Reset();
 }
 

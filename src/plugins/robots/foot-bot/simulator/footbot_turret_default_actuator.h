@@ -30,7 +30,7 @@ class CFootBotTurretDefaultActuator : public CSimulatedActuator, public CCI_Foot
   const CControllableEntity* m_robot = nullptr;
   ETurretModes m_mode = MODE_OFF;
   CRadians m_rotation;  // with noise
-  CRadians m_speed;  // per s, with noise
+  Real m_speed = 0.0;  // rad/s
   CDeviceNoise m_noise;
 };
 

@@ -47,6 +47,20 @@ void CPrototypeEntity::Init(TConfigurationNode& tree) {
   }
 }
 
+CJointEquippedEntity& CPrototypeEntity::GetJointEquippedEntity() {
+  if (m_joints == nullptr) {
+    THROW_ARGOSEXCEPTION("prototype \"" << GetId() << "\" has no joint that moves");
+  }
+  return *m_joints;
+}
+
+CControllableEntity& CPrototypeEntity::GetControllableEntity() {
+  if (m_controllable == nullptr) {
+    THROW_ARGOSEXCEPTION("prototype \"" << GetId() << "\" has no controller");
+  }
+  return *m_controllable;
+}
+
 void CPrototypeEntity::InitBody(TConfigurationNode& tree) {
   bool movable = true;
   GetNodeAttributeOrDefault(tree, "movable", movable, movable);

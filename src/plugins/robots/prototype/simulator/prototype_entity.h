@@ -32,10 +32,11 @@ class CPrototypeEntity : public CComposableEntity {
   const SAppearance* GetAppearance() const override { return &m_appearance; }
 
   CEmbodiedEntity& GetEmbodiedEntity() { return *m_body; }
-  /** Null if all joints are fixed. */
-  CJointEquippedEntity* GetJointEquippedEntity() { return m_joints; }
-  /** Null without the child `<controller>`. */
-  CControllableEntity* GetControllableEntity() { return m_controllable; }
+  const CEmbodiedEntity& GetEmbodiedEntity() const { return *m_body; }
+  /** @throws CARGoSException if all joints are fixed. */
+  CJointEquippedEntity& GetJointEquippedEntity();
+  /** @throws CARGoSException without the child `<controller>`. */
+  CControllableEntity& GetControllableEntity();
 
  private:
   void InitBody(TConfigurationNode& tree);

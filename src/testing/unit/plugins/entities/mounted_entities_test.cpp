@@ -120,11 +120,11 @@ TEST_CASE("directional leds: the medium contains those that are enabled and lit"
   auto& index =
       world.GetSimulator().GetMedium<CDirectionalLEDMedium>("directional_leds").GetIndex();
   CHECK(Count(index) == 1);
-  LEDs(world).SetAllLEDsColors(CColor::BLUE);
+  LEDs(world).SetLEDColors(CColor::BLUE);
   CHECK(Count(index) == 2);
   LEDs(world).SetLEDColor(0, CColor::BLACK);
   CHECK(Count(index) == 1);
-  LEDs(world).SetAllLEDsColors({CColor::RED, CColor::GREEN});
+  LEDs(world).SetLEDColors({CColor::RED, CColor::GREEN});
   CHECK(Count(index) == 2);
   auto& body = world.Get<CFootBotEntity>("r").GetEmbodiedEntity();
   LEDs(world).Disable();
@@ -195,9 +195,9 @@ TEST_CASE("tags: positions follow the file, corners surround them", "[entities]"
   const UInt64 before = DigestOf(Tags(world));
   Tags(world).SetTagPayload(1, "two");
   CHECK(DigestOf(Tags(world)) != before);
-  Tags(world).SetAllTagPayloads("all");
+  Tags(world).SetTagPayloads("all");
   CHECK(tag.GetPayload() == "all");
-  Tags(world).SetAllTagPayloads(std::vector<std::string>{"a", "b"});
+  Tags(world).SetTagPayloads(std::vector<std::string>{"a", "b"});
   CHECK(Tags(world).GetTag(1).GetPayload() == "b");
   world.GetSimulator().Reset();
   CHECK(tag.GetPayload() == "one");
@@ -341,10 +341,9 @@ TEST_CASE("mounted entities: unknown numbers and values out of range are errors"
   CRobotWorld world(With(std::string(kLEDs) + kTags + kMagnets));
   CHECK_THROWS_WITH(LEDs(world).GetLED(2),
                     Contains("no LED 2") && Contains("r.directional_leds_0"));
-  CHECK_THROWS_WITH(LEDs(world).SetAllLEDsColors(std::vector<CColor>(3)),
-                    Contains("3 colors for 2"));
+  CHECK_THROWS_WITH(LEDs(world).SetLEDColors(std::vector<CColor>(3)), Contains("3 colors for 2"));
   CHECK_THROWS_WITH(Tags(world).GetTag(2), Contains("no tag 2"));
-  CHECK_THROWS_WITH(Tags(world).SetAllTagPayloads(std::vector<std::string>(1)),
+  CHECK_THROWS_WITH(Tags(world).SetTagPayloads(std::vector<std::string>(1)),
                     Contains("1 payloads for 2"));
   CHECK_THROWS_WITH(Magnets(world).GetMagnet(2), Contains("no magnet 2"));
   CHECK_THROWS_WITH(Magnets(world).GetMagnet(0).SetCurrent(std::numeric_limits<Real>::quiet_NaN()),

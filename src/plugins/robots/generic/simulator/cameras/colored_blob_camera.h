@@ -42,6 +42,10 @@ class CColoredBlobCamera : public CSimulatedSensor, public INTERFACE {
     MakeShifts();
   }
 
+  bool IsShowRays() const { return m_showRays; }
+  /** @param show  true: visualizations show the sensor's rays, from the next tick on. */
+  void SetShowRays(bool show) { m_showRays = show; }
+
  protected:
   /** @param type of the component. @throws CARGoSException if the robot does not have it. */
   void FindCamera(CComposableEntity& robot, const char* type) {

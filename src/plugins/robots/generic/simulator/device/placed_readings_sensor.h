@@ -60,6 +60,9 @@ class CPlacedReadingsSensor : public CArraySensor, public INTERFACE {
   void ListInputs(std::vector<CArraySensor::SArray>& inputs) const override {
     ListInputsOf(m_reader, inputs, 0);
   }
+  bool IsShowRays() const { return m_reader.IsShowRays(); }
+  /** @param show  true: visualizations show the sensor's rays, from the next tick on. */
+  void SetShowRays(bool show) { m_reader.SetShowRays(show); }
 
  protected:
   /** Number of sensors, of the reader's kind, that the robot must have. */
@@ -91,6 +94,9 @@ class CPlainReadingsSensor : public CArraySensor, public INTERFACE {
   void ListInputs(std::vector<CArraySensor::SArray>& inputs) const override {
     ListInputsOf(m_reader, inputs, 0);
   }
+  bool IsShowRays() const { return m_reader.IsShowRays(); }
+  /** @param show  true: visualizations show the sensor's rays, from the next tick on. */
+  void SetShowRays(bool show) { m_reader.SetShowRays(show); }
 
  protected:
   READER m_reader;

@@ -8,14 +8,14 @@ namespace argos {
 void CDirectionalLEDsDefaultActuator::SetRobot(CComposableEntity& robot) {
   m_leds = &robot.GetComponent<CDirectionalLEDEquippedEntity>("directional_leds");
   for (const auto& instance : m_leds->GetInstances()) {
-    m_tInitSettings.push_back(instance.Entity.GetInitColor());
+    m_tInitSettings.push_back(instance.LED.GetInitColor());
   }
   m_tSettings = m_tInitSettings;
   m_leds->Enable();
 }
 
 void CDirectionalLEDsDefaultActuator::Update() {
-  m_leds->SetAllLEDsColors(m_tSettings);
+  m_leds->SetLEDColors(m_tSettings);
 }
 
 void CDirectionalLEDsDefaultActuator::Reset() {

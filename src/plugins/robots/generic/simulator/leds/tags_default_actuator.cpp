@@ -8,14 +8,14 @@ namespace argos {
 void CTagsDefaultActuator::SetRobot(CComposableEntity& robot) {
   m_tags = &robot.GetComponent<CTagEquippedEntity>("tags");
   for (const auto& instance : m_tags->GetInstances()) {
-    m_initSettings.push_back(instance.Entity.GetInitPayload());
+    m_initSettings.push_back(instance.Tag.GetInitPayload());
   }
   m_tSettings = m_initSettings;
   m_tags->Enable();
 }
 
 void CTagsDefaultActuator::Update() {
-  m_tags->SetAllTagPayloads(m_tSettings);
+  m_tags->SetTagPayloads(m_tSettings);
 }
 
 void CTagsDefaultActuator::Reset() {

@@ -47,6 +47,10 @@ class CAngularLight {
 
   size_t GetNumSensors() const;
 
+  bool IsShowRays() const { return m_showRays; }
+  /** @param show  true: visualizations show the sensor's rays, from the next tick on. */
+  void SetShowRays(bool show) { m_showRays = show; }
+
   /** @param readings  each with an Angle, and a Value that is written, in [0,1]. */
   template <typename READINGS>
   void Read(READINGS& readings) {

@@ -34,6 +34,10 @@ class CLightDefaultSensor : public CNoisySensor<CCI_LightSensor>, protected CInh
    */
   virtual Real CalculateReading(Real distance, Real intensity);
 
+  bool IsShowRays() const { return m_bShowRays; }
+  /** @param show  true: visualizations show the sensor's rays, from the next tick on. */
+  void SetShowRays(bool show) { m_bShowRays = show; }
+
  private:
   struct SEyeBatch;  // a batch of sensors, in the world frame
 

@@ -54,6 +54,9 @@ class CProximityRays {
   CRayCaster& GetCaster() { return m_caster; }
   CProximitySensorEquippedEntity*& AccessSensors() { return m_sensors; }
   bool& AccessShowRays() { return m_showRays; }
+  bool IsShowRays() const { return m_showRays; }
+  /** @param show  true: visualizations show the sensor's rays, from the next tick on. */
+  void SetShowRays(bool show) { m_showRays = show; }
 
   /**
    * Casts all rays.

@@ -26,6 +26,10 @@ class CRangeAndBearingMediumSensor : public CNoisySensor<CCI_RangeAndBearingSens
 
   void Update() override;
 
+  bool IsShowRays() const { return m_bShowRays; }
+  /** @param show  true: visualizations show the sensor's rays, from the next tick on. */
+  void SetShowRays(bool show) { m_bShowRays = show; }
+
  private:
   enum EQuantity : UInt8 { RANGE, HORIZONTAL_BEARING, VERTICAL_BEARING };
 

@@ -8,7 +8,7 @@ namespace argos {
 void CSimpleRadiosDefaultActuator::SetRobot(CComposableEntity& robot) {
   m_radios = &robot.GetComponent<CSimpleRadioEquippedEntity>("simple_radios");
   for (const auto& instance : m_radios->GetInstances()) {
-    m_vecInterfaces.emplace_back(instance.Entity.GetId());
+    m_vecInterfaces.emplace_back(instance.Radio.GetId());
   }
   m_radios->Enable();
 }
@@ -16,7 +16,7 @@ void CSimpleRadiosDefaultActuator::SetRobot(CComposableEntity& robot) {
 void CSimpleRadiosDefaultActuator::Update() {
   for (size_t i = 0; i < m_vecInterfaces.size(); ++i) {
     if (!m_vecInterfaces[i].Messages.empty()) {
-      m_radios->GetInstances()[i].Entity.Send(m_vecInterfaces[i].Messages);
+      m_radios->GetInstances()[i].Radio.Send(m_vecInterfaces[i].Messages);
     }
   }
 }

@@ -10,26 +10,26 @@ void CSimpleRadiosDefaultSensor::SetRobot(CComposableEntity& robot) {
   m_robot = &robot.GetComponent<CControllableEntity>("controller");
   m_radios = &robot.GetComponent<CSimpleRadioEquippedEntity>("simple_radios");
   for (const auto& instance : m_radios->GetInstances()) {
-    m_vecInterfaces.emplace_back(instance.Entity.GetId());
+    m_vecInterfaces.emplace_back(instance.Radio.GetId());
   }
   m_radios->Enable();
 }
 
 void CSimpleRadiosDefaultSensor::Init(TConfigurationNode& tree) {
   CCI_SimpleRadiosSensor::Init(tree);
-  bool showRays = false;
-  GetNodeAttributeOrDefault(tree, "show_rays", showRays, showRays);
-  for (const auto& instance : m_radios->GetInstances()) {
-    instance.Entity.SetRememberingOrigins(showRays);
-  }
+  GetNodeAttributeOrDefault(tree, "show_rays", m_bShowRays, m_bShowRays);
   Enable();
 }
 
 void CSimpleRadiosDefaultSensor::Update() {
   for (size_t i = 0; i < m_vecInterfaces.size(); ++i) {
-    CSimpleRadioEntity& radio = m_radios->GetInstances()[i].Entity;
-    for (const CVector3& origin : radio.GetOrigins()) {
-      m_robot->AddCheckedRay(false, CRay3(origin, radio.GetPosition()));
+    CSimpleRadioEntity& radio = m_radios->GetInstances()[i].Radio;
+    const auto& messages = radio.GetMessages();
+    for (size_t m = 0; m_bShowRays && m < messages.size(); ++m) {
+      // one line for all messages of a sender
+      if (m == 0 || !(messages[m].first == messages[m - 1].first)) {
+        m_robot->AddCheckedRay(false, CRay3(messages[m].first, radio.GetPosition()));
+      }
     }
     radio.Read(m_vecInterfaces[i].Messages);
   }
@@ -37,7 +37,7 @@ void CSimpleRadiosDefaultSensor::Update() {
 
 void CSimpleRadiosDefaultSensor::Reset() {
   for (size_t i = 0; i < m_vecInterfaces.size(); ++i) {
-    m_radios->GetInstances()[i].Entity.TakeBack(m_vecInterfaces[i].Messages);
+    m_radios->GetInstances()[i].Radio.TakeBack(m_vecInterfaces[i].Messages);
   }
 }
 

@@ -20,9 +20,14 @@ class CSimpleRadiosDefaultSensor : public CSimulatedSensor, public CCI_SimpleRad
   /** Clears the messages. */
   void Reset() override;
 
+  bool IsShowRays() const { return m_bShowRays; }
+  /** @param show  true: visualizations show the sensor's rays, from the next tick on. */
+  void SetShowRays(bool show) { m_bShowRays = show; }
+
  private:
   CControllableEntity* m_robot = nullptr;
   CSimpleRadioEquippedEntity* m_radios = nullptr;  // of the robot
+  bool m_bShowRays = false;
 };
 
 }  // namespace argos

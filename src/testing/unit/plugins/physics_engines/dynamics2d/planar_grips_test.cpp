@@ -41,7 +41,7 @@ struct SGripScene : CPlanarScene {
     CTurretEntity& turret =
         Turrets.emplace_back(nullptr, "turret", anchor, SControlGains{0.4, 0.2});
     turret.SetMode(CTurretEntity::MODE_SPEED_CONTROL);
-    turret.SetDesiredRotationSpeed(CRadians(speed));
+    turret.SetDesiredRotationSpeed(speed);
     Grips.SetManipulator(body.GetOwner(), description, &Grippers.back(), &turret);
     return body;
   }
