@@ -277,9 +277,10 @@ echo "nothing found"
 began "Project rules (lint)"
 "$repo/scripts/lint.sh"
 
-began "Public headers, each alone"
+began "Public headers, each alone, and compared with those of ARGoS 3"
 configure_release "$build_dir" -DARGOS_BUILD_TESTING=ON -DARGOS_WERROR=ON
 "$repo/scripts/check_headers.py" "$build_dir"
+"$repo/scripts/check_api.py" "$build_dir"
 
 began "Build (Release, with tests, warnings are errors, in ${build_dir#"$repo"/}/)"
 build "$build_dir"

@@ -260,7 +260,7 @@ std::string Logged(const T& t_value) {
 
 TEST_CASE("compat: readings of every sensor can be logged", "[compat]") {
   CMyProximity cProximity;
-  CHECK(Logged(cProximity.GetReadings()).substr(0, 7) == "{ 0.25 ");
+  CHECK(Logged(cProximity.GetReadings()).substr(0, 7) == "{ 0.5 }");
   CMyFootBotProximity cFootBot;
   CHECK(Logged(cFootBot.GetReadings()).substr(0, 22) == "{ Value=<0.25>, Angle=");
   CHECK(Logged(CCI_FootBotMotorGroundSensor::SReading(0.5, CVector2(1.0, 2.0))) ==
