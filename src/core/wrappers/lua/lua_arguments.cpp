@@ -52,10 +52,9 @@ std::string DescribeColon(lua_State* state, int index) {
 
 // what to do about a number that is not whole
 const char* HintOfFraction(lua_State* state, int index) {
-  const bool isFraction = lua_type(state, index) == LUA_TNUMBER &&
-                          lua_isinteger(state, index) == 0 &&
-                          std::floor(lua_tonumber(state, index)) != lua_tonumber(state, index);
-  return isFraction ? " (--lenient truncates others)" : "";
+  const Real number = lua_type(state, index) == LUA_TNUMBER ? lua_tonumber(state, index) : 0.0;
+  return std::isfinite(number) && std::floor(number) != number ? " (--lenient truncates others)"
+                                                               : "";
 }
 
 }  // namespace
