@@ -1,6 +1,7 @@
 #include <argos3/program/argos_command_line_arg_parser.h>
 
 #include <argos3/core/config.h>
+#include <argos3/core/simulator/loading/run_settings.h>
 #include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/text/string_utilities.h>
 #include <argos3/program/catalogue/text_layout.h>
@@ -11,7 +12,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <sstream>
 #include <variant>
@@ -25,21 +25,7 @@ std::string Title() {
          ARGOS_RELEASE + "\nReleased under the MIT License.\n";
 }
 
-// the values as given by the user; they are parsed by the rules of the experiment file
-struct SRawOptions {
-  bool Help = false;
-  bool Version = false;
-  bool Quiet = false;
-  std::string LogLevel;
-  std::string Progress;
-  std::string Seed;
-  std::string Threads;
-  std::string Length;
-  std::string From;
-  std::string To;
-  std::string Every;
-  std::vector<std::string> Overrides;
-};
+using SOptions = CARGoSCommandLineArgParser::SOptions;
 
 // where the texts of the options begin
 constexpr size_t kHelpColumn = 32;
@@ -67,44 +53,41 @@ class CHelpFormatter : public CLI::Formatter {
   }
 };
 
-// where the value of an option goes; as text, if it is checked further
-using TTarget = std::variant<bool*, std::string*, std::vector<std::string>*>;
-
-std::map<std::string, TTarget> GetTargets(CARGoSCommandLineArgParser::SOptions& options,
-                                          SRawOptions& raw) {
-  return {{"--config-file", &options.ExperimentFile},
-          {"--replay", &options.Replay.File},
-          {"--query", &options.Query},
-          {"--schema", &options.SchemaFormat},
-          {"--generate", &options.Generate},
-          {"--help", &raw.Help},
-          {"--version", &raw.Version},
-          {"--json", &options.Json},
-          {"--no-color", &options.NoColor},
-          {"--quiet", &raw.Quiet},
-          {"--log-level", &raw.LogLevel},
-          {"--progress", &raw.Progress},
-          {"--log-file", &options.LogFile},
-          {"--logerr-file", &options.LogErrFile},
-          {"--record", &options.RecordFile},
-          {"--video", &options.VideoFile},
-          {"--speed", &options.VideoSpeed},
-          {"--from", &raw.From},
-          {"--to", &raw.To},
-          {"--every", &raw.Every},
-          {"--no-visualization", &options.NoVisualization},
-          {"--check", &options.Check},
-          {"--seed", &raw.Seed},
-          {"--threads", &raw.Threads},
-          {"--length", &raw.Length},
-          {"--set", &raw.Overrides},
-          {"--lenient", &options.Lenient},
-          {"--no-crash-handler", &options.NoCrashHandler},
-          {"--csv", &options.CSVFolder},
-          {"--digest", &options.Digest}};
+CLI::Option* AddOption(CLI::App& app, const SCommandLineOption& row, bool& value) {
+  return app.add_flag(row.Names, value);
 }
 
-void Define(CLI::App& app, CARGoSCommandLineArgParser::SOptions& options, SRawOptions& raw) {
+// if given repeatedly, it is reported
+CLI::Option* AddOption(CLI::App& app, const SCommandLineOption& row, std::string& value) {
+  return app.add_option(row.Names, value)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast)
+      ->type_name(row.Value);
+}
+
+CLI::Option* AddOption(CLI::App& app, const SCommandLineOption& row,
+                       std::vector<std::string>& values) {
+  return app.add_option(row.Names, values)
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->type_name(row.Value);
+}
+
+/** Finds the object of a pointer to a member. */
+struct STargets {
+  SOptions& Options;
+  SOptionTexts& Texts;
+
+  template <typename T>
+  T& Get(T SOptions::*member) const {
+    return Options.*member;
+  }
+  template <typename T>
+  T& Get(T SOptionTexts::*member) const {
+    return Texts.*member;
+  }
+};
+
+void Define(CLI::App& app, const STargets& targets) {
   app.set_help_flag();
   app.allow_extras();
   app.formatter(std::make_shared<CHelpFormatter>());
@@ -113,25 +96,10 @@ void Define(CLI::App& app, CARGoSCommandLineArgParser::SOptions& options, SRawOp
     footer += '\n' + section.Heading + ":\n" + section.Text;
   }
   app.footer(footer);
-  const std::map<std::string, TTarget> targets = GetTargets(options, raw);
   for (const SCommandLineOption& row : GetCommandLineOptions()) {
-    const TTarget& target = targets.at(row.GetLongName());
-    const std::string help = FoldHelp(row.Help);
-    CLI::Option* option = nullptr;
-    if (bool* const* const flag = std::get_if<bool*>(&target)) {
-      option = app.add_flag(row.Names, **flag, help);
-    } else if (std::string* const* const text = std::get_if<std::string*>(&target)) {
-      // if given repeatedly, it is reported
-      option = app.add_option(row.Names, **text, help)
-                   ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast)
-                   ->type_name(row.Value);
-    } else {
-      option = app.add_option(row.Names, *std::get<std::vector<std::string>*>(target), help)
-                   ->expected(1)
-                   ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-                   ->type_name(row.Value);
-    }
-    option->group(row.Group);
+    CLI::Option* const option = std::visit(
+        [&](auto member) { return AddOption(app, row, targets.Get(member)); }, row.Target);
+    option->description(FoldHelp(row.Help))->group(row.Group);
   }
 }
 
@@ -342,8 +310,7 @@ bool SameFile(const std::string& first, const std::string& second) {
   return first == second || std::filesystem::equivalent(first, second, ignored);
 }
 
-void CheckFiles(const CLI::App& app, const CARGoSCommandLineArgParser::SOptions& options,
-                CProblems& problems) {
+void CheckFiles(const CLI::App& app, const SOptions& options, CProblems& problems) {
   const std::pair<const char*, const std::string*> files[] = {
       {"--config-file", &options.ExperimentFile}, {"--replay", &options.Replay.File},
       {"--record", &options.RecordFile},          {"--video", &options.VideoFile},
@@ -365,8 +332,7 @@ void CheckFiles(const CLI::App& app, const CARGoSCommandLineArgParser::SOptions&
   }
 }
 
-void CheckFolder(const CLI::App& app, const CARGoSCommandLineArgParser::SOptions& options,
-                 CProblems& problems) {
+void CheckFolder(const CLI::App& app, const SOptions& options, CProblems& problems) {
   if (app.count("--csv") > 0 && options.CSVFolder.empty()) {
     problems.Add("--csv needs the name of a folder, not an empty text; . is the current one");
   }
@@ -416,7 +382,7 @@ void CheckChoices(const CLI::App& app, CProblems& problems) {
   }
 }
 
-ELogLevel ReadLogLevel(const CLI::App& app, const SRawOptions& raw, CProblems& problems) {
+ELogLevel ReadLogLevel(const CLI::App& app, const SOptionTexts& raw, CProblems& problems) {
   if (raw.Quiet && app.count("--log-level") > 0) {
     problems.Add("only one of --quiet and --log-level may be given");
   }
@@ -429,7 +395,7 @@ ELogLevel ReadLogLevel(const CLI::App& app, const SRawOptions& raw, CProblems& p
   return raw.LogLevel == "debug" ? ELogLevel::Debug : ELogLevel::Info;
 }
 
-void CheckGenerate(const CARGoSCommandLineArgParser::SOptions& options, CProblems& problems) {
+void CheckGenerate(const SOptions& options, CProblems& problems) {
   if (options.Generate == "xpaths" && options.ExperimentFile.empty()) {
     problems.Add("--generate xpaths needs an experiment, -c FILE");
   }
@@ -439,9 +405,9 @@ void CheckGenerate(const CARGoSCommandLineArgParser::SOptions& options, CProblem
 
 void CARGoSCommandLineArgParser::Parse(SInt32 argc, const char* const* argv) {
   m_options = SOptions();
-  SRawOptions raw;
+  SOptionTexts raw;
   CLI::App app(Title(), "argos3");
-  Define(app, m_options, raw);
+  Define(app, {m_options, raw});
   CProblems problems;
   CheckDashes(app, argc, argv, problems);
   problems.ThrowIfAny();
@@ -463,11 +429,12 @@ void CARGoSCommandLineArgParser::Parse(SInt32 argc, const char* const* argv) {
              m_options.ProgressPeriod, problems);
   ReadNumber(app, "--seed", raw.Seed, ~UInt32(0), "an integer from 0 to 4294967295", m_options.Seed,
              problems);
-  ReadNumber(app, "--threads", raw.Threads, kMaxThreads, "an integer from 0 to 1024",
+  ReadNumber(app, "--threads", raw.Threads, SRunSettings::kMaxThreads, "an integer from 0 to 1024",
              m_options.Threads, problems);
   ReadNumber(app, "--length", raw.Length, 1e18, "a number of seconds, at least 0", m_options.Length,
              problems);
   ReadOverrides(raw.Overrides, m_options.Overrides, problems);
+  m_options.Replay.File = raw.Replay;
   CheckFiles(app, m_options, problems);
   CheckFolder(app, m_options, problems);
   CheckVideoSpeed(app, m_options.VideoSpeed, problems);
@@ -481,9 +448,9 @@ void CARGoSCommandLineArgParser::Parse(SInt32 argc, const char* const* argv) {
 
 std::string CARGoSCommandLineArgParser::GetUsage() {
   SOptions options;
-  SRawOptions raw;
+  SOptionTexts raw;
   CLI::App app(Title(), "argos3");
-  Define(app, options, raw);
+  Define(app, {options, raw});
   std::string usage = app.help();
   Replace(usage, "\n\n\n", "\n\n");
   return usage;

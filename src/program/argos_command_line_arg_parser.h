@@ -56,9 +56,6 @@ class CARGoSCommandLineArgParser {
     std::vector<std::pair<std::string, std::string>> Overrides; /**< XPath and value, in order */
   };
 
-  /** Limit of --threads. Each thread costs a stack; no machine has more cores. */
-  static constexpr UInt32 kMaxThreads = 1024;
-
   /**
    * Parses the arguments of main(); the first one is the name of the program.
    * @throws CARGoSException that lists all problems, with the nearest known names.

@@ -90,19 +90,22 @@ namespace {
 using EUse = EOptionUse;
 using EWords = EOptionWords;
 using TOptions = std::vector<SCommandLineOption>;
+using SOptions = CARGoSCommandLineArgParser::SOptions;
+using STexts = SOptionTexts;
 
 TOptions MakeActionOptions() {
   return {
-      {"-c,--config-file", "FILE", kActions, "run the experiment in this file; -c may be left out",
-       EUse::Always, EWords::ExperimentFile},
-      {"--replay", "FILE", kActions,
+      {"-c,--config-file", "FILE", &SOptions::ExperimentFile, kActions,
+       "run the experiment in this file; -c may be left out", EUse::Always, EWords::ExperimentFile},
+      {"--replay", "FILE", &STexts::Replay, kActions,
        "show a recording; with -c, in the views and outputs of that file", EUse::Always,
        EWords::Recording},
-      {"-q,--query", "WORD", kActions,
+      {"-q,--query", "WORD", &SOptions::Query, kActions,
        "list or describe plug-ins, see below; with -c also those of that file's libraries",
        EUse::Always, EWords::Plugins},
       {"--schema",
        "FORMAT",
+       &SOptions::SchemaFormat,
        kActions,
        "print a schema of experiment files, for editors: rng (RELAX NG) or rnc (compact)",
        EUse::Always,
@@ -110,24 +113,27 @@ TOptions MakeActionOptions() {
        {"rng", "rnc"}},
       {"--generate",
        "WORD",
+       &SOptions::Generate,
        kActions,
        "print the man page (man), a completion of the shell (bash, zsh), or what completes: the "
        "names of plug-ins (plugins), the attributes of the experiment after -c (xpaths)",
        EUse::Always,
        EWords::Listed,
        {"man", "bash", "zsh", "plugins", "xpaths"}},
-      {"-h,--help", "", kActions, "print this text"},
-      {"-v,--version", "", kActions, "print the version and how it was built"},
+      {"-h,--help", "", &STexts::Help, kActions, "print this text"},
+      {"-v,--version", "", &STexts::Version, kActions, "print the version and how it was built"},
   };
 }
 
 TOptions MakeOutputOptions() {
   return {
-      {"--json", "", kOutput, "the answer to --query as JSON", EUse::Query},
-      {"-n,--no-color", "", kOutput, "no colours in the logs; only terminals get colours"},
-      {"--quiet", "", kOutput, "as --log-level warning", EUse::Run},
+      {"--json", "", &SOptions::Json, kOutput, "the answer to --query as JSON", EUse::Query},
+      {"-n,--no-color", "", &SOptions::NoColor, kOutput,
+       "no colours in the logs; only terminals get colours"},
+      {"--quiet", "", &STexts::Quiet, kOutput, "as --log-level warning", EUse::Run},
       {"--log-level",
        "LEVEL",
+       &STexts::LogLevel,
        kOutput,
        "least important lines in the logs: error, warning, info (the default), or debug, which "
        "adds "
@@ -135,66 +141,65 @@ TOptions MakeOutputOptions() {
        EUse::Run,
        EWords::Listed,
        {"error", "warning", "info", "debug"}},
-      {"--progress", "S", kOutput,
+      {"--progress", "S", &STexts::Progress, kOutput,
        "write a line about the progress every S seconds, into the log file or to the standard "
        "error; "
        "by default 60 unless that is a terminal; 0: never",
        EUse::Run},
-      {"-l,--log-file", "FILE", kOutput, "write the log to this file; it is truncated",
-       EUse::Always, EWords::File},
-      {"-e,--logerr-file", "FILE", kOutput, "write the error log to this file; it is truncated",
-       EUse::Always, EWords::File},
-      {"--record", "FILE", kOutput,
+      {"-l,--log-file", "FILE", &SOptions::LogFile, kOutput,
+       "write the log to this file; it is truncated", EUse::Always, EWords::File},
+      {"-e,--logerr-file", "FILE", &SOptions::LogErrFile, kOutput,
+       "write the error log to this file; it is truncated", EUse::Always, EWords::File},
+      {"--record", "FILE", &SOptions::RecordFile, kOutput,
        "record the run to this file, for --replay; adds <recording> to <outputs>", EUse::Run,
        EWords::File},
-      {"--video", "FILE", kOutput,
+      {"--video", "FILE", &SOptions::VideoFile, kOutput,
        "make a film, also with -z: .mp4, .webm or .gif; in the view of the file's <offscreen>",
        EUse::Run, EWords::File},
-      {"--speed", "X", kOutput,
+      {"--speed", "X", &SOptions::VideoSpeed, kOutput,
        "simulated seconds in a second of the film; 1, the default, is real time"},
   };
 }
 
 TOptions MakeReplayOptions() {
   return {
-      {"--from", "TICK|TIMEs", kReplay, "begin with this tick, or time: 100, 12.5s", EUse::Replay},
-      {"--to", "TICK|TIMEs", kReplay, "end with this tick, or time", EUse::Replay},
-      {"--every", "N", kReplay, "ticks from state to state: 10 is ten times as fast", EUse::Replay},
+      {"--from", "TICK|TIMEs", &STexts::From, kReplay, "begin with this tick, or time: 100, 12.5s",
+       EUse::Replay},
+      {"--to", "TICK|TIMEs", &STexts::To, kReplay, "end with this tick, or time", EUse::Replay},
+      {"--every", "N", &STexts::Every, kReplay,
+       "ticks from state to state: 10 is ten times as fast", EUse::Replay},
   };
 }
 
 TOptions MakeRunOptions() {
   return {
-      {"-z,--no-visualization", "", kRun, "ignore the <visualization> of the file"},
-      {"--check", "", kRun,
+      {"-z,--no-visualization", "", &SOptions::NoVisualization, kRun,
+       "ignore the <visualization> of the file"},
+      {"--check", "", &SOptions::Check, kRun,
        "load the experiment with its libraries, views and outputs, report all errors and warnings, "
        "and do not run it; no file is changed, not even by users' code",
        EUse::Simulation},
-      {"--seed", "N", kRun, "random seed, overrides the file; 0: from the clock", EUse::Simulation},
-      {"--threads", "N", kRun,
+      {"--seed", "N", &STexts::Seed, kRun, "random seed, overrides the file; 0: from the clock",
+       EUse::Simulation},
+      {"--threads", "N", &STexts::Threads, kRun,
        "number of threads, overrides the file; at most 1024; results do not change",
        EUse::Simulation},
-      {"--length", "S", kRun, "simulated seconds to run, overrides the file; 0: no limit",
-       EUse::Simulation},
-      {"--set",
-       "XPATH=VALUE",
-       kRun,
-       "set an attribute of the file before it is used; may be repeated",
-       EUse::Run,
-       EWords::XPaths,
-       {},
-       true},
-      {"--lenient", "", kRun,
+      {"--length", "S", &STexts::Length, kRun,
+       "simulated seconds to run, overrides the file; 0: no limit", EUse::Simulation},
+      {"--set", "XPATH=VALUE", &STexts::Overrides, kRun,
+       "set an attribute of the file before it is used; may be repeated", EUse::Run,
+       EWords::XPaths},
+      {"--lenient", "", &SOptions::Lenient, kRun,
        "read malformed numbers as ARGoS 3 does, with a warning, instead of refusing them",
        EUse::Simulation},
-      {"--no-crash-handler", "", kRun,
+      {"--no-crash-handler", "", &SOptions::NoCrashHandler, kRun,
        "do not report crashes: for a debugger, or handlers of the user's code"},
-      {"--csv", "DIR", kRun,
+      {"--csv", "DIR", &SOptions::CSVFolder, kRun,
        "write the robots' poses and the metrics of each tick to DIR/robots.csv and "
        "DIR/metrics.csv",
        EUse::Run, EWords::Folder},
-      {"--digest", "", kRun, "print a digest of the final state; equal runs, equal digests",
-       EUse::Simulation},
+      {"--digest", "", &SOptions::Digest, kRun,
+       "print a digest of the final state; equal runs, equal digests", EUse::Simulation},
   };
 }
 

@@ -1,7 +1,10 @@
 #ifndef ARGOS3_PROGRAM_OPTION_TABLE_H
 #define ARGOS3_PROGRAM_OPTION_TABLE_H
 
+#include <argos3/program/argos_command_line_arg_parser.h>
+
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace argos {
@@ -27,6 +30,19 @@ enum class EOptionWords {
   Listed /**< SCommandLineOption::Choices */
 };
 
+/** What the user has given for options whose values are checked further, or that are no values. */
+struct SOptionTexts {
+  bool Help = false, Version = false, Quiet = false;
+  std::string Replay, LogLevel, Progress, Seed, Threads, Length, From, To, Every;
+  std::vector<std::string> Overrides;
+};
+
+/** Where the value of an option goes: true for a flag, a text, or the texts of all occurrences. */
+using TOptionTarget =
+    std::variant<bool CARGoSCommandLineArgParser::SOptions::*,
+                 std::string CARGoSCommandLineArgParser::SOptions::*, bool SOptionTexts::*,
+                 std::string SOptionTexts::*, std::vector<std::string> SOptionTexts::*>;
+
 /**
  * An option of argos3. The parser, --help, the man page and the completions of shells are made from
  * the table of these.
@@ -34,13 +50,16 @@ enum class EOptionWords {
 struct SCommandLineOption {
   std::string Names; /**< "-c,--config-file" or "--seed" */
   std::string Value; /**< "FILE"; empty: a flag */
+  TOptionTarget Target;
   std::string Group; /**< heading in the help */
   std::string Help;
   EOptionUse Use = EOptionUse::Always;
   EOptionWords Words = EOptionWords::Nothing;
   std::vector<std::string> Choices = {};
-  bool IsRepeatable = false;
 
+  bool IsRepeatable() const {
+    return std::holds_alternative<std::vector<std::string> SOptionTexts::*>(Target);
+  }
   /** "--config-file". */
   std::string GetLongName() const;
   /** "-c"; empty if there is none. */

@@ -229,7 +229,7 @@ std::string ZshArgument(const SCommandLineOption& option) {
   const std::string shortName = option.GetShortName();
   const std::string longName = option.GetLongName();
   const std::string names = shortName.empty()
-                                ? (option.IsRepeatable ? "'*'" : "") + longName
+                                ? (option.IsRepeatable() ? "'*'" : "") + longName
                                 : fmt::format("'({0} {1})'{{{0},{1}}}", shortName, longName);
   const std::string value =
       option.Value.empty() ? "" : fmt::format(":{}:{}", ForZsh(option.Value), ZshAction(option));

@@ -258,10 +258,9 @@ void CExperimentLoader::InitSystem(TConfigurationNode& framework) {
     m_settings.NumThreads = threads;
   }
   try {
-    constexpr UInt32 kMostThreads = 4096;
-    if (m_settings.NumThreads > kMostThreads) {
-      THROW_ARGOSEXCEPTION("at most " << kMostThreads << " threads are possible, found "
-                                      << m_settings.NumThreads);
+    if (m_settings.NumThreads > SRunSettings::kMaxThreads) {
+      THROW_ARGOSEXCEPTION("at most " << SRunSettings::kMaxThreads
+                                      << " threads are possible, found " << m_settings.NumThreads);
     }
     m_experiment.Pool = std::make_unique<CThreadPool>(m_settings.NumThreads, CreateSchedule(method),
                                                       pinToCores, m_startWorker);

@@ -12,6 +12,9 @@ namespace argos {
 /** How an experiment is run: from its file, unless the program that runs it has set something else.
  */
 struct SRunSettings {
+  /** Of NumThreads. Each thread costs a stack; no machine has more cores. */
+  static constexpr UInt32 kMaxThreads = 1024;
+
   /** An element of `<outputs>`. */
   struct SOutput {
     std::string Tag;
