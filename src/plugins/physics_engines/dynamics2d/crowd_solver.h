@@ -169,7 +169,7 @@ class CCrowdSolver {
   void TakeTouchForces(UInt32 first, UInt32 count, float perSecond);
   void MoveSolid(UInt32 member, const SSubstep& substep);
   float PushTouchesApart(const SCrowdRange& range);
-  void PushPoint(const CCrowdClusters::STouch& pair, const SSeparation& point);
+  void PushPoint(const CCrowdClusters::STouch& pair, const SSeparation& point, Real share);
 
   // islands: crowd_islands.cpp
   bool HasTouches(const SCrowdCluster& cluster) const;

@@ -265,18 +265,24 @@ float CCrowdSolver::PushTouchesApart(const SCrowdRange& range) {
     const auto& pair = m_clusters->GetTouches()[i];
     SSeparation points[2];
     const int count = FindPoints(pair, 0.0F, points);
+    const auto isDeep = [this](const SSeparation& point) {
+      return point.Gap < -static_cast<Real>(m_tolerance);
+    };
+    // two points share the push: both act on one face
+    const auto numDeep = static_cast<Real>(std::count_if(points, points + count, isDeep));
     for (int point = 0; point < count; ++point) {
-      if (points[point].Gap < -static_cast<Real>(m_tolerance)) {
+      if (isDeep(points[point])) {
         deepest = std::max(deepest, static_cast<float>(-points[point].Gap));
-        PushPoint(pair, points[point]);
+        PushPoint(pair, points[point], 1.0 / numDeep);
       }
     }
   }
   return deepest;
 }
 
-// Bodies that friction holds stay where they are, unless both do.
-void CCrowdSolver::PushPoint(const CCrowdClusters::STouch& pair, const SSeparation& point) {
+// Bodies that friction holds stay where they are, unless both do. @param share  of the overlap.
+void CCrowdSolver::PushPoint(const CCrowdClusters::STouch& pair, const SSeparation& point,
+                             Real share) {
   struct SPushed {
     UInt32 Member;
     Real Lever, InverseMass, InverseInertia;
@@ -305,7 +311,8 @@ void CCrowdSolver::PushPoint(const CCrowdClusters::STouch& pair, const SSeparati
   if (!(give > 0.0)) {
     return;
   }
-  const Real push = std::min(-point.Gap, kMaxCrowdCorrection * m_tick.SmallestRadius) / give;
+  const Real push =
+      share * std::min(-point.Gap, kMaxCrowdCorrection * m_tick.SmallestRadius) / give;
   for (const auto& [body, sign] : {std::pair(a, -1.0), std::pair(b, 1.0)}) {
     if (body.Member != CCrowdSolids::kNone && body.InverseMass > 0.0) {
       Push(body.Member, sign * push * body.InverseMass * point.NormalX,

@@ -243,6 +243,27 @@ TEST_CASE("prisms: rays and placement respect their sides", "[contract][engine][
   CHECK_THAT(look(CVector3(0, 0, 0.2), CVector3(8, 0, 0.2)), WithinAbs(0.25, tolerance));
 }
 
+TEST_CASE("prisms: each side that overlaps a wall is moved to its surface",
+          "[contract][engine][prism]") {
+  const SEngineType engine = GENERATE(kDynamics2D, kKinematics2D);
+  // Box2D takes up to 8 corners in one shape
+  const size_t numCorners = GENERATE(3, 6, 8, 9, 14, 20, 30);
+  constexpr Real kDepth = 0.004;  // m
+  const Real side = kCorner * std::cos(ARGOS_PI / static_cast<Real>(numCorners));
+  for (size_t i = 0; i < numCorners; ++i) {
+    CAPTURE(engine, numCorners, i);
+    const Real yaw = 180.0 * static_cast<Real>(2 * i + 1) / static_cast<Real>(numCorners);
+    std::ostringstream wall;
+    wall << "<box id='w' size='0.2,1,0.1' movable='false'><body position='" << side - kDepth + 0.1
+         << ",0,0'/></box>";
+    CDriveWorld world(engine.ToXml(), wall.str() + DriverXml("e-puck", "r", 0, 0, yaw, 0, 0));
+    world.Reshape("r", SShapeDescription::Prism(RegularPolygon(numCorners, kCorner), 0.1));
+    world.Step(10);
+    CHECK_THAT(world.Position("r").GetX(), WithinAbs(-kDepth, 1e-4));
+    CHECK_THAT(world.Position("r").GetY(), WithinAbs(0.0, 1e-4));
+  }
+}
+
 TEST_CASE("prisms: in a plane, a tilted box is the rectangle around it",
           "[contract][engine][prism]") {
   const SEngineType engine = GENERATE(kDynamics2D, kKinematics2D);
