@@ -67,6 +67,8 @@ TEST_CASE("command line: unknown options and invalid values are errors", "[core]
   SProgram program;
   CHECK_THROWS_WITH(program.Parse({"--thread", "2"}),
                     Contains("Unknown option \"--thread\"; did you mean \"--threads\""));
+  CHECK_THROWS_WITH(program.Parse({"---threads", "2"}),
+                    Contains("Unknown option \"---threads\"; did you mean \"--threads\""));
   CHECK_THROWS_WITH(program.Parse({"--config-file=x"}),
                     Contains("Unknown option \"--config-file=x\""));
   CHECK_THROWS_WITH(program.Parse({"-x"}),
