@@ -511,23 +511,15 @@ TEST_CASE("users' models: immovable objects, and collisions", "[contract][engine
   CHECK(world.Body("b").MoveTo(CVector3(-1, 0, 0), CQuaternion()));
 }
 
-TEST_CASE("users' models: robots without a free place are an error that says what takes it",
-          "[contract][engine]") {
+TEST_CASE("users' models: the engine takes a place of distributed objects", "[contract][engine]") {
   const SEngineType type = GENERATE(kDynamics2D, kKinematics2D);
-  CAPTURE(type);
-  const auto distribute = [](const std::string& x, int quantity) {
-    return "<distribute><position method='uniform' min='" + x + ",0,0' max='" + x +
-           ",0,0'/><orientation method='constant' values='0,0,0'/><entity quantity='" +
-           std::to_string(quantity) +
-           "' max_trials='3'><crate id='k' movable='false'/></entity></distribute>";
-  };
-  const auto load = [&](const std::string& arena) {
-    return LoadError(SExperiment{.Engines = type.ToXml(), .Arena = arena});
-  };
-  CHECK(load(distribute("1", 1)) == "");
-  // the engine knows the shape only after the crate was added
-  CHECK_THAT(load(distribute("1", 2)), Contains("no free place for \"k1\" after 4 trials") &&
-                                           Contains("taken by \"something in its engine\""));
+  // it knows the shape only after the crate was added
+  const std::string arena =
+      "<distribute><position method='uniform' min='1,0,0' max='1,0,0'/><orientation "
+      "method='constant' values='0,0,0'/><entity quantity='2' max_trials='3'>"
+      "<crate id='k' movable='false'/></entity></distribute>";
+  CHECK_THAT(LoadError(SExperiment{.Engines = type.ToXml(), .Arena = arena}),
+             Contains("\"k1\" after 4 trials") && Contains("\"something in its engine\""));
 }
 
 TEST_CASE("users' models: a robot keeps its model in another engine of its type",
