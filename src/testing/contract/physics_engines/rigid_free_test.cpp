@@ -336,6 +336,26 @@ TEST_CASE("rigid free robots: a force or a move between ticks takes effect",
   CHECK(IsFree(world, "r"));
 }
 
+TEST_CASE("rigid free robots: a wall that is moved stops them where it is, not where it was",
+          "[contract][engine][rigid]") {
+  const bool isPushing = GENERATE(false, true);
+  CAPTURE(isPushing);
+  const std::string box =
+      SBoxXml{"b", CVector3(0.2, 0.2, 0.1), CVector3(0.3, 0, 0), CVector3(), 0.3}.ToXml();
+  CRigidScene world(GroundedEngine(), WallXml(CVector3(0.1, 2, 0.3), CVector3(3, 0, 0)) +
+                                          DriverXml("foot-bot", "r", 0, 0, 0, 10, 10) +
+                                          (isPushing ? box : ""));
+  world.Step(20);
+  CHECK(IsFree(world, "r") != isPushing);
+  REQUIRE(world.Body("wall").MoveTo(CVector3(0.85, 0, 0), CQuaternion()));
+  world.Step(80);
+  const Real stop = 0.8 - kFootBotRadius - (isPushing ? 0.2 : 0.0);
+  CHECK_THAT(world.Position("r").GetX(), WithinAbs(stop, 5e-3));
+  REQUIRE(world.Body("wall").MoveTo(CVector3(-2, 0, 0), CQuaternion()));
+  world.Step(40);
+  CHECK(world.Position("r").GetX() > stop + 0.3);
+}
+
 TEST_CASE("rigid free robots: equal for any number of threads and schedule, and after a reset",
           "[contract][engine][rigid]") {
   CTestWorld reference(Roamers(0, "balance_quantity"));

@@ -55,6 +55,15 @@ TEST_CASE("manuals: rows of tables describe attributes", "[core][catalogue]") {
   CHECK(manual.TextOf("body", "colour").empty());
 }
 
+TEST_CASE("manuals: lines that are indented by less than two columns are no rows",
+          "[core][catalogue]") {
+  const CManual manual(
+      "ATTRIBUTES\n  mass  kg, > 0\nAnd then\n radius  of nothing\n  depth  m\nEnd.\n");
+  CHECK(manual.TextOf("body", "mass") == "kg, > 0");
+  CHECK(manual.TextOf("body", "radius").empty());
+  CHECK(manual.TextOf("body", "depth") == "m");
+}
+
 TEST_CASE("text layout: paragraphs and tables have 80 columns, XML stays", "[core][catalogue]") {
   const std::string words(120, 'x');
   const std::string xml = "  <a b=\"" + words + "\" />\n";
