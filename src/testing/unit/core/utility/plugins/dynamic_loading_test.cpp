@@ -220,6 +220,22 @@ TEST_CASE("dynamic loading: of two libraries with one class the last one counts,
              Catch::EndsWith("libargos3_test_same_class.so"));
 }
 
+TEST_CASE("dynamic loading: a class that has the functions of another library's is reported",
+          "[core][plugins]") {
+  CCapturedLogs logs;
+  CDynamicLoading::LoadLibrary(kGood);
+  CHECK_NOTHROW(CDynamicLoading::LoadLibrary(kFolder + "/libargos3_test_twin"));
+  CHECK_THAT(
+      logs.Text(),
+      Contains("[WARNING] The class CTestGoodController of label \"test_twin_controller\"") &&
+          Contains("has the name of a class in \"") &&
+          Contains("libargos3_test_good.so\", whose functions the dynamic linker gives it"));
+  // two versions of one class, or two classes: their objects differ
+  CHECK_THROWS_WITH(CDynamicLoading::LoadLibrary(kFolder + "/libargos3_test_big_twin"),
+                    Contains("libargos3_test_big_twin.so\" cannot be used:") &&
+                        Contains("the class CTestGoodController of label \"test_big_twin_"));
+}
+
 TEST_CASE("dynamic loading: libraries that another one is linked with are found beside it",
           "[core][plugins]") {
   const CTemporaryFolder folder("argos_dynamic_loading_needed");
