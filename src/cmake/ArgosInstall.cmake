@@ -97,5 +97,7 @@ configure_file(src/cmake/install/setup_env.sh.in "${PROJECT_BINARY_DIR}/setup_en
 # where recipes for ARGoS 3 expect them
 configure_file(src/cmake/install/argos_post_install.sh.in "${PROJECT_BINARY_DIR}/argos_post_install.sh" @ONLY
   FILE_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
-file(MAKE_DIRECTORY "${PROJECT_BINARY_DIR}/core")
-file(CREATE_LINK ../bin/argos3 "${PROJECT_BINARY_DIR}/core/argos3" SYMBOLIC)
+if(ARGOS_BUILD_FOR_SIMULATOR)
+  file(MAKE_DIRECTORY "${PROJECT_BINARY_DIR}/core")
+  file(CREATE_LINK ../bin/argos3 "${PROJECT_BINARY_DIR}/core/argos3" SYMBOLIC)
+endif()
