@@ -82,6 +82,26 @@ void CImpulseSolver::Prepare() {
     PrepareBlock(block);
     Apply(block, block.Impulses);
   }
+  for (const SBlock& block : Blocks) {
+    if (block.Patch > 0.0) {
+      RubPatch(block);
+    }
+  }
+}
+
+// Two solids that touch in a point spin against each other until the friction of the patch around
+// it stops them: with the present normal impulse, once, because nothing else depends on it.
+void CImpulseSolver::RubPatch(const SBlock& block) {
+  SBody& first = Bodies[block.First];
+  SBody& second = Bodies[block.Second];
+  const CVector3& normal = block.Directions[0];
+  const CVector3 firstSpin = first.InverseInertia * normal;
+  const CVector3 secondSpin = second.InverseInertia * normal;
+  const Real resistance = normal.DotProduct(firstSpin + secondSpin);
+  const Real impulse = Clamped(-normal.DotProduct(first.Turn - second.Turn) / resistance,
+                               block.Friction * block.Patch * block.Impulses[0]);
+  first.Turn += firstSpin * impulse;
+  second.Turn -= secondSpin * impulse;
 }
 
 void CImpulseSolver::PrepareBlock(SBlock& block) {
@@ -124,11 +144,6 @@ void CImpulseSolver::PrepareBlock(SBlock& block) {
                       resist(0, 2),
                       resist(1, 2)};
   block.DrivenResistance = block.Resistance;
-  if (block.Patch > 0.0) {
-    const CVector3& normal = block.Directions[0];
-    block.SpinResistance = normal.DotProduct(first.InverseInertia * normal) +
-                           normal.DotProduct(second.InverseInertia * normal);
-  }
   if (block.Softness == 0.0) {
     block.Softness = kSoftness * block.Resistance.XX;
   }
@@ -226,23 +241,7 @@ Real CImpulseSolver::SolveBlock(SBlock& block) {
   }
   Apply(block, block.Changes);
   block.Impulses = next;
-  return block.Patch > 0.0 ? std::max(greatest, SolvePatch(block)) : greatest;
-}
-
-// Two solids that touch in a point spin against each other until the friction of the patch around
-// it stops them. @return the change of a speed at its distance from the centre of the first.
-Real CImpulseSolver::SolvePatch(SBlock& block) {
-  SBody& first = Bodies[block.First];
-  SBody& second = Bodies[block.Second];
-  const CVector3& normal = block.Directions[0];
-  const Real spin = normal.DotProduct(first.Turn - second.Turn);
-  const Real limit = block.Friction * block.Patch * block.Impulses[0];
-  const Real next = Clamped(block.Spin - spin / block.SpinResistance, limit);
-  const Real change = next - block.Spin;
-  block.Spin = next;
-  first.Turn += first.InverseInertia * normal * change;
-  second.Turn -= second.InverseInertia * normal * change;
-  return std::abs(change) * block.SpinResistance * block.FirstArm.Length();
+  return greatest;
 }
 
 // @return the change of its speed, in the unit of speeds of blocks for an arm of 1 m.
@@ -303,8 +302,10 @@ void CImpulseSolver::Extrapolate() {
   }
 }
 
-UInt32 CImpulseSolver::Solve(UInt32 maxSweeps, Real tolerance) {
-  m_mixing.Start(Rotors.size() + 3 * Blocks.size());
+UInt32 CImpulseSolver::Solve(UInt32 maxSweeps, Real tolerance, bool extrapolates) {
+  if (extrapolates) {
+    m_mixing.Start(Rotors.size() + 3 * Blocks.size());
+  }
   for (UInt32 sweep = 1; sweep < maxSweeps; ++sweep) {
     const Real change = Sweep();
     // what converges slowly are forces of redundant contacts against each other, which hardly move
@@ -314,7 +315,7 @@ UInt32 CImpulseSolver::Solve(UInt32 maxSweeps, Real tolerance) {
       return sweep;
     }
     // the last sweeps, if they do not converge, must not be left with an extrapolation that fails
-    if (4 * sweep < 3 * maxSweeps) {
+    if (extrapolates && 4 * sweep < 3 * maxSweeps) {
       Extrapolate();
     }
   }

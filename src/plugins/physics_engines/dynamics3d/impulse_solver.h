@@ -89,8 +89,6 @@ class CImpulseSolver {
     SSymmetric3 Resistance;  // changes of the three speeds for impulses of 1
     SSymmetric3 DrivenResistance;  // with a motor that keeps its speed
     std::array<Real, 3> Changes{};  // of the impulses in the last sweep
-    Real Spin = 0.0;  // N m s, of the patch
-    Real SpinResistance = 0.0;  // change of the spin for an impulse of 1
   };
 
   /** Allocates for an island of that many bodies and blocks. */
@@ -102,9 +100,10 @@ class CImpulseSolver {
   /**
    * Sweeps until no impulse changes a speed by more than a tolerance, which grows with the cube of
    * the sweeps: 9 times as much after 50, 65 after 100, 4000 after 400.
-   * @param tolerance m/s. @return the number of sweeps.
+   * @param tolerance m/s. @param extrapolates  from sweep to sweep: each costs half more.
+   * @return the number of sweeps.
    */
-  UInt32 Solve(UInt32 maxSweeps, Real tolerance);
+  UInt32 Solve(UInt32 maxSweeps, Real tolerance, bool extrapolates = true);
 
   std::vector<SBody> Bodies;  // the first one is the ground
   std::vector<SRotor> Rotors;
@@ -115,7 +114,7 @@ class CImpulseSolver {
   Real Sweep();
   void Extrapolate();
   Real SolveBlock(SBlock& block);
-  Real SolvePatch(SBlock& block);
+  void RubPatch(const SBlock& block);
   Real SolveRotor(SRotor& rotor);
   std::array<Real, 3> ComputeErrors(const SBlock& block) const;
   void Apply(const SBlock& block, const std::array<Real, 3>& change);

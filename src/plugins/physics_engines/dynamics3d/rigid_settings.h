@@ -99,7 +99,10 @@ constexpr UInt32 kMaxRefined = 1000;
 constexpr UInt32 kMaxSweeps = 400;
 constexpr size_t kMaxBlockSweeps = 30000;
 constexpr Real kSweepTolerance = 1e-6;
-// the same of islands of more than MaxDirectRows rows, as a share of their fastest body's speed
+// objects in an island of more than MaxDirectRows rows of which more than half are faster than
+// this, m/s, tumble: at most so many sweeps, to a tolerance relative to the fastest
+constexpr Real kTumblingSpeed = 0.05;
+constexpr UInt32 kTumblingSweeps = 12;
 constexpr Real kRelativeTolerance = 1e-3;
 // radius of the patch of a contact of two objects in one point, as a share of the narrowest side
 constexpr Real kPatchShare = 0.01;
@@ -117,6 +120,10 @@ constexpr size_t kMaxUprightContactSweeps = 1200;
 constexpr size_t kSmallUprightIsland = 16;
 constexpr Real kUprightTolerance = 2e-4;
 constexpr Real kUprightCrowdTolerance = 1e-3;
+// from this ratio of masses on, small islands are swept more often, and to a tolerance that is
+// smaller by the ratio: a light body between heavy ones passes little on in each sweep
+constexpr Real kUnequalMasses = 10.0;
+constexpr UInt32 kUnequalSweeps = 4;
 // the rim of a body that is no disc may move farther in a tick than the fastest body, by this
 // factor
 constexpr Real kTurningReach = 2.0;

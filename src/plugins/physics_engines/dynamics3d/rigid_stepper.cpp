@@ -130,30 +130,40 @@ void CRigidStepper::Step(const SSubstep& substep, CThreadPool* pool) {
   }
 }
 
-// Of small islands until they converge; large ones as often as their size allows.
-UInt32 CRigidStepper::ChooseSweeps(UInt32 rows, size_t blocks) const {
+// Small islands are swept until they converge, large ones as often as their size allows; objects
+// that tumble fewer times, because where they touch changes before that would converge.
+CRigidStepper::SEffort CRigidStepper::ChooseEffort(const SSubstep& substep, size_t island,
+                                                   size_t blocks) const {
   const UInt32 fewest = m_settings.SolverIterations;
-  if (m_settings.Stepper == SRigidSettings::EStepper::Iterative) {
-    return fewest;
+  const bool isIterative = m_settings.Stepper == SRigidSettings::EStepper::Iterative;
+  if (substep.Contacts.GetIslandByNumber(m_islands[island].Number).Rows <=
+      m_settings.MaxDirectRows) {
+    return {isIterative ? fewest : std::max(fewest, kMaxSweeps), kSweepTolerance, true};
   }
-  if (rows <= m_settings.MaxDirectRows) {
-    return std::max(fewest, kMaxSweeps);
+  if (const Real speed = FindTumblingSpeed(island); speed > 0.0) {
+    return {std::min(fewest, kTumblingSweeps), kRelativeTolerance * speed, false};
   }
   const UInt32 most = static_cast<UInt32>(kMaxBlockSweeps / std::max<size_t>(blocks, 1));
-  return std::max(fewest, std::min(most, kMaxSweeps));
+  return {isIterative ? fewest : std::max(fewest, std::min(most, kMaxSweeps)), kSweepTolerance,
+          true};
 }
 
-// Of large islands that move, relative to their speed.
-Real CRigidStepper::ChooseTolerance(UInt32 rows, size_t island) const {
-  if (rows <= m_settings.MaxDirectRows) {
-    return kSweepTolerance;
+// @return the greatest speed, m/s, if all bodies are objects of which more than half tumble; else
+// 0.
+Real CRigidStepper::FindTumblingSpeed(size_t island) const {
+  const UInt32 begin = m_islands[island].Starts[kBodies];
+  const UInt32 end = m_islands[island + 1].Starts[kBodies];
+  Real fastest = 0.0;
+  UInt32 count = 0;
+  for (UInt32 i = begin; i < end; ++i) {
+    if (m_bodies[i]->HasDrive()) {
+      return 0.0;
+    }
+    const Real square = FromODE(dBodyGetLinearVel(m_bodies[i]->Body)).SquareLength();
+    fastest = std::max(fastest, square);
+    count += square > kTumblingSpeed * kTumblingSpeed ? 1 : 0;
   }
-  Real square = 0.0;
-  for (UInt32 i = m_islands[island].Starts[kBodies]; i < m_islands[island + 1].Starts[kBodies];
-       ++i) {
-    square = std::max(square, FromODE(dBodyGetLinearVel(m_bodies[i]->Body)).SquareLength());
-  }
-  return std::max(kSweepTolerance, kRelativeTolerance * std::sqrt(square));
+  return 2 * count > end - begin ? std::sqrt(fastest) : 0.0;
 }
 
 void CRigidStepper::StepIsland(const SSubstep& substep, size_t island, SWorkspace& space) {
@@ -177,8 +187,8 @@ void CRigidStepper::StepIsland(const SSubstep& substep, size_t island, SWorkspac
     }
   }
   solver.Prepare();
-  const UInt32 rows = substep.Contacts.GetIslandByNumber(begin.Number).Rows;
-  solver.Solve(ChooseSweeps(rows, solver.Blocks.size()), ChooseTolerance(rows, island));
+  const SEffort effort = ChooseEffort(substep, island, solver.Blocks.size());
+  solver.Solve(effort.Sweeps, effort.Tolerance, effort.Extrapolates);
   StoreForces(substep, island, space);
   Rest(substep, island, space);
   for (UInt32 i = 1; i < space.Members.size(); ++i) {

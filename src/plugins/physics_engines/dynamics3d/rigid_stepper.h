@@ -50,6 +50,12 @@ class CRigidStepper {
     CVector3 Offset;  // of that from the one of the main part, frame of the body, m
     bool IsPushed = false;  // by an add-on
   };
+  // arguments of CImpulseSolver::Solve()
+  struct SEffort {
+    UInt32 Sweeps;
+    Real Tolerance;  // m/s
+    bool Extrapolates;
+  };
   // of a thread
   struct SWorkspace {
     CImpulseSolver Solver;
@@ -71,8 +77,8 @@ class CRigidStepper {
   template <typename VALUE, typename PLACE, typename GET>
   void Distribute(EList list, size_t count, PLACE&& placeOf, GET&& get, std::vector<VALUE>& sorted);
   void StepIsland(const SSubstep& substep, size_t island, SWorkspace& space);
-  UInt32 ChooseSweeps(UInt32 rows, size_t blocks) const;
-  Real ChooseTolerance(UInt32 rows, size_t island) const;
+  SEffort ChooseEffort(const SSubstep& substep, size_t island, size_t blocks) const;
+  Real FindTumblingSpeed(size_t island) const;
   void AddBody(const SSubstep& substep, SRigidBody& body, SWorkspace& space) const;
   void AddRotors(const SRigidBody& body, Real length, UInt32 number, SWorkspace& space) const;
   void AddContact(const SSubstep& substep, const SRigidContact& contact, SWorkspace& space) const;

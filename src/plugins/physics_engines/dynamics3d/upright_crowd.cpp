@@ -215,6 +215,17 @@ void CUprightCrowd::FillIslands() {
   }
 }
 
+// the heaviest body over the lightest one
+Real CUprightCrowd::MeasureUnequal(std::span<const UInt32> bodies) const {
+  Real heaviest = 0.0;
+  Real lightest = HUGE_VAL;
+  for (const UInt32 number : bodies) {
+    heaviest = std::max(heaviest, m_bodies[number].Mass);
+    lightest = std::min(lightest, m_bodies[number].Mass);
+  }
+  return heaviest / lightest;
+}
+
 void CUprightCrowd::SolveIsland(const SIsland& island, Real substep) {
   CUprightSolver solver(m_bodies, m_supports, m_contacts);
   const CUprightSolver::SIsland of{
@@ -222,8 +233,11 @@ void CUprightCrowd::SolveIsland(const SIsland& island, Real substep) {
       {m_contactOrder.data() + island.FirstContact, island.EndContact - island.FirstContact}};
   solver.Prepare(of);
   const bool isSmall = of.Contacts.size() <= kSmallUprightIsland;
-  solver.Solve(of, ChooseUprightSweeps(of.Contacts.size()),
-               isSmall ? kUprightTolerance : kUprightCrowdTolerance);
+  const Real unequal = isSmall ? MeasureUnequal(of.Bodies) : 1.0;
+  solver.Solve(
+      of, ChooseUprightSweeps(of.Contacts.size()) * (unequal > kUnequalMasses ? kUnequalSweeps : 1),
+      isSmall ? kUprightTolerance / (unequal > kUnequalMasses ? unequal : 1.0)
+              : kUprightCrowdTolerance);
   for (const UInt32 number : of.Contacts) {
     const SUprightContact& contact = m_contacts[number];
     SPair& pair = m_pairs[contact.Source / 2];

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace argos {
@@ -102,6 +103,7 @@ class CUprightCrowd {
   void AddContact(UInt32 pair, UInt32 point, const SSeparation& separation, Real substep);
   void SortIntoIslands();
   void FillIslands();
+  Real MeasureUnequal(std::span<const UInt32> bodies) const;
   void SolveIsland(const SIsland& island, Real substep);
   void Move(SUprightBody& body, Real substep) const;
   bool GiveBack();
