@@ -68,7 +68,11 @@ const std::vector<SRigidPair>& CBroadPhase::FindPairs(const std::vector<SRigidBo
       if (second.OtherLow[0] <= first.OtherHigh[0] && first.OtherLow[0] <= second.OtherHigh[0] &&
           second.OtherLow[1] <= first.OtherHigh[1] && first.OtherLow[1] <= second.OtherHigh[1] &&
           (first.IsMovable || second.IsMovable)) {
-        m_pairs.push_back({first.Body, second.Body});
+        // always in the same order, also of bodies above each other, whose bounds are equal but for
+        // rounding errors: their contacts are found by the pair
+        const bool isInOrder = first.Number < second.Number;
+        m_pairs.push_back(isInOrder ? SRigidPair{first.Body, second.Body}
+                                    : SRigidPair{second.Body, first.Body});
       }
     }
   }

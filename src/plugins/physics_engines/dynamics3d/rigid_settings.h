@@ -100,7 +100,8 @@ constexpr UInt32 kMaxSweeps = 400;
 constexpr size_t kMaxBlockSweeps = 30000;
 constexpr Real kSweepTolerance = 1e-6;
 // objects in an island of more than MaxDirectRows rows of which more than half are faster than
-// this, m/s, tumble: at most so many sweeps, to a tolerance relative to the fastest
+// this, m/s, tumble; they, and those with more contacts in single points than others, get at most
+// so many sweeps, to a tolerance relative to the fastest
 constexpr Real kTumblingSpeed = 0.05;
 constexpr UInt32 kTumblingSweeps = 12;
 constexpr Real kRelativeTolerance = 1e-3;

@@ -131,39 +131,44 @@ void CRigidStepper::Step(const SSubstep& substep, CThreadPool* pool) {
 }
 
 // Small islands are swept until they converge, large ones as often as their size allows; objects
-// that tumble fewer times, because where they touch changes before that would converge.
+// that tumble, and balls, which sweeps settle as well without extrapolation, fewer times: where
+// they touch changes before that would converge.
 CRigidStepper::SEffort CRigidStepper::ChooseEffort(const SSubstep& substep, size_t island,
-                                                   size_t blocks) const {
+                                                   const CImpulseSolver& solver) const {
   const UInt32 fewest = m_settings.SolverIterations;
   const bool isIterative = m_settings.Stepper == SRigidSettings::EStepper::Iterative;
   if (substep.Contacts.GetIslandByNumber(m_islands[island].Number).Rows <=
       m_settings.MaxDirectRows) {
     return {isIterative ? fewest : std::max(fewest, kMaxSweeps), kSweepTolerance, true};
   }
-  if (const Real speed = FindTumblingSpeed(island); speed > 0.0) {
-    return {std::min(fewest, kTumblingSweeps), kRelativeTolerance * speed, false};
+  const size_t blocks = solver.Blocks.size();
+  const auto isPoint = [](const SBlock& block) { return block.Patch > 0.0; };
+  const bool areBalls = 2 * std::count_if(solver.Blocks.begin(), solver.Blocks.end(), isPoint) >
+                        static_cast<std::ptrdiff_t>(blocks);
+  Real fastest = 0.0;
+  if (IsTumbling(island, fastest) || areBalls) {
+    return {std::min(fewest, kTumblingSweeps),
+            std::max(kSweepTolerance, kRelativeTolerance * fastest), false};
   }
   const UInt32 most = static_cast<UInt32>(kMaxBlockSweeps / std::max<size_t>(blocks, 1));
   return {isIterative ? fewest : std::max(fewest, std::min(most, kMaxSweeps)), kSweepTolerance,
           true};
 }
 
-// @return the greatest speed, m/s, if all bodies are objects of which more than half tumble; else
-// 0.
-Real CRigidStepper::FindTumblingSpeed(size_t island) const {
+// @return true if all bodies are objects of which more than half tumble. @param fastest  receives
+// the greatest speed of the bodies, m/s.
+bool CRigidStepper::IsTumbling(size_t island, Real& fastest) const {
   const UInt32 begin = m_islands[island].Starts[kBodies];
   const UInt32 end = m_islands[island + 1].Starts[kBodies];
-  Real fastest = 0.0;
   UInt32 count = 0;
+  bool areObjects = true;
   for (UInt32 i = begin; i < end; ++i) {
-    if (m_bodies[i]->HasDrive()) {
-      return 0.0;
-    }
-    const Real square = FromODE(dBodyGetLinearVel(m_bodies[i]->Body)).SquareLength();
-    fastest = std::max(fastest, square);
-    count += square > kTumblingSpeed * kTumblingSpeed ? 1 : 0;
+    const Real speed = FromODE(dBodyGetLinearVel(m_bodies[i]->Body)).Length();
+    fastest = std::max(fastest, speed);
+    count += speed > kTumblingSpeed ? 1 : 0;
+    areObjects = areObjects && !m_bodies[i]->HasDrive();
   }
-  return 2 * count > end - begin ? std::sqrt(fastest) : 0.0;
+  return areObjects && 2 * count > end - begin;
 }
 
 void CRigidStepper::StepIsland(const SSubstep& substep, size_t island, SWorkspace& space) {
@@ -187,7 +192,7 @@ void CRigidStepper::StepIsland(const SSubstep& substep, size_t island, SWorkspac
     }
   }
   solver.Prepare();
-  const SEffort effort = ChooseEffort(substep, island, solver.Blocks.size());
+  const SEffort effort = ChooseEffort(substep, island, solver);
   solver.Solve(effort.Sweeps, effort.Tolerance, effort.Extrapolates);
   StoreForces(substep, island, space);
   Rest(substep, island, space);

@@ -77,8 +77,8 @@ class CRigidStepper {
   template <typename VALUE, typename PLACE, typename GET>
   void Distribute(EList list, size_t count, PLACE&& placeOf, GET&& get, std::vector<VALUE>& sorted);
   void StepIsland(const SSubstep& substep, size_t island, SWorkspace& space);
-  SEffort ChooseEffort(const SSubstep& substep, size_t island, size_t blocks) const;
-  Real FindTumblingSpeed(size_t island) const;
+  SEffort ChooseEffort(const SSubstep& substep, size_t island, const CImpulseSolver& solver) const;
+  bool IsTumbling(size_t island, Real& fastest) const;
   void AddBody(const SSubstep& substep, SRigidBody& body, SWorkspace& space) const;
   void AddRotors(const SRigidBody& body, Real length, UInt32 number, SWorkspace& space) const;
   void AddContact(const SSubstep& substep, const SRigidContact& contact, SWorkspace& space) const;

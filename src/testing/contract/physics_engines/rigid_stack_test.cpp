@@ -28,11 +28,12 @@ std::string Name(int i) {
   return "b" + std::to_string(i);
 }
 
-std::string Stack(int count) {
+// each turned against the one below, degrees
+std::string Stack(int count, Real twist = 10.0) {
   std::string boxes;
   for (int i = 0; i < count; ++i) {
     boxes += SBoxXml{Name(i), CVector3(0.2, 0.2, 0.1), CVector3(0, 0, 0.1 * i),
-                     CVector3(10.0 * i, 0, 0), 0.5}
+                     CVector3(twist * i, 0, 0), 0.5}
                  .ToXml();
   }
   return boxes;
@@ -65,10 +66,6 @@ TEST_CASE("rigid stack: five stacked boxes rest for 10 s", "[contract][engine][r
   CAPTURE(stepper, sleep);
   CRigidScene world(GroundedEngine(sleep, Stepper(stepper)), Stack(5));
   world.Step(100);
-  if (stepper == "direct") {
-    // it leaves some contacts of boxes with relative rotation unsolved, and reports it
-    CHECK_THAT(TakeLogErr(), Catch::Matchers::Contains("has left contacts unsolved"));
-  }
   // 2 % of a box's side for the iterative stepper, 1 % for the others
   const Real aside = stepper == "iterative" ? 4e-3 : 2e-3;
   for (int i = 0; i < 5; ++i) {
@@ -79,6 +76,13 @@ TEST_CASE("rigid stack: five stacked boxes rest for 10 s", "[contract][engine][r
     CHECK_THAT(world.Position(Name(i)).GetZ(), WithinAbs(0.1 * i, 1e-3));
     CHECK(world.Tilt(Name(i)) < 5e-3);
   }
+}
+
+TEST_CASE("rigid stack: the stepper direct reports contacts that it leaves unsolved",
+          "[contract][engine][rigid]") {
+  CRigidScene world(GroundedEngine("sleep='false'", Stepper("direct")), Stack(5, 15.0));
+  world.Step(100);
+  CHECK_THAT(TakeLogErr(), Catch::Matchers::Contains("has left contacts unsolved"));
 }
 
 TEST_CASE("rigid stack: a box falls when the box below is removed", "[contract][engine][rigid]") {

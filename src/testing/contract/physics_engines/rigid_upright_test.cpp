@@ -157,6 +157,31 @@ TEST_CASE("rigid upright: two pairs of equal robots balance over a box",
   CHECK_THAT(view.TurnOf(world, "box"), WithinAbs(0.0, 5e-3));
 }
 
+TEST_CASE("rigid upright: what robots squeeze against a wall stays between them",
+          "[contract][engine][rigid]") {
+  const SView view = GENERATE(from_range(kViews));
+  const Real mass = GENERATE(0.05, 0.5, 5.0);
+  CAPTURE(view.Degrees, mass);
+  constexpr int kRobots = 10;
+  std::string arena = view.Box("wall", CVector3(0.2, 3.0, 0.1), 0.2, 0.0, 0.0) +
+                      view.Box("box", CVector3(0.2, 2.0, 0.1), 0.0, 0.0, mass);
+  for (int i = 0; i < kRobots; ++i) {
+    arena += view.Robot(PusherName(i), -0.1 - 0.01 - kRadius, 0.19 * (i - 4.5), 0.0);
+  }
+  CRigidScene world(GroundedEngine(), arena);
+  Real deepest = 0.0;
+  for (int tick = 0; tick < 40; ++tick) {
+    world.Step();
+    const Real box = view.Unmap(world.Position("box")).GetX();
+    deepest = std::max(deepest, box);
+    for (int i = 0; i < kRobots; ++i) {
+      const Real front = view.Unmap(world.Position(PusherName(i))).GetX() + kRadius;
+      deepest = std::max(deepest, front - (box - 0.1));
+    }
+  }
+  CHECK(deepest < 0.01 * kRadius);
+}
+
 TEST_CASE("rigid upright: a box that is pushed above its middle tips",
           "[contract][engine][rigid]") {
   const SView view = GENERATE(from_range(kViews));
