@@ -16,6 +16,8 @@ using EBlock = CImpulseSolver::EKind;
 using SBlock = CImpulseSolver::SBlock;
 constexpr UInt32 kNone = CImpulseSolver::kNone;
 
+// greatest number of contacts between whose sweeps a crowd of robots is extrapolated
+constexpr size_t kMaxCrowdMixed = 256;
 // contacts for which threads are worth their start
 constexpr size_t kManyContacts = 256;
 
@@ -151,8 +153,16 @@ CRigidStepper::SEffort CRigidStepper::ChooseEffort(const SSubstep& substep, size
             std::max(kSweepTolerance, kRelativeTolerance * fastest), false};
   }
   const UInt32 most = static_cast<UInt32>(kMaxBlockSweeps / std::max<size_t>(blocks, 1));
+  // extrapolation costs half a sweep: stacks need it, crowds of robots do not
+  const bool extrapolates = blocks <= kMaxCrowdMixed || AreObjects(island);
   return {isIterative ? fewest : std::max(fewest, std::min(most, kMaxSweeps)), kSweepTolerance,
-          true};
+          extrapolates};
+}
+
+bool CRigidStepper::AreObjects(size_t island) const {
+  return std::none_of(m_bodies.begin() + m_islands[island].Starts[kBodies],
+                      m_bodies.begin() + m_islands[island + 1].Starts[kBodies],
+                      [](const SRigidBody* body) { return body->HasDrive(); });
 }
 
 // @return true if all bodies are objects of which more than half tumble. @param fastest  receives
@@ -161,14 +171,12 @@ bool CRigidStepper::IsTumbling(size_t island, Real& fastest) const {
   const UInt32 begin = m_islands[island].Starts[kBodies];
   const UInt32 end = m_islands[island + 1].Starts[kBodies];
   UInt32 count = 0;
-  bool areObjects = true;
   for (UInt32 i = begin; i < end; ++i) {
     const Real speed = FromODE(dBodyGetLinearVel(m_bodies[i]->Body)).Length();
     fastest = std::max(fastest, speed);
     count += speed > kTumblingSpeed ? 1 : 0;
-    areObjects = areObjects && !m_bodies[i]->HasDrive();
   }
-  return areObjects && 2 * count > end - begin;
+  return 2 * count > end - begin && AreObjects(island);
 }
 
 void CRigidStepper::StepIsland(const SSubstep& substep, size_t island, SWorkspace& space) {

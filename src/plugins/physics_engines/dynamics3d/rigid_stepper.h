@@ -78,6 +78,7 @@ class CRigidStepper {
   void Distribute(EList list, size_t count, PLACE&& placeOf, GET&& get, std::vector<VALUE>& sorted);
   void StepIsland(const SSubstep& substep, size_t island, SWorkspace& space);
   SEffort ChooseEffort(const SSubstep& substep, size_t island, const CImpulseSolver& solver) const;
+  bool AreObjects(size_t island) const;
   bool IsTumbling(size_t island, Real& fastest) const;
   void AddBody(const SSubstep& substep, SRigidBody& body, SWorkspace& space) const;
   void AddRotors(const SRigidBody& body, Real length, UInt32 number, SWorkspace& space) const;
