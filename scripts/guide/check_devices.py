@@ -19,7 +19,7 @@ def listed(kind):
 
 
 def header_of(tag, kind):
-    folder = {"footbot": "foot-bot", "eyebot": "eye-bot", "epuck": "e-puck", "joints": "prototype"}
+    folder = {"footbot": "foot-bot", "eyebot": "eye-bot", "epuck": "e-puck", "pipuck": "pi-puck", "joints": "prototype"}
     name = {"cameras": "camera"}.get(tag, tag)
     robot = folder.get(tag.split("_")[0], "generic")
     return f"argos3/plugins/robots/{robot}/control_interface/ci_{name}_{kind}.h"

@@ -10,23 +10,25 @@
 namespace argos {
 
 /**
- * Returns the medium given by the required attribute `medium` of an element; for the sources of
- * entities and devices.
+ * Returns the medium given by a required attribute of an element; for the sources of entities and
+ * devices.
  * @tparam MEDIUM  a medium, or an interface of a kind of media.
  * @param kind  expected kind, for the message: "an LED medium".
  * @throws CARGoSException if the attribute is missing, or is not the id of such a medium.
  */
 template <class MEDIUM>
-MEDIUM& ReadMedium(TConfigurationNode& node, CSimulator& simulator, const std::string& kind) {
+MEDIUM& ReadMedium(TConfigurationNode& node, CSimulator& simulator, const std::string& kind,
+                   const std::string& attribute = "medium") {
   std::string id;
-  GetNodeAttribute(node, "medium", id);
+  GetNodeAttribute(node, attribute, id);
   try {
     return simulator.GetMedium<MEDIUM>(id);
   } catch (const CAlreadyReported&) {
     throw;
   } catch (std::exception& error) {
-    THROW_ARGOSEXCEPTION_NESTED(OwnerOf(node) << ": attribute \"medium\" must be the id of " << kind
-                                              << ", got \"" << id << "\"",
+    THROW_ARGOSEXCEPTION_NESTED(OwnerOf(node)
+                                    << ": attribute \"" << attribute << "\" must be the id of "
+                                    << kind << ", got \"" << id << "\"",
                                 error);
   }
 }

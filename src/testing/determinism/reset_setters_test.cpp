@@ -86,6 +86,11 @@ const std::map<std::string, std::string> kNotUndone = {
     {"CMountedEntities::SetEach", "protected"},
     {"CSensorEquippedEntity::SetLayout", "for the class of the robot, once"},
     {"CFootBotDistanceScannerEquippedEntity::SetMount", "for the class of the robot, once"},
+    {"CPiPuckDifferentialDriveEntity::SetTarget", "private"},
+    {"CPiPuckDifferentialDriveEntity::SetTargetVelocityLeft", "Reset() stops the wheels"},
+    {"CPiPuckDifferentialDriveEntity::SetTargetVelocityRight", "Reset() stops the wheels"},
+    {"CPiPuckDifferentialDriveEntity::SetVelocityLeft", "a measurement"},
+    {"CPiPuckDifferentialDriveEntity::SetVelocityRight", "a measurement"},
     {"CRobotEntity::SetDeviceParameters", "protected: for the class of the robot"},
 };
 

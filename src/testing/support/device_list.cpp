@@ -5,6 +5,8 @@ namespace argos {
 namespace {
 
 const char* const kAll = "foot-bot e-puck eye-bot";
+const char* const kEvery = "foot-bot e-puck eye-bot pipuck";
+const char* const kPiPuck = "pipuck";
 const char* const kWheeled = "foot-bot e-puck";
 const char* const kFootBot = "foot-bot";
 const char* const kEyeBot = "eye-bot";
@@ -41,9 +43,9 @@ const std::vector<SListedDevice>& ListedDevices() {
       {"actuators", "quadrotor_position", "default", kEyeBot},
       {"actuators", "quadrotor_speed", "default", kEyeBot},
       {"actuators", "ceiling_attachment", "default", kEyeBot},
-      {"actuators", "directional_leds", "default", kAll},
+      {"actuators", "directional_leds", "default", kEvery},
       {"actuators", "tags", "default", kAll},
-      {"actuators", "simple_radios", "default", kAll},
+      {"actuators", "simple_radios", "default", kEvery},
       {"actuators", "magnets", "default", kAll},
       {"sensors", "differential_steering", "default", kWheeled},
       {"sensors", "proximity", "default", kAll},
@@ -62,24 +64,33 @@ const std::vector<SListedDevice>& ListedDevices() {
       {"sensors", "colored_blob_perspective_camera", "default", kSwarmanoid, "medium='leds'"},
       {"sensors", "range_and_bearing", "medium", kAll, "medium='rab'"},
       {"sensors", "battery", "default", kAll},
-      {"sensors", "positioning", "default", kAll},
-      {"sensors", "simple_radios", "default", kAll},
-      {"sensors", "cameras", "default", kAll, kCamera},
+      {"sensors", "positioning", "default", kEvery},
+      {"sensors", "simple_radios", "default", kEvery},
+      {"sensors", "cameras", "default", kEvery, kCamera},
       // declared in ARGoS 3 without implementation, or not part of it
       {"actuators", "differential_steering", "dead_reckoning", kWheeled},
       {"actuators", "pan_tilt_camera", "default", kSwarmanoid},
-      {"sensors", "altitude", "default", kAll},
-      {"sensors", "clock", "default", kAll},
+      {"sensors", "altitude", "default", kEvery},
+      {"sensors", "clock", "default", kEvery},
       {"sensors", "footbot_encoder", "default", kFootBot},
-      {"actuators", "rfid", "medium", kAll, "medium='rfid' range='0.5'"},
-      {"sensors", "rfid", "medium", kAll, "medium='rfid' range='0.5'"},
-      {"actuators", "pheromone", "medium", kAll, "medium='pheromone'"},
-      {"sensors", "pheromone", "medium", kAll, "medium='pheromone'"}};
+      {"actuators", "rfid", "medium", kEvery, "medium='rfid' range='0.5'"},
+      {"sensors", "rfid", "medium", kEvery, "medium='rfid' range='0.5'"},
+      {"actuators", "pheromone", "medium", kEvery, "medium='pheromone'"},
+      {"sensors", "pheromone", "medium", kEvery, "medium='pheromone'"},
+      {"actuators", "pipuck_differential_drive", "default", kPiPuck},
+      {"actuators", "pipuck_leds", "default", kPiPuck},
+      {"sensors", "pipuck_differential_drive", "default", kPiPuck},
+      {"sensors", "pipuck_front_camera", "default", kPiPuck,
+       "tag_medium='tags' directional_led_medium='directional_leds'"},
+      {"sensors", "pipuck_ground", "default", kPiPuck},
+      {"sensors", "pipuck_imu", "default", kPiPuck},
+      {"sensors", "pipuck_rangefinders", "default", kPiPuck},
+      {"sensors", "pipuck_system", "default", kPiPuck}};
   return devices;
 }
 
 const std::vector<std::string>& ListedRobots() {
-  static const std::vector<std::string> robots = {"foot-bot", "e-puck", "eye-bot"};
+  static const std::vector<std::string> robots = {"foot-bot", "e-puck", "eye-bot", "pipuck"};
   return robots;
 }
 
@@ -91,6 +102,11 @@ std::string MediaForDevices() {
 
 std::string RobotForDevices(const std::string& type, const std::string& id,
                             const std::string& position, const std::string& config) {
+  if (type == "pipuck") {
+    return "<pipuck id='" + id +
+           "' wifi_medium='radios' led_medium='directional_leds'><body position='" + position +
+           "'/><controller config='" + config + "'/></pipuck>";
+  }
   return "<" + type + " id='" + id + "' rab_range='3' rab_data_size='3'><body position='" +
          position + "'/><controller config='" + config +
          "'/><battery delta='0.25'/>"

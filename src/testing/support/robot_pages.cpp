@@ -35,7 +35,7 @@ std::string Fenced(const std::string& text) {
 }  // namespace
 
 std::vector<std::string> RobotsWithPages() {
-  return {"e-puck", "eye-bot", "foot-bot", "prototype"};
+  return {"e-puck", "eye-bot", "foot-bot", "pipuck", "prototype"};
 }
 
 std::string MakeRobotPage(const std::string& label) {

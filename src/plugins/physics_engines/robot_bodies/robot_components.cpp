@@ -24,6 +24,16 @@ CDriveSource FindPlanarDrive(CEmbodiedEntity& body) {
   return CDriveSource(root.GetComponent<CPlanarDriveEntity>("planar_drive").GetCommand());
 }
 
+// of a type of its own, or "wheels"
+const CWheeledEntity& FindWheels(CComposableEntity& root) {
+  for (const CEntity* component : root.GetExistingComponents()) {
+    if (const auto* const wheels = dynamic_cast<const CWheeledEntity*>(component)) {
+      return *wheels;
+    }
+  }
+  return root.GetComponent<CWheeledEntity>("wheels");
+}
+
 }  // namespace
 
 CDriveSource FindDrive(CEmbodiedEntity& body, const CRecordedBody* recorded) {
@@ -41,7 +51,7 @@ CDriveSource FindDrive(CEmbodiedEntity& body, const CRecordedBody* recorded) {
     return {};
   }
   auto& root = static_cast<CComposableEntity&>(body.GetRootEntity());
-  const auto& wheels = root.GetComponent<CWheeledEntity>("wheels");
+  const CWheeledEntity& wheels = FindWheels(root);
   if (wheels.GetNumWheels() < 2) {
     THROW_ARGOSEXCEPTION("robot \"" << root.GetId() << "\" has a differential drive, but "
                                     << wheels.GetNumWheels() << " wheel instead of 2");

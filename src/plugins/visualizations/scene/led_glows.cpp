@@ -2,6 +2,7 @@
 
 #include <argos3/core/simulator/visualization/appearance.h>
 #include <argos3/core/utility/math/eigen_bridge.h>
+#include <argos3/plugins/simulator/entities/directional_led_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/led_equipped_entity.h>
 
 #include <algorithm>
@@ -26,6 +27,11 @@ bool IsDeclared(const SAppearance& appearance, size_t number) {
 
 CColor GetLEDColorOrBlack(const CLEDEquippedEntity* leds, UInt32 number) {
   return leds != nullptr && number < leds->GetNumLEDs() ? leds->GetLEDColor(number) : CColor();
+}
+
+CColor GetLEDColorOrBlack(const CDirectionalLEDEquippedEntity* leds, UInt32 number) {
+  return leds != nullptr && number < leds->GetNumLEDs() ? leds->GetLED(number).GetColor()
+                                                        : CColor();
 }
 
 SGlow MakeLEDGlow(const SPose& pose, double diameter, const CColor& color) {

@@ -6,11 +6,15 @@
 
 namespace argos {
 
+class CDirectionalLEDEquippedEntity;
 class CLEDEquippedEntity;
 struct SAppearance;
 
 /** Colour of an LED; black, which is dark, if @p leds is null or has no LED of that number. */
 CColor GetLEDColorOrBlack(const CLEDEquippedEntity* leds, UInt32 number);
+
+/** The same for directional LEDs, which appear from all sides. */
+CColor GetLEDColorOrBlack(const CDirectionalLEDEquippedEntity* leds, UInt32 number);
 
 /** An LED as a part of a scene. @param diameter  m. @param color  black: dark. */
 SGlow MakeLEDGlow(const SPose& pose, double diameter, const CColor& color);

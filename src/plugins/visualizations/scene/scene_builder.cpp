@@ -12,6 +12,7 @@
 #include <argos3/core/simulator/visualization/appearance.h>
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/math/eigen_bridge.h>
+#include <argos3/plugins/simulator/entities/directional_led_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/led_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/light_entity.h>
 #include <argos3/plugins/simulator/visualizations/scene/led_glows.h>
@@ -124,6 +125,9 @@ void CSceneBuilder::AddEntity(CEntity& entity, SScene& scene) {
     subject.IsQuarantined = robot != nullptr && robot->IsQuarantined();
     if (!subject.IsQuarantined) {
       subject.LEDs = FindExistingComponent<CLEDEquippedEntity>(*composable);
+      if (subject.LEDs == nullptr) {
+        subject.DirectionalLEDs = FindExistingComponent<CDirectionalLEDEquippedEntity>(*composable);
+      }
     }
     if (subject.Body != nullptr) {
       subject.Pose = ToVisiblePose(subject.Body->GetOriginAnchor());
@@ -205,8 +209,10 @@ void CSceneBuilder::AddPart(const SVisualPart& part, SSubject& subject, SScene& 
                static_cast<float>(size.z() / size.x()), color, part.Material, isDetail, scene);
       break;
     case SVisualPart::EKind::LED:
-      scene.Glows.push_back(
-          MakeLEDGlow(pose, part.Size.GetX(), GetLEDColorOrBlack(subject.LEDs, part.LED)));
+      scene.Glows.push_back(MakeLEDGlow(
+          pose, part.Size.GetX(),
+          subject.LEDs != nullptr ? GetLEDColorOrBlack(subject.LEDs, part.LED)
+                                  : GetLEDColorOrBlack(subject.DirectionalLEDs, part.LED)));
       break;
   }
   const double area = size.x() * size.y();

@@ -16,6 +16,7 @@ namespace argos {
 
 class CComposableEntity;
 class CControllableEntity;
+class CDirectionalLEDEquippedEntity;
 class CEmbodiedEntity;
 class CEntity;
 class CLEDEquippedEntity;
@@ -59,6 +60,8 @@ class CSceneBuilder {
     SPose Pose;
     CEmbodiedEntity* Body = nullptr;  // null: the entity has none
     CLEDEquippedEntity* LEDs = nullptr;  // null: the entity has none, or they are dark
+    // whose colours a robot without LEDs of the other kind shows; null likewise
+    const CDirectionalLEDEquippedEntity* DirectionalLEDs = nullptr;
     const CLightEntity* Light = nullptr;  // its solids glow while its intensity is above 0
     const TModels* Models = nullptr;  // null: it has solids only
     bool IsRobot = false;

@@ -146,6 +146,7 @@ TEST_CASE("descriptions: examples of entities and media load and run", "[contrac
   CHECK(RunExamples<CEntity>("foot-bot") == 2);
   CHECK(RunExamples<CEntity>("e-puck") == 2);
   CHECK(RunExamples<CEntity>("eye-bot") == 2);
+  CHECK(RunExamples<CEntity>("pipuck") == 2);
   CHECK(RunExamples<CMedium>("led") == 2);
   CHECK(RunExamples<CMedium>("range_and_bearing") == 2);
   CHECK(RunExamples<CMedium>("simple_radio") == 3);

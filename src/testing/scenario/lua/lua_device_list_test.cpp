@@ -89,6 +89,12 @@ SFunction TakesNumber(const std::string& name) {
            {"1, 2", "too many arguments"}}};
 }
 
+SFunction TakesBoolean(const std::string& name) {
+  return {name,
+          {"true", "false"},
+          {{"1", "argument 1 must be true or false, got 1"}, {"true, 1", "too many arguments"}}};
+}
+
 SFunction TakesPlace(const std::string& name) {
   return {name,
           {"1, -2, 0.5"},
@@ -217,7 +223,28 @@ std::vector<SLuaDevice> LuaActuators() {
              {{"'text'", "argument 1 must be a table of"},
               {"{256}", "argument 1 must be a table of 1 whole numbers from 0 to 255"},
               {"{1}, 0", "argument 2 must be a whole number from 1 on, got 0"},
-              {"{1}, 1, 1", "too many arguments"}}})}};
+              {"{1}, 1, 1", "too many arguments"}}})},
+      {"actuators",
+       "pipuck_differential_drive",
+       "differential_drive",
+       "{set_linear_velocity()}",
+       {{"set_linear_velocity",
+         {"0.1, -0.05"},
+         {{"'fast', 1", "argument 1 must be a number, got string \"fast\""},
+          {"1", "argument 2 must be a number, got nothing"},
+          {"1, 2, 3", "too many arguments"}}}}},
+      {"actuators",
+       "pipuck_leds",
+       "leds",
+       "{set_body_led() set_front_led() set_ring_led_index() set_ring_leds()}",
+       {TakesBoolean("set_body_led"),
+        TakesBoolean("set_front_led"),
+        TakesBoolean("set_ring_leds"),
+        {"set_ring_led_index",
+         {"1, true", "8, false"},
+         {{"0, true", "argument 1 must be a whole number from 1 to 8, got 0"},
+          {"9, true", "argument 1 must be a whole number from 1 to 8, got 9"},
+          {"1", "argument 2 must be true or false, got nothing"}}}}}};
 }
 
 std::vector<SLuaDevice> LuaSensors() {
@@ -225,59 +252,72 @@ std::vector<SLuaDevice> LuaSensors() {
   const std::string perspective = "colored_blob_perspective_camera";
   const std::vector<SFunction> onAndOff = WithoutArguments({"enable", "disable"});
   const std::string ring = "[N]{angle value}";
+  const std::string transform = "transform{anchor:string orientation:quaternion position:vector3}";
   const std::array<int, 3> kOfRing = {24, 8, 24};
-  return {{"sensors", "differential_steering", "wheels",
-           "{axis_length distance_left distance_right velocity_left velocity_right}"},
-          {"sensors", "proximity", "proximity", "[N]", {}, kOfRing},
-          {"sensors", "footbot_proximity", "proximity", ring, {}, kOfRing},
-          {"sensors", "eyebot_proximity", "proximity", ring, {}, kOfRing},
-          {"sensors", "epuck_proximity", "proximity", ring, {}, kOfRing},
-          {"sensors", "light", "light", "[N]", {}, kOfRing},
-          {"sensors", "footbot_light", "light", ring, {}, kOfRing},
-          {"sensors", "eyebot_light", "light", ring, {}, kOfRing},
-          {"sensors", "ground", "ground", "[N]", {}, {12, 3, 0}},
-          {"sensors", "footbot_motor_ground", "motor_ground", "[4]{offset:vector2 value}"},
-          {"sensors", "footbot_base_ground", "base_ground", "[8]{offset:vector2 value}"},
-          // two lights near the foot-bot are in the area of its camera
-          {"sensors",
-           omnidirectional,
-           omnidirectional,
-           "[2]{angle color" + kBlobs + " distance}{disable() enable()}",
-           onAndOff,
-           {},
-           "robot." + omnidirectional + ".enable()"},
-          // the foot-bot sees two lights ahead, the eye-bot one light below
-          {"sensors",
-           perspective,
-           perspective,
-           "[N]{color" + kBlobs + " x y}{disable() enable()}",
-           onAndOff,
-           {2, 0, 1},
-           "robot." + perspective + ".enable()"},
-          {"sensors", "range_and_bearing", "range_and_bearing",
-           "[1]{data[3] horizontal_bearing range vertical_bearing}"},
-          {"sensors",
-           "footbot_distance_scanner",
-           "distance_scanner",
-           "{disable() enable() long_range[2]{angle distance} set_angle() set_rpm() "
-           "short_range[2]{angle distance}}",
-           {},
-           {},
-           "robot.distance_scanner.enable()",
-           "footbot_distance_scanner"},
-          {"sensors", "footbot_turret_encoder", "turret", "{rotation}"},
-          {"sensors", "battery", "battery", "{available_charge time_left}"},
-          {"sensors", "positioning", "positioning", "{orientation:quaternion position:vector3}"},
-          {"sensors", "simple_radios", "simple_radios", "{wifi{recv[1]{number text:string}}}"},
-          {"sensors", "cameras", "cameras",
-           "{front{directional_led_detector[1]{center:vector2 color" + kBlobs +
-               "} led_detector[1]{center:vector2 color" + kBlobs +
-               "} tag_detector[1]{center:vector2 corners[4]:vector2 payload:string}}}"},
-          {"sensors", "pheromone", "pheromone", "{trail[1]{offset:vector2 value}}"},
-          {"sensors", "rfid", "rfid", "[1]{angle data[2] distance id:string}"},
-          {"sensors", "altitude", "altitude", "{height}"},
-          {"sensors", "clock", "clock", "{tick time}"},
-          {"sensors", "footbot_encoder", "encoder", "{axis_length distance_left distance_right}"}};
+  return {
+      {"sensors", "differential_steering", "wheels",
+       "{axis_length distance_left distance_right velocity_left velocity_right}"},
+      {"sensors", "proximity", "proximity", "[N]", {}, kOfRing},
+      {"sensors", "footbot_proximity", "proximity", ring, {}, kOfRing},
+      {"sensors", "eyebot_proximity", "proximity", ring, {}, kOfRing},
+      {"sensors", "epuck_proximity", "proximity", ring, {}, kOfRing},
+      {"sensors", "light", "light", "[N]", {}, kOfRing},
+      {"sensors", "footbot_light", "light", ring, {}, kOfRing},
+      {"sensors", "eyebot_light", "light", ring, {}, kOfRing},
+      {"sensors", "ground", "ground", "[N]", {}, {12, 3, 0}},
+      {"sensors", "footbot_motor_ground", "motor_ground", "[4]{offset:vector2 value}"},
+      {"sensors", "footbot_base_ground", "base_ground", "[8]{offset:vector2 value}"},
+      // two lights near the foot-bot are in the area of its camera
+      {"sensors",
+       omnidirectional,
+       omnidirectional,
+       "[2]{angle color" + kBlobs + " distance}{disable() enable()}",
+       onAndOff,
+       {},
+       "robot." + omnidirectional + ".enable()"},
+      // the foot-bot sees two lights ahead, the eye-bot one light below
+      {"sensors",
+       perspective,
+       perspective,
+       "[N]{color" + kBlobs + " x y}{disable() enable()}",
+       onAndOff,
+       {2, 0, 1},
+       "robot." + perspective + ".enable()"},
+      {"sensors", "range_and_bearing", "range_and_bearing",
+       "[1]{data[3] horizontal_bearing range vertical_bearing}"},
+      {"sensors",
+       "footbot_distance_scanner",
+       "distance_scanner",
+       "{disable() enable() long_range[2]{angle distance} set_angle() set_rpm() "
+       "short_range[2]{angle distance}}",
+       {},
+       {},
+       "robot.distance_scanner.enable()",
+       "footbot_distance_scanner"},
+      {"sensors", "footbot_turret_encoder", "turret", "{rotation}"},
+      {"sensors", "battery", "battery", "{available_charge time_left}"},
+      {"sensors", "positioning", "positioning", "{orientation:quaternion position:vector3}"},
+      {"sensors", "simple_radios", "simple_radios", "{wifi{recv[1]{number text:string}}}"},
+      {"sensors", "cameras", "cameras",
+       "{front{directional_led_detector[1]{center:vector2 color" + kBlobs +
+           "} led_detector[1]{center:vector2 color" + kBlobs +
+           "} tag_detector[1]{center:vector2 corners[4]:vector2 payload:string}}}"},
+      {"sensors", "pheromone", "pheromone", "{trail[1]{offset:vector2 value}}"},
+      {"sensors", "rfid", "rfid", "[1]{angle data[2] distance id:string}"},
+      {"sensors", "altitude", "altitude", "{height}"},
+      {"sensors", "clock", "clock", "{tick time}"},
+      {"sensors", "footbot_encoder", "encoder", "{axis_length distance_left distance_right}"},
+      {"sensors", "pipuck_differential_drive", "differential_drive", "{encoders{left right}}"},
+      {"sensors", "pipuck_front_camera", "front_camera",
+       "{detect_led() disable() enable() resolution:vector2 tags[0] timestamp " + transform + "}",
+       Plus(onAndOff,
+            {"detect_led", {"vector3(0, 0, 0.1)"}, {{"1", "argument 1 must be a vector3"}}})},
+      {"sensors", "pipuck_ground", "ground_sensors", "[3]{background reflected " + transform + "}"},
+      {"sensors", "pipuck_imu", "imu",
+       "{accelerometer:vector3 gyroscope:vector3 magnetometer:vector3}"},
+      {"sensors", "pipuck_rangefinders", "rangefinders",
+       "[8]{illuminance proximity " + transform + "}"},
+      {"sensors", "pipuck_system", "system", "{temperature time}"}};
 }
 
 const SLuaDevice& LuaDeviceOf(const SListedDevice& device) {

@@ -19,6 +19,18 @@ constexpr Real kThreshold = 0.5;  // between black and white
 
 }  // namespace
 
+void RequireFloor(const CControllableEntity& robot, TConfigurationNode& device) {
+  CSpace& space = robot.GetSpace();
+  if (!space.HasFloorEntity()) {
+    // the floor may follow the robot in the file, or be created by the loop functions
+    robot.GetSimulator().CheckWhenLoaded([&space, owner = OwnerOf(device)] {
+      if (!space.HasFloorEntity()) {
+        THROW_ARGOSEXCEPTION(owner << " needs a floor: add a <floor> element to <arena>");
+      }
+    });
+  }
+}
+
 void CFloorReader::SetRobot(CComposableEntity& robot) {
   m_sensors = &robot.GetComponent<CGroundSensorEquippedEntity>("ground_sensors");
   m_space = &robot.GetComponent<CControllableEntity>("controller").GetSpace();
@@ -33,15 +45,7 @@ void CFloorReader::Init(TConfigurationNode& tree) {
   const CControllableEntity& robot = GetRobot();
   m_noise.Init(tree, robot, {"reading"},
                {m_readsNoiseLevel ? ReadNoiseLevel(tree) : CRange<Real>()});
-  CSpace& space = *m_space;
-  if (!space.HasFloorEntity()) {
-    // the floor may follow the robot in the file, or be created by the loop functions
-    robot.GetSimulator().CheckWhenLoaded([&space, owner = OwnerOf(tree)] {
-      if (!space.HasFloorEntity()) {
-        THROW_ARGOSEXCEPTION(owner << " needs a floor: add a <floor> element to <arena>");
-      }
-    });
-  }
+  RequireFloor(robot, tree);
 }
 
 size_t CFloorReader::GetNumSensors() const {

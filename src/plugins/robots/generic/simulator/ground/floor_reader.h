@@ -15,6 +15,9 @@ class CGroundSensorEquippedEntity;
 class CSpace;
 struct SGroundSensorLayout;
 
+/** @throws CARGoSException after loading, if there is no floor. @param device  its element. */
+void RequireFloor(const CControllableEntity& robot, TConfigurationNode& device);
+
 /**
  * Reads the floor below a robot, for all types of ground sensors.
  *

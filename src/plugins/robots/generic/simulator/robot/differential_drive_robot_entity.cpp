@@ -36,6 +36,20 @@ std::shared_ptr<const SBodyDescription> CSharedBodies::Get(
   return body;
 }
 
+bool ReadDriveLimits(TConfigurationNode& tree, SDifferentialDriveDescription& drive) {
+  if (!NodeExists(tree, "dynamics2d")) {
+    return false;
+  }
+  TConfigurationNode& engine = GetNode(tree, "dynamics2d");
+  if (!NodeExists(engine, "differential_steering")) {
+    return false;
+  }
+  TConfigurationNode& limits = GetNode(engine, "differential_steering");
+  ReadOptionalPositive(limits, "max_force", "N", drive.MaxForce);
+  ReadOptionalPositive(limits, "max_torque", "N m", drive.MaxTorque);
+  return true;
+}
+
 CDifferentialDriveRobotEntity::CDifferentialDriveRobotEntity(
     const SDifferentialDriveRobotType& type, const std::string& id, const CVector3& position,
     const CQuaternion& orientation)
@@ -55,18 +69,10 @@ void CDifferentialDriveRobotEntity::MakeWheels() {
 
 void CDifferentialDriveRobotEntity::InitParts(TConfigurationNode& tree) {
   CRobotEntity::InitParts(tree);
-  if (!NodeExists(tree, "dynamics2d")) {
-    return;
-  }
-  TConfigurationNode& engine = GetNode(tree, "dynamics2d");
-  if (!NodeExists(engine, "differential_steering")) {
-    return;
-  }
-  TConfigurationNode& limits = GetNode(engine, "differential_steering");
   SDifferentialDriveDescription drive = *m_bodies.GetDefault().Drive;
-  ReadOptionalPositive(limits, "max_force", "N", drive.MaxForce);
-  ReadOptionalPositive(limits, "max_torque", "N m", drive.MaxTorque);
-  GetEmbodiedEntity().SetBodyDescription(m_bodies.Get(drive));
+  if (ReadDriveLimits(tree, drive)) {
+    GetEmbodiedEntity().SetBodyDescription(m_bodies.Get(drive));
+  }
 }
 
 }  // namespace argos

@@ -35,6 +35,13 @@ class CSharedBodies {
       m_nonDefault;  // in use by at least one robot
 };
 
+/**
+ * Reads the limits of a drive from the child `<dynamics2d><differential_steering max_force="..."
+ * max_torque="..." /></dynamics2d>`.
+ * @return false if there is none. @throws CARGoSException if a limit is not > 0.
+ */
+bool ReadDriveLimits(TConfigurationNode& tree, SDifferentialDriveDescription& drive);
+
 /** The properties that all robots of a type with two driven wheels share. */
 struct SDifferentialDriveRobotType : SRobotType {
   CSharedBodies Bodies;
