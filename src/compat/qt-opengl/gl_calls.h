@@ -45,6 +45,32 @@ typedef unsigned char GLubyte;
 #define GL_NORMALIZE 0x0BA1
 #define GL_BLEND 0x0BE2
 #define GL_TEXTURE_2D 0x0DE1
+#define GL_COMPILE 0x1300
+#define GL_COMPILE_AND_EXECUTE 0x1301
+#define GL_AMBIENT 0x1200
+#define GL_DIFFUSE 0x1201
+#define GL_SPECULAR 0x1202
+#define GL_POSITION 0x1203
+#define GL_EMISSION 0x1600
+#define GL_SHININESS 0x1601
+#define GL_AMBIENT_AND_DIFFUSE 0x1602
+#define GL_MODELVIEW 0x1700
+#define GL_PROJECTION 0x1701
+#define GL_LINE 0x1B01
+#define GL_FILL 0x1B02
+#define GL_TEXTURE_MAG_FILTER 0x2800
+#define GL_TEXTURE_MIN_FILTER 0x2801
+#define GL_TEXTURE_WRAP_S 0x2802
+#define GL_TEXTURE_WRAP_T 0x2803
+#define GL_NEAREST 0x2600
+#define GL_LINEAR 0x2601
+#define GL_REPEAT 0x2901
+#define GL_RGB 0x1907
+#define GL_RGBA 0x1908
+#define GL_UNSIGNED_BYTE 0x1401
+#define GL_POLYGON_OFFSET_FILL 0x8037
+#define GL_FALSE 0
+#define GL_TRUE 1
 #define GL_FLAT 0x1D00
 #define GL_SMOOTH 0x1D01
 #endif
@@ -53,43 +79,87 @@ namespace argos {
 /** Does nothing, with any arguments. */
 template <typename... ARGUMENTS>
 constexpr void IgnoreGlCall(const ARGUMENTS&...) {}
+/** The same for calls that give the number of the first of new objects: 1, which is valid. */
+template <typename... ARGUMENTS>
+constexpr GLuint IgnoreGlNumbers(const ARGUMENTS&...) {
+  return 1;
+}
 }  // namespace argos
 
 // a qualified call, ::glEnable(...), must compile, too
 using argos::IgnoreGlCall;
+using argos::IgnoreGlNumbers;
 
 #define glBegin IgnoreGlCall
+#define glBindTexture IgnoreGlCall
 #define glBlendFunc IgnoreGlCall
+#define glCallList IgnoreGlCall
 #define glColor3d IgnoreGlCall
+#define glColor3dv IgnoreGlCall
 #define glColor3f IgnoreGlCall
+#define glColor3fv IgnoreGlCall
 #define glColor3ub IgnoreGlCall
 #define glColor4d IgnoreGlCall
 #define glColor4f IgnoreGlCall
+#define glColor4fv IgnoreGlCall
 #define glColor4ub IgnoreGlCall
+#define glCullFace IgnoreGlCall
+#define glDeleteLists IgnoreGlCall
+#define glDeleteTextures IgnoreGlCall
 #define glDepthMask IgnoreGlCall
 #define glDisable IgnoreGlCall
 #define glEnable IgnoreGlCall
 #define glEnd IgnoreGlCall
+#define glEndList IgnoreGlCall
+#define glFlush IgnoreGlCall
+#define glFrontFace IgnoreGlCall
+#define glGenLists IgnoreGlNumbers
+#define glGenTextures IgnoreGlCall
+#define glHint IgnoreGlCall
+#define glLightModelfv IgnoreGlCall
+#define glLightfv IgnoreGlCall
+#define glLineStipple IgnoreGlCall
 #define glLineWidth IgnoreGlCall
+#define glLoadIdentity IgnoreGlCall
 #define glMaterialf IgnoreGlCall
 #define glMaterialfv IgnoreGlCall
+#define glMatrixMode IgnoreGlCall
+#define glMultMatrixd IgnoreGlCall
+#define glMultMatrixf IgnoreGlCall
+#define glNewList IgnoreGlCall
 #define glNormal3d IgnoreGlCall
+#define glNormal3dv IgnoreGlCall
 #define glNormal3f IgnoreGlCall
+#define glNormal3fv IgnoreGlCall
 #define glPointSize IgnoreGlCall
+#define glPolygonMode IgnoreGlCall
+#define glPolygonOffset IgnoreGlCall
 #define glPopAttrib IgnoreGlCall
 #define glPopMatrix IgnoreGlCall
 #define glPushAttrib IgnoreGlCall
 #define glPushMatrix IgnoreGlCall
+#define glRectd IgnoreGlCall
+#define glRectf IgnoreGlCall
 #define glRotated IgnoreGlCall
 #define glRotatef IgnoreGlCall
 #define glScaled IgnoreGlCall
 #define glScalef IgnoreGlCall
 #define glShadeModel IgnoreGlCall
+#define glTexCoord2d IgnoreGlCall
+#define glTexCoord2f IgnoreGlCall
+#define glTexEnvf IgnoreGlCall
+#define glTexEnvi IgnoreGlCall
+#define glTexImage2D IgnoreGlCall
+#define glTexParameterf IgnoreGlCall
+#define glTexParameteri IgnoreGlCall
 #define glTranslated IgnoreGlCall
 #define glTranslatef IgnoreGlCall
 #define glVertex2d IgnoreGlCall
 #define glVertex2f IgnoreGlCall
+#define glVertex2i IgnoreGlCall
 #define glVertex3d IgnoreGlCall
+#define glVertex3dv IgnoreGlCall
 #define glVertex3f IgnoreGlCall
+#define glVertex3fv IgnoreGlCall
 
 #endif

@@ -89,6 +89,8 @@ class QFont {
     Monospace = 7
   };
 
+  enum Capitalization { MixedCase, AllUppercase, AllLowercase, SmallCaps, Capitalize };
+
   QFont() = default;
   /** @param pointSize, weight  -1 = the default. */
   QFont(const QString& family, int pointSize = -1, int weight = -1, bool italic = false)
@@ -112,6 +114,9 @@ class QFont {
   void setBold(bool bold) { m_weight = bold ? Bold : Normal; }
   bool italic() const { return m_italic; }
   void setItalic(bool italic) { m_italic = italic; }
+  Capitalization capitalization() const { return m_capitalization; }
+  /** Is kept, without effect on what is drawn. */
+  void setCapitalization(Capitalization capitalization) { m_capitalization = capitalization; }
   /** Names the family if there is none. */
   void setStyleHint(StyleHint hint);
 
@@ -120,6 +125,7 @@ class QFont {
   double m_pointSize = 12.0;
   int m_weight = Normal;
   bool m_italic = false;
+  Capitalization m_capitalization = MixedCase;
 };
 
 /** Size of the picture, pixels. */

@@ -6,14 +6,24 @@
 namespace argos {
 
 /** What user functions see of the window that this simulator does not have. */
-class CQTOpenGLMainWindow {
+class CQTOpenGLMainWindow : public QMainWindow {
  public:
   explicit CQTOpenGLMainWindow(CQTOpenGLUserFunctions& userFunctions) : m_widget(userFunctions) {}
 
   CQTOpenGLWidget& GetOpenGLWidget() { return m_widget; }
+  const CQTOpenGLWidget& GetOpenGLWidget() const { return m_widget; }
+  CQTOpenGLUserFunctions& GetUserFunctions() { return m_widget.GetUserFunctions(); }
+  const CQTOpenGLUserFunctions& GetUserFunctions() const {
+    return const_cast<CQTOpenGLWidget&>(m_widget).GetUserFunctions();
+  }
+  /** Folders of icons, textures and models: empty, there are none. */
+  const QString& GetIconDir() const { return m_folder; }
+  const QString& GetTextureDir() const { return m_folder; }
+  const QString& GetModelDir() const { return m_folder; }
 
  private:
   CQTOpenGLWidget m_widget;
+  QString m_folder;
 };
 
 }  // namespace argos

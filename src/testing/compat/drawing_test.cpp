@@ -2,9 +2,13 @@
 
 #include "user_drawing.h"
 
+#include <argos3/plugins/simulator/visualizations/qt-opengl/qtopengl_obj_model.h>
+#include <argos3/testing/support/captured_logs.h>
 #include <argos3/testing/support/experiment.h>
 #include <argos3/testing/support/temporary_folder.h>
 
+#include <QElapsedTimer>
+#include <QOpenGLTexture>
 #include <catch2/catch.hpp>
 
 #include <filesystem>
@@ -174,6 +178,70 @@ TEST_CASE("compat: the named colours are those of Qt", "[compat]") {
     CHECK(color.blue() == static_cast<int>(rgb & 0xff));
     CHECK(color.alpha() == 255);
   }
+}
+
+// Calls of third-party robots' drawing operations, as user functions can make them.
+class CWidgetDrawing : public CQTOpenGLUserFunctions {
+ public:
+  CWidgetDrawing() { RegisterUserFunction<CWidgetDrawing, CFootBotEntity>(&CWidgetDrawing::Draw); }
+  using CQTOpenGLUserFunctions::Draw;
+  void Draw(CFootBotEntity& c_entity) {
+    CQTOpenGLWidget& cWidget = GetQTOpenGLWidget();
+    cWidget.DrawRays(c_entity.GetControllableEntity());
+    cWidget.DrawBoundingBox(c_entity.GetEmbodiedEntity());
+    cWidget.DrawEntity(c_entity.GetEmbodiedEntity());
+    DrawPoint(CVector3(0.5, 0.0, 0.0));
+  }
+};
+
+TEST_CASE("compat: the widget draws rays, bounding boxes and frames of entities", "[compat]") {
+  CTestWorld world(MakeExperiment());
+  const CSimulator::CScope scope(world.GetSimulator());
+  auto& robot = world.Get<CFootBotEntity>("fb1");
+  robot.GetControllableEntity().AddCheckedRay(true, CRay3(CVector3(1, 2, 3), CVector3(4, 5, 6)));
+  CWidgetDrawing functions;
+  CDrawing drawing;
+  drawing.Begin(320, 240);
+  functions.DrawAll(drawing, {&robot});
+  const std::vector<SDrawnShape>& shapes = drawing.GetShapes();
+  REQUIRE(shapes.size() == 1 + 12 + 1);
+  CHECK(shapes[0].Color == CColor::MAGENTA);
+  CHECK(Distance(shapes[0].Position, CVector3(1, 2, 3)) < 2e-6);
+  CHECK(Distance(shapes[0].Size, CVector3(3, 3, 3)) < 2e-6);
+  const SBoundingBox& box = robot.GetEmbodiedEntity().GetBoundingBox();
+  Real length = 0.0;
+  for (size_t i = 1; i < 13; ++i) {
+    CHECK(shapes[i].Kind == SDrawnShape::EKind::Line);
+    CHECK(shapes[i].Color == CColor::WHITE);
+    CHECK(shapes[i].Pixels == 3.0);
+    length += shapes[i].Size.Length();
+  }
+  const CVector3 extents = box.MaxCorner - box.MinCorner;
+  CHECK_THAT(length,
+             Catch::WithinAbs(4.0 * (extents.GetX() + extents.GetY() + extents.GetZ()), 1e-4));
+  // fb1 looks along y
+  CHECK(Distance(shapes[13].Position, CVector3(1.0, 2.5, 0.0)) < 2e-6);
+}
+
+TEST_CASE("compat: what needs a window is accepted and named once", "[compat]") {
+  TakeLogErr();
+  CQTOpenGLObjModel cModel("robot.obj"), cOther("", "");
+  cModel.GetMaterial("led").Emission = {{1.0f, 0.0f, 0.0f, 1.0f}};
+  CHECK(cModel.GetMaterial("led").Emission[0] == 1.0f);
+  cModel.Draw();
+  const std::string warning = TakeLogErr();
+  CHECK_THAT(warning, Catch::Contains("CQTOpenGLObjModel is accepted, but has no effect"));
+  CHECK(warning.find("CQTOpenGLObjModel") == warning.rfind("CQTOpenGLObjModel"));
+  QFont cFont("Helvetica", 12);
+  cFont.setCapitalization(QFont::AllUppercase);
+  CHECK(cFont.capitalization() == QFont::AllUppercase);
+  QElapsedTimer cTimer;
+  cTimer.start();
+  CHECK(cTimer.elapsed() >= 0);
+  CHECK(glGenLists(2) == 1);
+  glNewList(1, GL_COMPILE);
+  glEndList();
+  glCallList(1);
 }
 
 }  // namespace compat_drawing_test

@@ -7,6 +7,7 @@
 #include <argos3/core/simulator/entity/existing_component.h>
 #include <argos3/core/simulator/entity/floor_entity.h>
 #include <argos3/core/simulator/entity/positional_entity.h>
+#include <argos3/core/simulator/geometry/body_description.h>
 #include <argos3/core/simulator/geometry/pose_grid.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/simulator/visualization/appearance.h>
@@ -43,6 +44,28 @@ double ComputeVolume(const SVisualPart& part) {
     return 0.0;
   }
   return part.Size.GetX() * part.Size.GetY() * part.Size.GetZ();
+}
+
+// the solids of a body whose entity has no appearance; of others than these kinds the box around
+// them
+SAppearance MakeBodyAppearance(const SBodyDescription& body) {
+  constexpr CColor kBody(150, 154, 160);
+  SAppearance appearance;
+  for (const SShapeDescription& shape : body.Shapes) {
+    SVisualPart part;
+    part.Position = shape.Offset;
+    part.Orientation = shape.Orientation;
+    part.Size = shape.Size;
+    part.Color = kBody;
+    if (shape.Kind == SShapeDescription::EKind::Cylinder) {
+      part.Kind = SVisualPart::EKind::Cylinder;
+    } else if (shape.Kind == SShapeDescription::EKind::Sphere) {
+      part.Kind = SVisualPart::EKind::Sphere;
+      part.Position = shape.ComputeMiddle();
+    }
+    appearance.Parts.push_back(part);
+  }
+  return appearance;
 }
 
 void AddSolid(EMeshKind kind, const SPose& pose, const Eigen::Vector3d& scale, float param,
@@ -110,13 +133,18 @@ void CSceneBuilder::WarnUnseen(const CEntity& entity) {
          << "can draw them" << std::endl;
 }
 
+void CSceneBuilder::WarnOfSolids(const CEntity& entity) {
+  const std::string type = entity.GetTypeDescription();
+  if (m_unseenTypes.insert(type).second) {
+    LOGERR << "[WARNING] pictures show the solids of \"" << entity.GetId() << "\" and other <"
+           << type << ">: the class has no GetAppearance(), and its drawing with OpenGL, if there "
+           << "is any, does not run" << std::endl;
+  }
+}
+
 void CSceneBuilder::AddEntity(CEntity& entity, SScene& scene) {
   static const SAppearance kNone;
   const SAppearance* appearance = entity.GetAppearance();
-  if (appearance == nullptr) {
-    WarnUnseen(entity);
-    appearance = &kNone;
-  }
   SSubject subject;
   if (auto* composable = dynamic_cast<CComposableEntity*>(&entity)) {
     subject.Body = FindExistingComponent<CEmbodiedEntity>(*composable);
@@ -135,6 +163,16 @@ void CSceneBuilder::AddEntity(CEntity& entity, SScene& scene) {
   } else if (auto* positional = dynamic_cast<CPositionalEntity*>(&entity)) {
     subject.Pose = ToVisiblePose({positional->GetPosition(), positional->GetOrientation()});
     subject.Light = dynamic_cast<CLightEntity*>(&entity);
+  }
+  SAppearance solids;
+  if (appearance == nullptr && subject.Body != nullptr &&
+      subject.Body->GetBodyDescription() != nullptr) {
+    solids = MakeBodyAppearance(*subject.Body->GetBodyDescription());
+    appearance = &solids;
+    WarnOfSolids(entity);
+  } else if (appearance == nullptr) {
+    WarnUnseen(entity);
+    appearance = &kNone;
   }
   for (const SVisualPart& part : appearance->Parts) {
     const double volume = ComputeVolume(part);

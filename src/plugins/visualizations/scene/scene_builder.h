@@ -74,6 +74,7 @@ class CSceneBuilder {
 
   void AddEntity(CEntity& entity, SScene& scene);
   void WarnUnseen(const CEntity& entity);
+  void WarnOfSolids(const CEntity& entity);
   void AddPart(const SVisualPart& part, SSubject& subject, SScene& scene) const;
 
   static bool HasModel(const SSubject& subject, const std::string& anchor);

@@ -14,3 +14,8 @@ for engine in dynamics2d kinematics2d dynamics3d pointmass3d; do
   [[ "$engine" == pointmass3d ]] ||
     grep '^position_of_b2' "$engine.log" | expect "$engine: wall, x" 2 0.34 0.005
 done
+
+# its operations that draw with OpenGL are accepted; a picture shows its solids
+sed 's|</argos-configuration>|<visualization><offscreen directory="out" every="50" /></visualization></argos-configuration>|' beetles.argos >drawn.argos
+argos3 -n -c drawn.argos >drawn.log 2>&1
+grep -q 'pictures show the solids of "b0" and other <beetle>' drawn.log
