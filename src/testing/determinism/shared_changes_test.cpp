@@ -213,7 +213,7 @@ const std::vector<SChange>& OwnChanges() {
       {"SetColor()",
        [](auto& a) {
          a.template GetPart<CDirectionalLEDEquippedEntity>("directional_leds")
-             .SetAllLEDsColors(CColor::RED);
+             .SetLEDColors(CColor::RED);
        }},
       {"SetRange()",
        [](auto& a) {

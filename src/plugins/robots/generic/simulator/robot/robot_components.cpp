@@ -1,5 +1,6 @@
 #include <argos3/plugins/robots/generic/simulator/robot_components.h>
 
+#include <argos3/core/simulator/entity/robots_code.h>
 #include <argos3/plugins/simulator/entities/battery_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/omnidirectional_camera_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/perspective_camera_equipped_entity.h>
@@ -59,9 +60,9 @@ CEntity& MakePerspectiveCamera(CRobotEntity& robot, const CVector3& offset,
       "perspective_camera_0", parameters.Aperture, parameters.FocalLength, parameters.Range,
       kImageWidth, kImageHeight, robot.GetEmbodiedEntity().GetAnchor(anchor));
   camera.SetMount(offset, orientation);
-  // for users' code: the frame of the camera
+  // for users' code, but not while robots run, which may read the anchors: the frame of the camera
   CEmbodiedEntity& body = robot.GetEmbodiedEntity();
-  if (body.GetAnchors().count("perspective_camera") == 0) {
+  if (!CRobotsCode::IsRunning() && body.GetAnchors().count("perspective_camera") == 0) {
     const SAnchor& mount = body.GetAnchor(anchor);
     body.AddAnchor("perspective_camera",
                    mount.OffsetPosition + CVector3(offset).Rotate(mount.OffsetOrientation),

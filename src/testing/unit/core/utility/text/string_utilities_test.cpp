@@ -1,7 +1,7 @@
 #include <argos3/core/utility/string_utilities.h>
 
 #include <argos3/core/utility/configuration/argos_exception.h>
-#include <argos3/core/utility/text/shell_quoting.h>
+#include <argos3/support/shell_quoting.h>
 #include <argos3/testing/support/invariants.h>
 
 #include <catch2/catch.hpp>
