@@ -254,7 +254,6 @@ class CConfigurationNode {
       ConvertLoosely(what, text, value, reason);
     }
   }
-  // a text that is not valid: accepted with a warning if the document is lenient
   template <typename T>
   void ConvertLoosely(const std::string& what, const char* text, T& value,
                       const std::string& reason) const {
@@ -281,8 +280,8 @@ class CConfigurationNode {
   const char* FindText(bool throwIfMissing) const;
 
   SConfigurationRecord* m_record = nullptr;
-  // shared, because a user's handle may outlive the document object; empty in handles that the
-  // document itself holds
+  // a user's handle may outlive the document object; empty in handles that the document itself
+  // holds
   std::shared_ptr<CConfigurationStore> m_owner;
   bool m_heldByDocument = false;
 };
@@ -290,8 +289,7 @@ class CConfigurationNode {
 /** Prints the element and its contents as XML. */
 std::ostream& operator<<(std::ostream& stream, const CConfigurationNode& node);
 
-/** Reads the rest of the stream as one element. @throws CARGoSException if it is not well-formed.
- */
+/** Reads the rest of the stream as one element. @throws CARGoSException if it is malformed. */
 std::istream& operator>>(std::istream& stream, CConfigurationNode& node);
 
 /** Marks the element, its attributes and its contents as read. */
