@@ -2,8 +2,6 @@
 # their own language level and warnings.
 add_library(argos_options INTERFACE)
 target_compile_features(argos_options INTERFACE cxx_std_20)
-# as Debian 13 compiles users of tinyxml2: precompiled headers are only used with equal definitions
-target_compile_definitions(argos_options INTERFACE _FILE_OFFSET_BITS=64)
 
 # Same input, same bits: a multiplication and an addition fused into one instruction round once instead of twice, and
 # whether they are fused depends on the compiler, its version and the inlining around them. So never fuse.

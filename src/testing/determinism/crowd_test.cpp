@@ -48,11 +48,11 @@ class CTugger : public CCI_Controller {
 
 REGISTER_CONTROLLER(CTugger, "tugger")
 
-// discs cover a third of the ground
+// discs cover 30 % of the ground
 std::string MakeCrowd(UInt32 threads, const std::string& method, bool withLoads) {
   CDynamicLoading::LoadLibrary(InBuildTree("experiments/libepuck_vector_diffusion"));
   SRoomsWorld rooms;
-  rooms.Robots = 3000;
+  rooms.Robots = 2800;
   rooms.Side = 6.0;
   rooms.RoomsPerSide = 2;
   rooms.DoorWidth = 0.8;

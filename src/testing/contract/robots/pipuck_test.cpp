@@ -12,6 +12,7 @@
 #include <argos3/plugins/robots/pi-puck/simulator/pipuck_entity.h>
 #include <argos3/plugins/simulator/entities/directional_led_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/simple_radio_equipped_entity.h>
+#include <argos3/testing/support/captured_logs.h>
 #include <argos3/testing/support/robot_world.h>
 
 #include <catch2/catch.hpp>
@@ -168,7 +169,9 @@ TEST_CASE("pi-puck: the front LED is in front, and the ring has eight", "[contra
   auto& leds = world.Get<CPiPuckEntity>("r").GetDirectionalLEDEquippedEntity();
   actuator.SetRingLEDIndex(2, true);
   actuator.SetFrontLED(true);
-  actuator.SetRingLEDIndex(8, true);  // reported and ignored
+  actuator.SetRingLEDIndex(8, true);
+  CHECK_THAT(TakeLogErr(),
+             Contains("there is no LED 8 in the ring; they are numbered from 0 to 7"));
   world.Step();
   for (UInt32 i = 0; i < 10; ++i) {
     CHECK(leds.GetLED(i).GetColor() == (i == 2 || i == 8 ? CColor::WHITE : CColor::BLACK));

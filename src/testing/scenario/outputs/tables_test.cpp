@@ -287,7 +287,7 @@ TEST_CASE("tables: wrong attributes are errors", "[outputs][tables]") {
        {"fields", "pose,pose", "listed twice"},
        {"fields", " , ", "lists no field"},
        {"fields", "lua:x", "no robot has the field \"lua:x\""},
-       {"of", "epuck", "did you mean \"e-puck\"?"},
+       {"of", "epuck", "did you mean \"e-puck\" or \"pipuck\"?"},
        {"every", "0", "at least 1"},
        {"digits", "18", "from 1 to 17"},
        {"file", "t.xls", ".csv.gz"},

@@ -23,18 +23,22 @@ namespace {
 // collects log output during its lifetime
 class CLogCapture {
  public:
-  CLogCapture() : m_previous(LOG.GetStream().rdbuf(m_text.rdbuf())) { LOG.DisableColoredOutput(); }
+  explicit CLogCapture(CARGoSLog& log = LOG)
+      : m_log(log), m_previous(log.GetStream().rdbuf(m_text.rdbuf())) {
+    m_log.DisableColoredOutput();
+  }
   ~CLogCapture() {
-    LOG.Flush();
-    LOG.GetStream().rdbuf(m_previous);
-    LOG.EnableColoredOutput();
+    m_log.Flush();
+    m_log.GetStream().rdbuf(m_previous);
+    m_log.EnableColoredOutput();
   }
   std::string GetText() {
-    LOG.Flush();
+    m_log.Flush();
     return m_text.str();
   }
 
  private:
+  CARGoSLog& m_log;
   std::ostringstream m_text;
   std::streambuf* m_previous;
 };
@@ -70,7 +74,7 @@ std::string Frame(const std::string& tick) {
 TEST_CASE("offscreen: frames show the first state, every n-th tick, and the last state",
           "[visualizations][offscreen]") {
   const CTemporaryFolder folder;
-  CLogCapture log;
+  CLogCapture log(LOGERR);
   CExperiment experiment("<offscreen directory='" + folder.GetPath() +
                          "/new' size='64x48' every='4'/>");
   experiment.GetSimulator().Execute();
@@ -156,7 +160,7 @@ TEST_CASE("qt-opengl: user functions are loaded only for frames", "[visualizatio
 TEST_CASE("qt-opengl: a file with frame grabbing writes every n-th frame",
           "[visualizations][offscreen]") {
   const CTemporaryFolder folder;
-  CLogCapture log;
+  CLogCapture log(LOGERR);
   CExperiment experiment("<qt-opengl><frame_grabbing directory='" + folder.GetPath() +
                          "/' headless_grabbing='true' headless_frame_size='64x48'"
                          " headless_frame_rate='4'/></qt-opengl>");

@@ -26,18 +26,22 @@ namespace {
 // collects log output during its lifetime
 class CLogCapture {
  public:
-  CLogCapture() : m_previous(LOG.GetStream().rdbuf(m_text.rdbuf())) { LOG.DisableColoredOutput(); }
+  explicit CLogCapture(CARGoSLog& log = LOG)
+      : m_log(log), m_previous(log.GetStream().rdbuf(m_text.rdbuf())) {
+    m_log.DisableColoredOutput();
+  }
   ~CLogCapture() {
-    LOG.Flush();
-    LOG.GetStream().rdbuf(m_previous);
-    LOG.EnableColoredOutput();
+    m_log.Flush();
+    m_log.GetStream().rdbuf(m_previous);
+    m_log.EnableColoredOutput();
   }
   std::string GetText() {
-    LOG.Flush();
+    m_log.Flush();
     return m_text.str();
   }
 
  private:
+  CARGoSLog& m_log;
   std::ostringstream m_text;
   std::streambuf* m_previous;
 };
@@ -147,7 +151,7 @@ TEST_CASE("povray: names that POV-Ray cannot open are errors before the run", "[
 TEST_CASE("povray: the command for a folder and names with blanks is quoted", "[povray]") {
   const CTemporaryFolder folder;
   setenv("ARGOS_POVRAY", "no such povray", 1);
-  CLogCapture log;
+  CLogCapture log(LOGERR);
   CExperiment("<povray size='16x16' directory='" + folder.GetPath() +
               "/my scenes' every='5' base_name='a scene '/>")
       .Run();
@@ -179,7 +183,7 @@ TEST_CASE("povray: a program that writes no picture is an error", "[povray]") {
 TEST_CASE("povray: without POV-Ray, says once how to render", "[povray]") {
   const CTemporaryFolder folder;
   setenv("ARGOS_POVRAY", "no_such_povray", 1);
-  CLogCapture log;
+  CLogCapture log(LOGERR);
   CExperiment(In(folder, "every='5'")).Run();
   CHECK(std::filesystem::exists(folder.Path("scene_0000000005.pov")));
   const std::string text = log.GetText();
