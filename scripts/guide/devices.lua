@@ -22,7 +22,7 @@ function init()
   for _, name in ipairs({ "colored_blob_omnidirectional_camera", "colored_blob_perspective_camera", "distance_scanner" }) do
     if robot[name] then robot[name].enable() end
   end
-  if robot.leds then robot.leds.set_all_colors("red") end
+  if robot.leds and robot.leds.set_all_colors then robot.leds.set_all_colors("red") end
 end
 
 function step()
