@@ -15,7 +15,7 @@ namespace argos {
 namespace {
 
 // m; bodies at rest that are nearer may touch in the next tick, because robots start to drive
-constexpr Real kNear = 0.03;
+constexpr Real kNearGap = 0.03;
 // how much faster bodies may become from one tick to the next
 constexpr Real kFaster = 1.5;
 // m; fixed bodies in this distance of a body outside of its engine's region are added to the engine
@@ -184,7 +184,7 @@ void CBorderBundles::AddNeighbours(const SMember& member) {
         (!isObject && !IsObject(*other.Body)) || !Meet(member, other)) {
       continue;
     }
-    const Real margin = kNear + kFaster * (path + ComputePath(*other.Engine, *other.Body, tick));
+    const Real margin = kNearGap + kFaster * (path + ComputePath(*other.Engine, *other.Body, tick));
     const bool isNear =
         std::any_of(m_own.begin(), m_own.end(), [&shape, margin](const SIndexedShape& own) {
           return ShapesOverlap(Grown(own, margin), shape);
