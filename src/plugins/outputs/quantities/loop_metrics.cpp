@@ -21,7 +21,7 @@ namespace argos {
 
 namespace {
 
-using TClock = std::chrono::steady_clock;
+using TWallClock = std::chrono::steady_clock;
 
 // user and system time of all threads of the process, s; as getrusage() has it, but in ns
 Real GetCPUTime() {
@@ -53,13 +53,13 @@ class CLoopMeter : public CSpaceExtension {
       m_isRunning = true;
       m_firstTick = tick;
       m_use = {};
-      m_start = TClock::now();
+      m_start = TWallClock::now();
       m_startCPUTime = GetCPUTime();
       m_next = m_start + kPause;
-    } else if (tick != m_tick && TClock::now() >= m_next) {
+    } else if (tick != m_tick && TWallClock::now() >= m_next) {
       m_use.Simulated = (tick - m_firstTick) * m_context->TickLength;
       m_use.CPUTime = GetCPUTime() - m_startCPUTime;
-      const TClock::time_point now = TClock::now();
+      const TWallClock::time_point now = TWallClock::now();
       m_use.WallTime = std::chrono::duration<Real>(now - m_start).count();
       m_next = now + kPause;
     }
@@ -74,8 +74,8 @@ class CLoopMeter : public CSpaceExtension {
   bool m_isRunning = false;
   UInt32 m_firstTick = 0;
   UInt32 m_tick = 0;  // of m_use
-  TClock::time_point m_start;
-  TClock::time_point m_next;  // no measurement before
+  TWallClock::time_point m_start;
+  TWallClock::time_point m_next;  // no measurement before
   Real m_startCPUTime = 0.0;
   SUse m_use;
 };
@@ -158,7 +158,7 @@ class CResidentMemory : public CBuiltInMetric {
   bool IsReproducible() const override { return false; }
 
   Real Compute() override {
-    const TClock::time_point now = TClock::now();
+    const TWallClock::time_point now = TWallClock::now();
     if (!m_isRead || now >= m_next) {
       m_value = ReadResidentMemory().value_or(CMetrics::kNone);
       m_isRead = true;
@@ -173,7 +173,7 @@ class CResidentMemory : public CBuiltInMetric {
 
   bool m_isRead = false;
   Real m_value = CMetrics::kNone;
-  TClock::time_point m_next;
+  TWallClock::time_point m_next;
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <argos3/core/utility/spatial/planar_grid.h>
 #include <argos3/plugins/simulator/physics_engines/planar/body_forest.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_settings.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/upright_solver.h>
 #include <argos3/plugins/simulator/physics_engines/planar/cell_lists.h>
 #include <argos3/plugins/simulator/physics_engines/planar/separation.h>
@@ -16,7 +17,6 @@ namespace argos {
 
 class CThreadPool;
 struct SGhostCylinder;
-struct SRigidSettings;
 
 /**
  * The active bodies that stand upright on the floor and touch others only sideways, in a tick: they

@@ -6,8 +6,7 @@ class CTestGoodController : public argos::CCI_Controller {
   void ControlStep() override { SetId(GetId() + "-"); }
 
 #ifdef ARGOS_TEST_MEMBERS
- private:
-  int m_members[ARGOS_TEST_MEMBERS] = {};
+  int Members[ARGOS_TEST_MEMBERS] = {};
 #endif
 };
 
