@@ -17,8 +17,8 @@ struct SRigidBody;
  * The contacts of pairs of solids, which stay the same points of both while these hardly move
  * against each other.
  *
- * Searched anew in each substep, the four contacts of two faces would jump between their corners
- * with every rounding error: a stack would rattle on them and never converge. While both solids
+ * If the four contacts of two faces were computed in each substep, rounding errors would move them
+ * from corner to corner, and a stack would vibrate and never converge. While both solids
  * have moved against each other by less than kStill, depths follow from the motion of the points.
  */
 class CContactCache {

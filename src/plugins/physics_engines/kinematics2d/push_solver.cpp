@@ -257,8 +257,8 @@ bool CPushSolver::IsKnown(const SIsland& island) const {
          });
 }
 
-// What moved on starts anew: its contacts turn, and a motion that was not found completely in the
-// sweeps allowed would be followed to places where no other start leads.
+// For bodies that were pushed on, the last solution is no initial guess: their contacts have
+// turned, and if the sweeps did not converge, the next solution would continue the error.
 bool CPushSolver::WasHeld(const SBody& body, Real need) const {
   if (body.Known == kNone) {
     return false;

@@ -323,8 +323,8 @@ TEST_CASE("push solver: a solution that is remembered does not change the next o
   const int boxesBefore = GENERATE(24, 6, 23);
   const int boxes = GENERATE(24, 6);
   CAPTURE(before, boxesBefore, boxes);
-  CPushSolver anew, solver;
-  const std::vector<STwist> expected = SolveBlock(anew, kNeed, boxes);
+  CPushSolver cold, solver;
+  const std::vector<STwist> expected = SolveBlock(cold, kNeed, boxes);
   SolveBlock(solver, before, boxesBefore);
   CHECK(FindGreatestDifference(SolveBlock(solver, kNeed, boxes), expected) <= 1e-4 * kNeed);
   // and again, from itself
