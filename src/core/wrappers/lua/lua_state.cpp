@@ -177,6 +177,14 @@ void CLuaState::CallGlobal(lua_State* state, const char* name, int numArguments,
   lua_call(state, numArguments, numResults);
 }
 
+void CLuaState::CallOptional(lua_State* state, const char* name) {
+  const bool isThere = lua_getglobal(state, name) != LUA_TNIL;
+  lua_pop(state, 1);
+  if (isThere || !NearestNames(name, ListFunctions(state)).empty()) {
+    CallGlobal(state, name);
+  }
+}
+
 std::string CLuaState::FindFaultOfFunction(lua_State* state, const char* name) {
   const int type = lua_getglobal(state, name);
   lua_pop(state, 1);

@@ -77,6 +77,11 @@ class CLuaState {
    */
   static void CallGlobal(lua_State* state, const char* name, int numArguments = 0,
                          int numResults = 0);
+  /**
+   * Calls a global function of the script, without arguments, if it is there; only inside Run().
+   * @throws CLuaError if there is none, but a function of a similar name.
+   */
+  static void CallOptional(lua_State* state, const char* name);
 
   // Only inside Run(), outside of functions that scripts call.
 

@@ -219,14 +219,34 @@ TEST_CASE("lua controller: an error in the chunk or in init() is fatal, with a t
   CHECK_THAT(LoadError(Running(functions)),
              Contains("failed in init()") && Contains("robot.lua:2: bad init") &&
                  (Contains("in upvalue 'inner'") || Contains("in local 'inner'")));
-  functions.Init = "init = nil";
-  functions.Chunk = "";
   SLuaExperiment experiment;
-  experiment.Script = "function step() end";
+  experiment.Script = "init = 5 function step() end";
   CHECK_THAT(LoadError(experiment),
              Contains("failed in init()") &&
-                 Contains("must define a global function \"init\", found nil"));
+                 Contains("must define a global function \"init\", found number"));
   CHECK_THAT(TakeLog(), !Contains("step"));
+}
+
+TEST_CASE("lua controller: init(), reset() and destroy() may be left out, but not be misspelt",
+          "[lua][controller][error]") {
+  SLuaExperiment experiment;
+  experiment.Script = "t = 0 function step() t = t + 1 end";
+  {
+    CLuaWorld world(experiment);
+    world.Step(2);
+    world.GetSimulator().Reset();
+    world.Step();
+    CHECK(world.Get("t") == "3");
+    world.Destroy();
+  }
+  CHECK(TakeLogErr() == "");
+  experiment.Script = "function inti() end function step() end";
+  CHECK_THAT(LoadError(experiment),
+             Contains("must define a global function \"init\", found nil; did you mean \"inti\"?"));
+  experiment.Script = "function Reset() end function step() end";
+  CLuaWorld world(experiment);
+  world.GetSimulator().Reset();
+  CHECK_THAT(TakeLogErr(), Contains("did you mean \"Reset\"?"));
 }
 
 TEST_CASE("lua controller: an error in step() stops the script, but neither the run nor the robot",
@@ -350,23 +370,6 @@ TEST_CASE("lua controller: errors in reset() and destroy() are reported",
     world.Destroy();
     CHECK_THAT(TakeLogErr(),
                Contains("failed in destroy()") && Contains("robot.lua:5: bad destroy"));
-  }
-}
-
-TEST_CASE("lua controller: missing functions are reported when they are called",
-          "[lua][controller][error]") {
-  SLuaExperiment experiment;
-  experiment.Script = "function init() end function step() end";
-  CLuaWorld world(experiment);
-  world.Step();
-  CHECK(TakeLogErr() == "");
-  SECTION("reset") {
-    world.GetSimulator().Reset();
-    CHECK_THAT(TakeLogErr(), Contains("global function \"reset\", found nil"));
-  }
-  SECTION("destroy") {
-    world.Destroy();
-    CHECK_THAT(TakeLogErr(), Contains("global function \"destroy\", found nil"));
   }
 }
 

@@ -68,7 +68,7 @@ TEST_CASE("lua program: errors before the first tick end the program with status
         "bad.lua:2: attempt to call a nil value (global 'undefined')"},
        {"function init() robot.wheels.set_velocity('fast') end\n",
         "robot.wheels.set_velocity: argument 1 must be a number, got string \"fast\""},
-       {"-- nothing\n", "must define a global function \"init\", found nil"},
+       {"init = 5\n", "must define a global function \"init\", found number"},
        {"while true do end\n", "bad.lua:1: interrupted after 1000000 instructions"}}));
   CAPTURE(text);
   folder.Write("bad.lua", text);
