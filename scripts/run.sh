@@ -43,10 +43,23 @@ status=0
 "$release_build/bin/argos3" -c "$experiment" "$@" || status=$?
 ((status == 0)) || die "argos3 ended with exit code $status"
 
-written="$(find out -type f -newer "$before" -printf '%h\n' | sort | uniq -c)"
-if [[ -n "$written" ]]; then
+last="$(find out -type f -newer "$before" -printf '%T@ %p\n' | sort -n | tail -n 1 | cut -d ' ' -f 2-)"
+if [[ -n "$last" ]]; then
   say "Written"
-  while read -r count folder; do
+  find out -type f -newer "$before" -printf '%h\n' | sort | uniq -c | while read -r count folder; do
     echo "$count file(s) in $PWD/$folder"
-  done <<<"$written"
+  done
+  echo "The last one: $PWD/$last"
 fi
+
+say "Next"
+here="$(realpath --relative-to="$PWD" "$release_build")"
+[[ "$here" != ../../* ]] || here="$release_build"
+echo ". $here/setup_env.sh            # puts argos3, argos3-campaign and argos3-plot into the PATH of this shell"
+echo "argos3 -zc $(realpath --relative-to="$PWD" "$repo/experiments")/pheromone.argos --video pheromone.mp4 --speed 25"
+hints=()
+for tool in ffmpeg:films gnuplot:plots; do
+  command -v "${tool%:*}" >/dev/null || hints+=("${tool%:*} (for ${tool#*:})")
+done
+((${#hints[@]} == 0)) || printf 'Not installed: %s; sudo apt-get install ffmpeg gnuplot-nox\n' "$(printf '%s, ' "${hints[@]}" | sed 's/, $//')"
+echo "The guide: $repo/doc/guide/index.md; to install: sudo cmake --install $here"

@@ -6,7 +6,7 @@
 #                                      are ARGoS::core and ARGoS::media
 #   argos_add_module(name ...)         a library of controllers or loop functions, installed with the examples
 #   argos_add_test(name ...)           a Catch2 program; ctest runs each of its test cases
-#   argos_add_run_target()             the target run: what experiments need, without tests, campaigns and benchmarks
+#   argos_add_run_target()             the target run: all that is installed, without tests and benchmarks
 #
 # Each target has an include root of its own, made of links to the source folders, so it sees the headers of the
 # targets that it links and no others: an include against the direction of dependencies does not compile.
@@ -224,7 +224,7 @@ endfunction()
 function(argos_add_run_target)
   get_property(targets GLOBAL PROPERTY ARGOS_RUN_TARGETS)
   if(TARGET argos3)
-    add_custom_target(run DEPENDS argos3 ${targets})
+    add_custom_target(run DEPENDS argos3 argos3-campaign argos3-plot argos_build_file ${targets})
   endif()
 endfunction()
 
