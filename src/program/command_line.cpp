@@ -4,6 +4,7 @@
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/utility/errors/argos_exception.h>
+#include <argos3/core/utility/files/writing.h>
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/logging/log_control.h>
 #include <argos3/core/utility/plugins/dynamic_loading.h>
@@ -167,6 +168,13 @@ void LoadExperiment(CSimulator& simulator, const SOptions& options) {
     simulator.AddOverride(path, value);
   }
   if (!options.CSVFolder.empty()) {
+    // else each of the tables would say it
+    const std::string problem = FindFolderProblem(
+        options.CSVFolder,
+        CLoadingCheck::IsActive() ? EMissingFolder::WillBeCreated : EMissingFolder::IsCreated);
+    if (!problem.empty()) {
+      THROW_ARGOSEXCEPTION("--csv: " << problem);
+    }
     simulator.AddOutput("table", {{"file", options.CSVFolder + "/robots.csv"}});
     simulator.AddOutput("metrics", {{"file", options.CSVFolder + "/metrics.csv"}});
   }
@@ -182,6 +190,11 @@ void LoadExperiment(CSimulator& simulator, const SOptions& options) {
 
 /* Runs the experiment until it ends or is stopped by a signal. */
 void Execute(CRun& run, CSimulator& simulator, const SOptions& options) {
+  if (simulator.GetMaxSimulationClock() == 0 &&
+      options.Action != CARGoSCommandLineArgParser::ACTION_REPLAY) {
+    CLogControl::Notify(
+        "the experiment has no length: it runs until its code ends it, or until Ctrl-C");
+  }
   CProgressLine progress(simulator, options.ProgressPeriod);
   run.Execute([&progress](CSimulator& running) {
     ThrowIfLogsFailed();
@@ -225,6 +238,12 @@ void PrintSummary(const SRunSummary& summary) {
         fmt::format("stopped by SIG{} after tick {}", sigabbrev_np(summary.Signal), summary.Ticks));
   }
   CLogControl::Notify(DescribeRun(summary));
+  if (summary.RobotsOutside > 0) {
+    CLogControl::Notify(fmt::format(
+        "{} of {} robot{} ended outside of the arena, among them \"{}\"; only walls stop robots",
+        summary.RobotsOutside, summary.Robots, summary.Robots == 1 ? "" : "s",
+        summary.FirstOutside));
+  }
   PrintFailedRobots(summary);
 }
 

@@ -1,6 +1,8 @@
 #include <argos3/run/run.h>
 
+#include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
+#include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/outputs/run_outputs.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/space.h>
@@ -68,10 +70,11 @@ std::string TakeFailedOutputs() {
 
 std::string DescribeRun(const SRunSummary& summary) {
   std::string text = fmt::format(
-      "simulated {:.6g} s in {:.3g} s of wall time (real-time factor {:.3g}, {} robot{})",
+      "simulated {:.6g} s in {:.3g} s of wall time (real-time factor {:.3g}, {} tick{}, {} "
+      "robot{})",
       summary.SimulatedTime, summary.WallTime,
-      summary.WallTime > 0.0 ? summary.SimulatedTime / summary.WallTime : 0.0, summary.Robots,
-      summary.Robots == 1 ? "" : "s");
+      summary.WallTime > 0.0 ? summary.SimulatedTime / summary.WallTime : 0.0, summary.Ticks,
+      summary.Ticks == 1 ? "" : "s", summary.Robots, summary.Robots == 1 ? "" : "s");
   if (summary.HasOutputs) {
     text += fmt::format(": {:.3g} s for the simulation, {:.3g} s for its outputs",
                         std::max(0.0, summary.WallTime - summary.OutputTime), summary.OutputTime);
@@ -148,6 +151,7 @@ void CRun::CountStoppedRobots() {
   const std::vector<CControllableEntity*>& robots =
       m_simulator.GetSpace().GetControllableEntities();
   m_summary.Robots = static_cast<UInt32>(robots.size());
+  CountRobotsOutside();
   if (m_simulator.GetRobotFailures().IsEmpty()) {
     return;
   }
@@ -156,6 +160,32 @@ void CRun::CountStoppedRobots() {
     m_summary.QuarantinedRobots += robot->IsQuarantined() ? 1 : 0;
   }
   m_summary.RobotErrors = m_simulator.GetRobotFailures().Summarize();
+}
+
+void CRun::CountRobotsOutside() {
+  const CRange<CVector3>& limits = m_simulator.GetSpace().GetArenaLimits();
+  const CRange<Real> x(limits.GetMin().GetX(), limits.GetMax().GetX());
+  const CRange<Real> y(limits.GetMin().GetY(), limits.GetMax().GetY());
+  for (CControllableEntity* const robot : m_simulator.GetSpace().GetControllableEntities()) {
+    const auto* const root = dynamic_cast<const CComposableEntity*>(&robot->GetRootEntity());
+    if (root == nullptr || robot->IsQuarantined()) {
+      continue;
+    }
+    for (const CEntity* const component : root->GetExistingComponents()) {
+      const auto* const body = dynamic_cast<const CEmbodiedEntity*>(component);
+      if (body == nullptr) {
+        continue;
+      }
+      const CVector3& place = body->GetOriginAnchor().Position;
+      if (!x.WithinMinBoundIncludedMaxBoundIncluded(place.GetX()) ||
+          !y.WithinMinBoundIncludedMaxBoundIncluded(place.GetY())) {
+        m_summary.FirstOutside =
+            m_summary.RobotsOutside == 0 ? root->GetId() : m_summary.FirstOutside;
+        ++m_summary.RobotsOutside;
+      }
+      break;
+    }
+  }
 }
 
 bool CRun::Destroy() {

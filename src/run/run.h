@@ -50,6 +50,8 @@ struct SRunSummary {
   UInt32 Robots = 0;
   UInt32 StoppedRobots = 0; /**< because of errors, at the end of the main loop */
   UInt32 QuarantinedRobots = 0; /**< of the stopped ones */
+  UInt32 RobotsOutside = 0; /**< beyond the sides of the arena, at the end of the main loop */
+  std::string FirstOutside; /**< id of one of them; empty: none */
   bool HasOutputs = false;
   std::string
       RobotErrors; /**< errors of robots that did not end the run, each once; may be empty */
@@ -59,7 +61,7 @@ struct SRunSummary {
   int GetExitStatus() const { return ToExitStatus(Status, Signal); }
 };
 
-/** "simulated 10 s in 0.2 s of wall time (real-time factor 50, 3 robots): ...". */
+/** "simulated 10 s in 0.2 s of wall time (real-time factor 50, 100 ticks, 3 robots): ...". */
 std::string DescribeRun(const SRunSummary& summary);
 
 /**
@@ -123,6 +125,7 @@ class CRun {
   bool Try(const std::function<void()>& step);
   void Measure(TClock::time_point start, Real cpuTime);
   void CountStoppedRobots();
+  void CountRobotsOutside();
 
   CSimulator& m_simulator;
   TReport m_report;

@@ -4,7 +4,10 @@
 
 #include <array>
 #include <cctype>
+#include <charconv>
 #include <cstring>
+#include <optional>
+#include <system_error>
 #include <vector>
 
 namespace argos {
@@ -56,6 +59,28 @@ std::vector<std::string> ColorNames() {
   return names;
 }
 
+/* "#rgb", "#rrggbb" or "#rrggbbaa"; nothing if the text is none of them. */
+std::optional<std::array<UInt8, 4>> ReadHexColor(const std::string& word) {
+  constexpr size_t kShort = 4;
+  constexpr size_t kOpaque = 7;
+  constexpr size_t kLong = 9;
+  const std::string digits =
+      word.size() == kShort ? std::string{'#', word[1], word[1], word[2], word[2], word[3], word[3]}
+                            : word;
+  if (digits[0] != '#' || (digits.size() != kOpaque && digits.size() != kLong)) {
+    return std::nullopt;
+  }
+  std::array<UInt8, 4> channels = {0, 0, 0, 255};
+  for (size_t i = 0; 2 * i + 2 < digits.size(); ++i) {
+    const char* const first = digits.data() + 2 * i + 1;
+    const auto [end, error] = std::from_chars(first, first + 2, channels[i], 16);
+    if (error != std::errc() || end != first + 2) {
+      return std::nullopt;
+    }
+  }
+  return channels;
+}
+
 UInt8 BlendChannel(UInt8 over, UInt8 under, UInt8 alpha) {
   // 127 rounds the division by 255 to the nearest integer
   return static_cast<UInt8>((over * alpha + under * (255 - alpha) + 127) / 255);
@@ -73,6 +98,10 @@ void CColor::Set(const std::string& color) {
         return;
       }
     }
+    if (const auto channels = ReadHexColor(words[0])) {
+      Set((*channels)[0], (*channels)[1], (*channels)[2], (*channels)[3]);
+      return;
+    }
   }
   const bool isList = color.find(',') != std::string::npos;
   std::array<UInt8, 4> channels{};
@@ -83,8 +112,8 @@ void CColor::Set(const std::string& color) {
   } catch (CARGoSException&) {
     THROW_ARGOSEXCEPTION(
         "\"" << color
-             << "\" is not a colour: expected a name or four integers from 0 to 255, "
-                "\"R,G,B,A\""
+             << "\" is not a colour: expected a name, four integers from 0 to 255, "
+                "\"R,G,B,A\", or \"#rrggbb\""
              << (isList ? std::string() : DidYouMean(color, ColorNames())));
   }
   Set(channels[0], channels[1], channels[2], channels[3]);

@@ -111,9 +111,17 @@ TEST_CASE("argos3: a run ends with a summary and status 0", "[command_line]") {
   CHECK(run.Err == "");
   CHECK(std::regex_search(run.Notices,
                           std::regex("\\[INFO\\] simulated 1 s in [0-9.e+-]+ s of wall time "
-                                     "\\(real-time factor [0-9.e+-]+, 3 robots\\)\n")));
+                                     "\\(real-time factor [0-9.e+-]+, 10 ticks, 3 robots\\)\n")));
   CHECK_THAT(run.Out, Contains("[INFO] Using random seed = 1\n") &&
                           Contains("[INFO] Total experiment length in clock ticks = 10\n"));
+}
+
+TEST_CASE("argos3: the end of a run names robots that have left the arena", "[command_line]") {
+  const CTestFolder folder;
+  folder.Write("e.argos", Experiment());
+  CHECK_THAT(folder.Run({"-c", "e.argos"}).Notices, !Contains("outside of the arena"));
+  const SProgramRun run = folder.Run({"-c", "e.argos", "--set", "arena/@size=0.1,0.1,1"});
+  CHECK_THAT(run.Notices, Contains("ended outside of the arena, among them \""));
 }
 
 TEST_CASE("argos3: without a terminal the output has no colours and no progress line",
@@ -264,7 +272,8 @@ TEST_CASE("argos3: a signal ends the run in order, with its own status", "[comma
                                       "framework/experiment/@real_time=true"},
                                      signal, "Total experiment length");
   CHECK(run.Status == status);
-  CHECK_THAT(run.Notices, Contains("stopped by SIG") && Contains("simulated "));
+  CHECK_THAT(run.Notices, Contains("the experiment has no length: it runs until") &&
+                              Contains("stopped by SIG") && Contains("simulated "));
   CHECK_THAT(run.Out, Contains("digest: "));
 }
 

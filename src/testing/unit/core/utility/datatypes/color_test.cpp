@@ -91,6 +91,17 @@ TEST_CASE("color: text with four numbers is read, blanks allowed", "[core][color
   CHECK(third == 7);
 }
 
+TEST_CASE("color: hexadecimal digits are read", "[core][color]") {
+  CColor color;
+  const auto [text, expected] =
+      GENERATE(table<std::string, CColor>({{"#0a7Fff", CColor(10, 127, 255)},
+                                           {"#0A7FFF80", CColor(10, 127, 255, 128)},
+                                           {" #f08 ", CColor(255, 0, 136)}}));
+  CAPTURE(text);
+  color.Set(text);
+  CHECK(color == expected);
+}
+
 TEST_CASE("color: a colour without a name prints its four numbers", "[core][color]") {
   CHECK(ToString(CColor(1, 2, 3)) == "1,2,3,255");
   // names are printed for opaque colours only
@@ -99,10 +110,11 @@ TEST_CASE("color: a colour without a name prints its four numbers", "[core][colo
 
 TEST_CASE("color: malformed texts are refused and leave the colour unchanged", "[core][color]") {
   const std::string text = GENERATE("255,0,0", "256,0,0,255", "-1,0,0,255", "1,2,3,4,5", "a,b,c,d",
-                                    "Red", "", "red green");
+                                    "Red", "", "red green", "#", "#12", "#1234", "#gg0000",
+                                    "#12345", "#1234567", "# 123456", "112233", "#-10000");
   CAPTURE(text);
   CColor color(1, 2, 3, 4);
-  CHECK_THROWS_WITH(color.Set(text), Contains("is not a colour: expected a name or four integers"));
+  CHECK_THROWS_WITH(color.Set(text), Contains("is not a colour: expected a name, four integers"));
   CHECK(color == CColor(1, 2, 3, 4));
 }
 
