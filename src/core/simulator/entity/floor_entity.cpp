@@ -9,6 +9,7 @@
 #include <argos3/core/utility/errors/exception_text.h>
 #include <argos3/core/utility/errors/running_code.h>
 #include <argos3/core/utility/files/file_replacement.h>
+#include <argos3/core/utility/files/nearby_file.h>
 #include <argos3/core/utility/text/string_utilities.h>
 
 #include <FreeImage.h>
@@ -117,7 +118,7 @@ void CFloorEntity::Init(TConfigurationNode& tree) {
       m_source = FROM_IMAGE;
       std::string path;
       GetNodeAttribute(tree, "path", path);
-      LoadImage(ExpandEnvVariables(path));
+      LoadImage(FindNearbyFile(path, tree.GetFileName(), "floor image"));
     } else if (source == "loop_functions") {
       m_source = FROM_LOOP_FUNCTIONS;
       GetNodeAttribute(tree, "pixels_per_meter", m_pixelsPerMeter);

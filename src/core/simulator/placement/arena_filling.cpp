@@ -2,6 +2,7 @@
 
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/placement/planned_bodies.h>
+#include <argos3/core/simulator/placement/walls.h>
 #include <argos3/core/simulator/space/space.h>
 
 namespace argos {
@@ -11,10 +12,13 @@ CArenaFilling::CArenaFilling(CSpace& space, TConfigurationNode& arena, CLoadErro
   errors.Try("", [&] {
     GetNodeAttributeOrDefault(arena, "redistribute", m_isRedistributedByReset, false);
   });
+  errors.Try("", [&] { AddWallsAround(space, arena); });
   const std::string distribute = "distribute";
   TConfigurationNodeIterator it;
   for (it = it.begin(&arena); it != it.end(); ++it) {
-    if (it->Value() != distribute) {
+    if (it->Value() == "walls") {
+      errors.Try("", [&] { AddWalls(space, *it); });
+    } else if (it->Value() != distribute) {
       if (!errors.Try("", [&] { space.CreateEntity(*it); })) {
         errors.FindFurther([&] { space.TryEntity(*it); });
       }

@@ -2,6 +2,7 @@
 
 #include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/files/input_file.h>
+#include <argos3/core/utility/files/nearby_file.h>
 #include <argos3/core/utility/text/classic_locale.h>
 #include <argos3/core/wrappers/lua/lua_utility.h>
 
@@ -45,34 +46,6 @@ std::map<std::string, SCached>& GetCache() {
 std::string Absolute(const fs::path& path) {
   std::error_code ignored;
   return fs::absolute(path, ignored).lexically_normal().string();
-}
-
-// for messages: a place where no script was found
-std::string DescribePlace(const fs::path& path) {
-  std::error_code ignored;
-  return '"' + Absolute(path) + '"' + (fs::is_directory(path, ignored) ? " (a directory)" : "");
-}
-
-bool IsFile(const fs::path& path) {
-  std::error_code ignored;
-  return fs::exists(path, ignored) && !fs::is_directory(path, ignored);
-}
-
-std::string Find(const std::string& name, const std::string& experimentFile) {
-  if (IsFile(name)) {
-    return name;
-  }
-  std::string places = DescribePlace(name);
-  if (!experimentFile.empty() && fs::path(name).is_relative()) {
-    const fs::path beside = fs::path(experimentFile).parent_path() / name;
-    if (IsFile(beside)) {
-      return beside.string();
-    }
-    if (Absolute(beside) != Absolute(name)) {
-      places += " and for " + DescribePlace(beside);
-    }
-  }
-  THROW_ARGOSEXCEPTION("there is no Lua script \"" << name << "\"; looked for " << places);
 }
 
 std::string Read(const std::string& path) {
@@ -123,7 +96,7 @@ std::string Compile(const std::string& text, const std::string& path, bool allow
 std::shared_ptr<const SLuaScript> SLuaScript::Load(const std::string& name,
                                                    const std::string& experimentFile,
                                                    bool allowBytecode) {
-  const std::string path = Find(name, experimentFile);
+  const std::string path = FindNearbyFile(name, experimentFile, "Lua script");
   // the path as the user wrote it is part of the bytecode, for messages
   const std::string key = path + '\n' + Absolute(path) + (allowBytecode ? "\nb" : "");
   std::error_code ignored;

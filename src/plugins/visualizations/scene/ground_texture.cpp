@@ -1,6 +1,7 @@
 #include <argos3/plugins/simulator/visualizations/scene/ground_texture.h>
 
 #include <argos3/core/simulator/images/image_decoding.h>
+#include <argos3/core/utility/files/nearby_file.h>
 #include <argos3/core/utility/text/string_utilities.h>
 
 #include <cmath>
@@ -47,7 +48,7 @@ SFloorImage ReadGroundTexture(TConfigurationNode& view) {
     }
   }
   try {
-    const SImage image = ReadImage(ExpandEnvVariables(path), "texture");
+    const SImage image = ReadImage(FindNearbyFile(path, view.GetFileName(), "texture"), "texture");
     ground.Width = static_cast<int>(image.Width);
     ground.Height = static_cast<int>(image.Height);
     ground.Pixels = std::make_shared<const std::vector<std::uint8_t>>(ToRgba(image));

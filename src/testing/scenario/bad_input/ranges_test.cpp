@@ -122,4 +122,27 @@ TEST_CASE("ranges: the descriptions of plug-ins state them", "[bad_input][ranges
                                          Contains("RANGES, where none is stated"));
 }
 
+TEST_CASE("ranges: walls that cannot be made are errors with file, line and reason",
+          "[bad_input][ranges]") {
+  const auto [walls, message] = GENERATE(table<std::string, std::string>(
+      {{"thickness='1' height='1' points='0,0'", "at least two points"},
+       {"thickness='0.1' height='1' points='0,0 1,b'", "1,b"},
+       {"thickness='0.1' height='1' points='0,0 1,1 1,1'", "the point 1,1 comes twice in a row"},
+       {"thickness='0.1' points='0,0 1,1'", "\"height\""},
+       {"thickness='-1' height='1' points='0,0 1,1'", "\"thickness\" must be positive, got -1"},
+       {"thickness='3' height='1'", "do not fit into the arena"},
+       {"height='1' image='no.png' meters_per_pixel='1'", "there is no map \"no.png\"; looked for"},
+       {"height='1' image='no.png' svg='a.svg'", "\"image\" and \"svg\" cannot be given together"},
+       {"height='1' image='no.png' meters_per_pixel='1' threshold='2'", "at most 1, got 2"}}));
+  CAPTURE(walls);
+  SExperimentText experiment;
+  experiment.Box = "<walls id='w' " + walls + "/>";
+  CHECK_THAT(LoadError(experiment),
+             Contains(At(SExperimentText::kArenaLine) + " <walls>") && Contains(message));
+  experiment = SExperimentText();
+  experiment.ArenaAttributes = "size=\"4,4,1\" walls=\"0,1\"";
+  CHECK_THAT(LoadError(experiment),
+             Contains(At(SExperimentText::kArenaLine) + " <arena>: attribute \"walls\""));
+}
+
 }  // namespace ranges_test
