@@ -15,8 +15,10 @@
 #include <argos3/core/wrappers/lua/lua_controller.h>
 #include <argos3/core/wrappers/lua/lua_parameters.h>
 #include <argos3/core/wrappers/lua/lua_utility.h>
+#include <argos3/plugins/simulator/entities/battery_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/led_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/light_entity.h>
+#include <argos3/plugins/simulator/entities/rab_equipped_entity.h>
 #include <argos3/plugins/simulator/media/pheromone_medium.h>
 
 #include <cmath>
@@ -178,6 +180,31 @@ void CopyValue(lua_State* from, lua_State* to) {
   lua_remove(to, -2);
 }
 
+CControllableEntity& GetRobot(CEntity& entity) {
+  auto* const robot = FindComponent<CControllableEntity>(entity, "controller");
+  if (robot == nullptr) {
+    THROW_ARGOSEXCEPTION("\"" << entity.GetId() << "\" (<" << entity.GetTypeDescription()
+                              << ">) is no robot");
+  }
+  return *robot;
+}
+
+void SetRobotEnabled(CControllableEntity& robot, bool isEnabled) {
+  robot.SetEnabled(isEnabled);
+  if (auto* const messages = FindComponent<CRABEquippedEntity>(robot.GetRootEntity(), "rab")) {
+    messages->SetEnabled(isEnabled);
+  }
+}
+
+CBatteryEquippedEntity& GetBatteryOf(CEntity& entity) {
+  auto* const battery = FindComponent<CBatteryEquippedEntity>(entity, "battery");
+  if (battery == nullptr) {
+    THROW_ARGOSEXCEPTION("\"" << entity.GetId() << "\" (<" << entity.GetTypeDescription()
+                              << ">) has no battery");
+  }
+  return *battery;
+}
+
 CLEDEquippedEntity& GetLEDs(CEntity& entity) {
   auto* const leds = FindComponent<CLEDEquippedEntity>(entity, "leds");
   if (leds == nullptr || leds->GetNumLEDs() == 0) {
@@ -248,6 +275,10 @@ void CLuaSimulation::AddFunctions(lua_State* state) {
   AddMethod<&CLuaSimulation::IsFree>(state, "is_free", *this);
   AddMethod<&CLuaSimulation::Add>(state, "add", *this);
   AddMethod<&CLuaSimulation::Remove>(state, "remove", *this);
+  AddMethod<&CLuaSimulation::Disable>(state, "disable", *this);
+  AddMethod<&CLuaSimulation::Enable>(state, "enable", *this);
+  AddMethod<&CLuaSimulation::GetBattery>(state, "battery", *this);
+  AddMethod<&CLuaSimulation::SetBattery>(state, "set_battery", *this);
   AddMethod<&CLuaSimulation::SetLEDColor>(state, "set_led_color", *this);
   AddMethod<&CLuaSimulation::SetAllLEDColors>(state, "set_all_led_colors", *this);
   AddMethod<&CLuaSimulation::SetLightColor>(state, "set_light_color", *this);
@@ -382,6 +413,33 @@ SLuaResults CLuaSimulation::Add(CLuaArguments& arguments) {
 
 void CLuaSimulation::Remove(const std::string& id) {
   m_loopFunctions.RemoveEntity(GetRoot(id));
+}
+
+void CLuaSimulation::Disable(const std::string& id) {
+  CControllableEntity& robot = GetRobot(GetRoot(id));
+  // the commands of the start: wheels stand still, LEDs and messages are off
+  for (const auto& [tag, actuator] : robot.GetController().GetAllActuators()) {
+    actuator->Reset();
+  }
+  robot.Act();
+  SetRobotEnabled(robot, false);
+}
+
+void CLuaSimulation::Enable(const std::string& id) {
+  SetRobotEnabled(GetRobot(GetRoot(id)), true);
+}
+
+Real CLuaSimulation::GetBattery(const std::string& id) {
+  return GetBatteryOf(GetRoot(id)).GetAvailableCharge();
+}
+
+void CLuaSimulation::SetBattery(const std::string& id, Real charge) {
+  CBatteryEquippedEntity& battery = GetBatteryOf(GetRoot(id));
+  if (!(charge >= 0.0) || charge > battery.GetFullCharge()) {
+    THROW_ARGOSEXCEPTION("the charge must be from 0 to " << battery.GetFullCharge() << ", got "
+                                                         << charge);
+  }
+  battery.SetAvailableCharge(charge);
 }
 
 void CLuaSimulation::SetLEDColor(CLuaArguments& arguments) {

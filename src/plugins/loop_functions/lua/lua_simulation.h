@@ -50,6 +50,10 @@ class CLuaSimulation {
   bool IsFree(CLuaArguments& arguments);
   SLuaResults Add(CLuaArguments& arguments);
   void Remove(const std::string& id);
+  void Disable(const std::string& id);
+  void Enable(const std::string& id);
+  Real GetBattery(const std::string& id);
+  void SetBattery(const std::string& id, Real charge);
   void SetLEDColor(CLuaArguments& arguments);
   void SetAllLEDColors(const std::string& id, const CColor& color);
   void SetLightColor(const std::string& id, const CColor& color);

@@ -303,6 +303,65 @@ TEST_CASE("lua loop functions: LEDs and lights can be read and set", "[lua][loop
              Contains("is a <foot-bot>, no <light>"));
 }
 
+TEST_CASE(
+    "lua loop functions: a disabled robot stands still and is silent until it is enabled or reset",
+    "[lua][loop_functions]") {
+  SLuaExperiment experiment = With(
+      "function pre_step()\n"
+      "  if simulation.clock() == 11 then simulation.disable('fb') end\n"
+      "  if simulation.clock() == 21 then simulation.enable('fb') end\n"
+      "end",
+      "<foot-bot id='other'><body position='0,0.5,0'/><controller config='other'/></foot-bot>");
+  experiment.Script =
+      "function step() robot.wheels.set_velocity(10, 10) robot.range_and_bearing.set_data(1, 7) "
+      "end";
+  const std::string actuators =
+      "<differential_steering implementation='default'/>"
+      "<range_and_bearing implementation='default'/>";
+  const std::string sensors = "<range_and_bearing implementation='medium' medium='rab'/>";
+  experiment.Actuators = actuators;
+  experiment.Sensors = sensors;
+  experiment.Media += "<range_and_bearing id='rab'/>";
+  CTemporaryFolder folder;
+  experiment.Controllers =
+      "<lua_controller id='other'><actuators>" + actuators + "</actuators><sensors>" + sensors +
+      "</sensors><params script='" +
+      folder.Write("other.lua", "heard = 0 function step() heard = #robot.range_and_bearing end") +
+      "'/></lua_controller>";
+  CLuaWorld world(experiment);
+  const auto run = [&] {
+    world.Step(10);
+    CHECK(world.Get("heard", "other") == "1");
+    world.Step(10);
+    // ten commands of 1 cm each
+    CHECK_THAT(world.GetAnchor().Position.GetX(), WithinAbs(0.1, 1e-9));
+    CHECK(world.Get("heard", "other") == "0");
+  };
+  run();
+  world.GetSimulator().Reset();
+  run();
+  world.Step(11);
+  CHECK_THAT(world.GetAnchor().Position.GetX(), WithinAbs(0.199, 1e-9));
+  CHECK(world.Get("heard", "other") == "1");
+  CHECK_THAT(ErrorOf("simulation.disable('box')", kBox), Contains("\"box\" (<box>) is no robot"));
+}
+
+TEST_CASE("lua loop functions: the charge of a battery can be read and set",
+          "[lua][loop_functions]") {
+  SLuaExperiment experiment = With(
+      "function init()\n"
+      "  log(simulation.battery('fb'))\n"
+      "  simulation.set_battery('fb', 0.25)\n"
+      "  log(simulation.battery('fb'))\n"
+      "end");
+  CLuaWorld world(experiment);
+  CHECK(TakeScriptLog() == "1 0.25 ");
+  CHECK_THAT(ErrorOf("simulation.set_battery('fb', 1.5)"),
+             Contains("must be from 0 to 1, got 1.5"));
+  CHECK_THAT(ErrorOf("simulation.set_battery('fb', 0/0)"), Contains("must be from 0 to 1"));
+  CHECK_THAT(ErrorOf("simulation.battery('box')", kBox), Contains("has no battery"));
+}
+
 TEST_CASE("lua loop functions: the floor has the colors of floor_color", "[lua][loop_functions]") {
   CLuaWorld world(With(
       "black = false\n"
