@@ -3,6 +3,8 @@
 #include <cxxabi.h>
 
 #include <algorithm>
+#include <cctype>
+#include <limits>
 #include <typeinfo>
 
 namespace argos {
@@ -103,6 +105,32 @@ void AddDevice(MAP& devices, const std::string& type, DEVICE* device) {
   }
 }
 }  // namespace
+
+void CCI_Controller::RecordValue(std::string_view name, Real value) {
+  for (auto& [known, last] : m_recordedValues) {
+    if (known == name) {
+      last = value;
+      return;
+    }
+  }
+  const auto isOther = [](unsigned char c) { return std::isalnum(c) == 0 && c != '_'; };
+  if (name.empty() || std::isalpha(static_cast<unsigned char>(name[0])) == 0 ||
+      std::any_of(name.begin(), name.end(), isOther)) {
+    THROW_ARGOSEXCEPTION("RecordValue(): \"" << name
+                                             << "\" is no name: expected letters, digits and '_', "
+                                                "beginning with a letter");
+  }
+  m_recordedValues.emplace_back(name, value);
+}
+
+Real CCI_Controller::GetRecordedValue(std::string_view name) const {
+  for (const auto& [known, last] : m_recordedValues) {
+    if (known == name) {
+      return last;
+    }
+  }
+  return std::numeric_limits<Real>::quiet_NaN();
+}
 
 void CCI_Controller::CheckOwnsDevices() const {
   if (m_isCopy) {

@@ -22,6 +22,8 @@
 #include <optional>
 #include <sstream>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace argos {
@@ -86,6 +88,22 @@ class CCI_Controller : public CBaseConfigurableResource, public CSlabObject {
   CCI_Actuator::TMap& GetAllActuators() { return m_mapActuators; }
   CCI_Sensor::TMap& GetAllSensors() { return m_mapSensors; }
 
+  /**
+   * Keeps a number of this robot, which tables and recordings write as the field `value:NAME`. It
+   * lasts until the next call, or until Reset(). A call takes some nanoseconds for the first names.
+   * @param name  letters, digits and '_', beginning with a letter.
+   * @throws CARGoSException if it is another name.
+   */
+  void RecordValue(std::string_view name, Real value);
+  /** @return NaN if there is none of that name. */
+  Real GetRecordedValue(std::string_view name) const;
+  /** In the order of their first records. */
+  const std::vector<std::pair<std::string, Real>>& GetRecordedValues() const {
+    return m_recordedValues;
+  }
+  /** For the simulator, before Reset(). */
+  void ForgetRecordedValues() { m_recordedValues.clear(); }
+
   /** Adds a device, owned by the controller; deletes a previous device of this type. */
   void AddActuator(const std::string& type, CCI_Actuator* actuator);
   void AddSensor(const std::string& type, CCI_Sensor* sensor);
@@ -121,6 +139,7 @@ class CCI_Controller : public CBaseConfigurableResource, public CSlabObject {
                                            const std::type_info& found,
                                            const std::type_info& expected) const;
 
+  std::vector<std::pair<std::string, Real>> m_recordedValues;
   bool m_isCopy = false;  // true: the devices belong to another controller
 };
 

@@ -250,6 +250,7 @@ void CControllableEntity::Reset() {
   if (m_pcController == nullptr) {
     return;
   }
+  m_pcController->ForgetRecordedValues();
   const CRandom::COwner::CScope scope(&m_randomOwner, GetBirth());
   CallUser("Reset() of a sensor", [this] {
     for (const auto& entry : m_pcController->GetAllSensors()) {

@@ -1,9 +1,10 @@
-// Fields of robots that need no plug-in: readings of their sensors, and whether errors have stopped
-// them.
+// Fields of robots that need no plug-in: readings of their sensors, what their controllers keep,
+// whether they touch something, and whether errors have stopped them.
 
 #include <argos3/core/control_interface/ci_controller.h>
 #include <argos3/core/control_interface/ci_sensor.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
+#include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/outputs/field.h>
 #include <argos3/core/simulator/outputs/root_components.h>
 
@@ -96,6 +97,73 @@ class CReadingsField : public CField {
   }
 };
 
+/* Reads a number that the controller keeps. */
+class CValueReader : public CFieldReader {
+ public:
+  CValueReader(CControllableEntity& robot, std::string name)
+      : m_robot(robot), m_name(std::move(name)) {}
+
+  void Read(std::size_t /*index*/, SFieldRow row) override {
+    if (m_robot.HasController()) {
+      row.Numbers[0] = m_robot.GetController().GetRecordedValue(m_name);
+    }
+  }
+
+ private:
+  CControllableEntity& m_robot;
+  std::string m_name;
+};
+
+class CValueField : public CField {
+ public:
+  bool NeedsArgument() const override { return true; }
+  bool NeedsController() const override { return true; }
+
+  SBoundField Bind(CEntity& root, const std::string& argument) const override {
+    SBoundField bound;
+    if (auto* const robot = FindExisting<CControllableEntity>(root)) {
+      bound.Reader = std::make_unique<CValueReader>(*robot, argument);
+      bound.Columns = {{ToColumnName(argument), ""}};
+    }
+    return bound;
+  }
+
+  void ListNames(CEntity& root, const std::string& label,
+                 std::vector<std::string>& names) const override {
+    auto* const robot = FindExisting<CControllableEntity>(root);
+    if (robot == nullptr || !robot->HasController()) {
+      return;
+    }
+    for (const auto& [name, value] : robot->GetController().GetRecordedValues()) {
+      names.push_back(label + ':' + name);
+    }
+  }
+};
+
+class CCollidingReader : public CFieldReader {
+ public:
+  explicit CCollidingReader(const CEmbodiedEntity& body) : m_body(body) {}
+
+  void Read(std::size_t /*index*/, SFieldRow row) override {
+    row.Numbers[0] = m_body.IsCollidingWithSomething() ? 1.0 : 0.0;
+  }
+
+ private:
+  const CEmbodiedEntity& m_body;
+};
+
+class CCollidingField : public CField {
+ public:
+  SBoundField Bind(CEntity& root, const std::string& /*argument*/) const override {
+    SBoundField bound;
+    if (const auto* const body = FindExisting<CEmbodiedEntity>(root)) {
+      bound.Reader = std::make_unique<CCollidingReader>(*body);
+      bound.Columns = {{"colliding", ""}};
+    }
+    return bound;
+  }
+};
+
 /* Reads a property of a robot that is true or false. */
 class CFlagReader : public CFieldReader {
  public:
@@ -144,6 +212,19 @@ REGISTER_FIELD(
 LABEL_1, LABEL_2, ..., one for each number, or LABEL_<name> where the readings have names, in the
 units that controllers see. Sensors whose readings are a list give its length, LABEL_count. Sensors
 of users' code have columns if they override GetReadingColumns() and CopyReadings().
+)",
+    "Usable")
+REGISTER_FIELD(
+    CValueField, "value", "the authors of this project", "1.0",
+    "A number that the robot's controller keeps with RecordValue(): value:NAME.",
+    R"(Column NAME, empty until the controller calls RecordValue("NAME", number) for the first time
+after the start or a reset. Of scripts in Lua, use the field lua.
+)",
+    "Usable")
+REGISTER_FIELD(
+    CCollidingField, "colliding", "the authors of this project", "1.0",
+    "1 if the body touches another one, else 0.",
+    R"(Column colliding: what CEmbodiedEntity::IsCollidingWithSomething() says after the tick.
 )",
     "Usable")
 REGISTER_FIELD(

@@ -142,6 +142,41 @@ TEST_CASE("tables: numbers are those of the space, in every format", "[outputs][
   CHECK(ReadHDF5Numbers(folder.Path("t.h5"), "robot")[61] == 1.0);
 }
 
+TEST_CASE("tables: what controllers keep, and what touches, are fields", "[outputs][tables]") {
+  const CTestFolder folder;
+  STableWorld table;
+  // the third one touches the second
+  table.Arena += Robot("e-puck", "c", PoseText({-1.0, 0.1705, 0.0}, 0.0));
+  table.Outputs = {{"table", {{"file", folder.Path("t.csv")}, {"fields", "value:food,colliding"}}}};
+  {
+    CRunningWorld world(table);
+    auto& robot = world.Get().Get<CEPuckEntity>("b").GetControllableEntity().GetController();
+    CHECK(std::isnan(robot.GetRecordedValue("food")));
+    world.Get().Step();
+    robot.RecordValue("food", 2.5);
+    robot.RecordValue("other", 1.0);
+    world.Get().Step();
+    robot.RecordValue("food", -1.0);
+    CHECK(robot.GetRecordedValue("food") == -1.0);
+    world.Get().Step();
+    CHECK_THROWS_WITH(robot.RecordValue("a b", 1.0), Contains("\"a b\" is no name"));
+    CHECK_THROWS_WITH(robot.RecordValue("", 1.0), Contains("is no name"));
+    CHECK_THROWS_WITH(robot.RecordValue("1a", 1.0), Contains("is no name"));
+    world.Get().GetSimulator().Reset();
+    CHECK(robot.GetRecordedValues().empty());
+    world.Close();
+  }
+  const SReadTable read = ReadCSV(folder.Read("t.csv"));
+  // ticks 0 to 3
+  REQUIRE(read.GetNumRows() == 12);
+  CHECK(read.Columns.at("food") ==
+        std::vector<std::string>{"", "", "", "", "", "", "", "2.5", "", "", "-1", ""});
+  const auto colliding = read.GetNumbers("colliding");
+  CHECK(colliding[0] == 0.0);
+  CHECK(colliding[1] == 1.0);
+  CHECK(colliding[2] == 1.0);
+}
+
 TEST_CASE("tables: the head says from which run they are", "[outputs][tables]") {
   const CTestFolder folder;
   STableWorld table;
