@@ -14,23 +14,9 @@ struct SPresentValues {
   size_t NumMissing = 0;
 };
 
-/** The pairs of which both values are there. */
-struct SPresentPairs {
-  std::vector<Real> X;
-  std::vector<Real> Y;  // (X.size())
-  size_t NumMissing = 0;
-};
-
 /** Drops and counts NaN. Every other function of this folder but Summarize(), the bands of series
  * and the stopping rule throws if it is given one. */
 SPresentValues RemoveMissing(std::span<const Real> values);
-
-/**
- * Drops and counts pairs with a NaN.
- *
- * @throws CARGoSException unless both samples have the same length.
- */
-SPresentPairs RemoveMissingPairs(std::span<const Real> x, std::span<const Real> y);
 
 }  // namespace argos
 

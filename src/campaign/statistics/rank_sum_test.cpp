@@ -73,10 +73,4 @@ SRankTestResult TestRankSum(std::span<const Real> x, std::span<const Real> y,
       ComputeExactRankInterval(points, distribution, options.Alternative, options.Level)};
 }
 
-Real ComputeSuperiority(std::span<const Real> x, std::span<const Real> y) {
-  RequireSample(x, 1, "superiority, x");
-  RequireSample(y, 1, "superiority, y");
-  return CountGreater(x, y, 0.0).Statistic / static_cast<Real>(x.size() * y.size());
-}
-
 }  // namespace argos

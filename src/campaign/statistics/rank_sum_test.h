@@ -28,18 +28,6 @@ namespace argos {
 SRankTestResult TestRankSum(std::span<const Real> x, std::span<const Real> y,
                             const SRankTestOptions& options = {});
 
-/**
- * The share of pairs in which the value of x is the greater one; ties count as half. 0.5 means no
- * difference, 1 that all values of x are greater than all of y.
- *
- * @throws CARGoSException for no values and those that RequireSample() refuses.
- *
- * Source: A. Vargha and H. D. Delaney, "A Critique and Improvement of the CL Common Language Effect
- * Size Statistics of McGraw and Wong", J. Educ. Behav. Stat. 25 (2000), the statistic A.
- * R: wilcox.test(x, y)$statistic / (length(x) * length(y)).
- */
-Real ComputeSuperiority(std::span<const Real> x, std::span<const Real> y);
-
 }  // namespace argos
 
 #endif

@@ -2,7 +2,6 @@
 #include "samples.h"
 
 #include <argos3/campaign/statistics/mean_interval.h>
-#include <argos3/campaign/statistics/median_interval.h>
 #include <argos3/campaign/statistics/probability.h>
 #include <argos3/campaign/statistics/proportion_interval.h>
 
@@ -98,63 +97,6 @@ TEST_CASE("interval of the mean: hostile input", "[campaign][statistics]") {
   const Real level = GENERATE(0.0, 1.0, -1.0, 95.0, kNaN);
   CHECK_THROWS_WITH(ComputeMeanInterval(std::vector<Real>{1.0, 2.0}, level),
                     Contains("it must be above 0 and below 1"));
-}
-
-TEST_CASE("interval of the median: order statistics", "[campaign][statistics]") {
-  // R 4.2: k = qbinom(0.025, 26, 0.5) = 8; 1 - 2 * pbinom(7, 26, 0.5)
-  const SConfidenceInterval interval = ComputeMedianInterval(kOzone[0]);
-  CHECK(interval.Lower == 11.0);
-  CHECK(interval.Upper == 30.0);
-  CHECK_THAT(interval.Level, WithinRel(0.971040725708008, 1e-12));
-}
-
-TEST_CASE("interval of the median: ranks of the printed table", "[campaign][statistics]") {
-  // the critical value of the sign test at 5 %, two sides, plus 1; R 4.2: qbinom(0.025, n, 0.5)
-  struct SEntry {
-    size_t Count;
-    size_t Rank;
-  };
-  const std::vector<SEntry> table = {{6, 1},  {8, 1},  {9, 2},   {11, 2},  {12, 3},
-                                     {15, 4}, {20, 6}, {30, 10}, {50, 18}, {100, 40}};
-  for (const SEntry& entry : table) {
-    CAPTURE(entry.Count);
-    std::vector<Real> values;
-    for (size_t i = 1; i <= entry.Count; ++i) {
-      values.push_back(static_cast<Real>(i));
-    }
-    const SConfidenceInterval interval = ComputeMedianInterval(values);
-    CHECK(interval.Lower == static_cast<Real>(entry.Rank));
-    CHECK(interval.Upper == static_cast<Real>(entry.Count + 1 - entry.Rank));
-    CHECK(interval.Level >= 0.95);
-  }
-}
-
-TEST_CASE("interval of the median: large samples", "[campaign][statistics]") {
-  std::vector<Real> values;
-  for (size_t i = 1; i <= 1000000; ++i) {
-    values.push_back(static_cast<Real>(i));
-  }
-  const SConfidenceInterval interval = ComputeMedianInterval(values);
-  // n / 2 - z sqrt(n) / 2 by the normal approximation
-  CHECK_THAT(interval.Lower, WithinAbs(500000.0 - 979.98, 1.0));
-  CHECK(interval.Upper == 1000001.0 - interval.Lower);
-  // a step of the binomial distribution
-  CHECK_THAT(interval.Level, WithinAbs(0.95, 0.0003));
-}
-
-TEST_CASE("interval of the median: small samples and hostile input", "[campaign][statistics]") {
-  const SConfidenceInterval five = ComputeMedianInterval(std::vector<Real>{5, 4, 3, 2, 1});
-  CHECK(five.Lower == 1.0);
-  CHECK(five.Upper == 5.0);
-  CHECK_THAT(five.Level, WithinAbs(1.0 - 2.0 / 32.0, 1e-14));
-  const SConfidenceInterval one = ComputeMedianInterval(std::vector<Real>{3.0});
-  CHECK(one.Lower == 3.0);
-  CHECK(one.Upper == 3.0);
-  CHECK_THAT(one.Level, WithinAbs(0.0, 1e-14));
-  CHECK_THROWS_WITH(ComputeMedianInterval({}), Contains("number of values 0"));
-  CHECK_THROWS_WITH(ComputeMedianInterval(std::vector<Real>{3.0}, 1.0), Contains("level 1"));
-  CheckRefusesHostileValues({1.0, 2.0},
-                            [](const std::vector<Real>& values) { ComputeMedianInterval(values); });
 }
 
 TEST_CASE("interval of a proportion: Wilson's, as Newcombe printed them",

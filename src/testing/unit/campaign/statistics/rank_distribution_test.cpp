@@ -3,7 +3,6 @@
 #include <argos3/campaign/statistics/rank_interval.h>
 #include <argos3/campaign/statistics/rank_p_value.h>
 #include <argos3/campaign/statistics/ranks.h>
-#include <argos3/campaign/statistics/spearman_distribution.h>
 
 #include <argos3/core/utility/math/random_stream.h>
 
@@ -218,26 +217,6 @@ TEST_CASE("pairwise points: those of a sorted list", "[campaign][statistics]") {
   // 78 and 132 points
   CHECK(ofOne.ComputeMedian() == 0.5 * (averages[38] + averages[39]));
   CHECK(ofTwo.ComputeMedian() == 0.5 * (differences[65] + differences[66]));
-}
-
-TEST_CASE("spearman's distribution: exact for few values", "[campaign][statistics]") {
-  // one order is the reverse, six more differ from it by one exchange of neighbours
-  CHECK_THAT(ComputeSpearmanUpperTail(112.0, 7), WithinRel(1.0 / 5040.0, 1e-15));
-  CHECK_THAT(ComputeSpearmanUpperTail(110.0, 7), WithinRel(7.0 / 5040.0, 1e-15));
-  CHECK(ComputeSpearmanUpperTail(0.0, 7) == 1.0);
-  CHECK(ComputeSpearmanUpperTail(114.0, 7) == 0.0);
-  CHECK(ComputeSpearmanUpperTail(2.0, 7) == 1.0 - 1.0 / 5040.0);
-  CHECK(ComputeSpearmanUpperTail(332.0, 10) == 0.0);
-}
-
-TEST_CASE("spearman's distribution: the series of R", "[campaign][statistics]") {
-  // R 4.2: .Call(stats:::C_pRho, d, n, FALSE)
-  CHECK_THAT(ComputeSpearmanUpperTail(260.0, 10), WithinRel(0.0438840216306821, 1e-12));
-  CHECK_THAT(ComputeSpearmanUpperTail(100.0, 10), WithinRel(0.876314606194034, 1e-12));
-  CHECK_THAT(ComputeSpearmanUpperTail(36000.0, 50), WithinRel(5.12803428120666e-9, 1e-10));
-  // far in the tails the series leaves [0,1]
-  CHECK(ComputeSpearmanUpperTail(320.0, 10) == 0.0);
-  CHECK(ComputeSpearmanUpperTail(4.0, 10) == 1.0);
 }
 
 }  // namespace rank_distribution_test

@@ -106,13 +106,7 @@ TEST_CASE("quantile: no values and probabilities out of range are errors",
                     Contains("it must be in [0,1]"));
 }
 
-TEST_CASE("missing values: pairs need both values", "[campaign][statistics]") {
-  const SPresentPairs pairs = RemoveMissingPairs(std::vector<Real>{1.0, kNaN, 3.0, 4.0},
-                                                 std::vector<Real>{5.0, 6.0, kNaN, 8.0});
-  CHECK(pairs.X == std::vector<Real>{1.0, 4.0});
-  CHECK(pairs.Y == std::vector<Real>{5.0, 8.0});
-  CHECK(pairs.NumMissing == 2);
-  CHECK_THROWS_WITH(RemoveMissingPairs(std::vector<Real>{1.0}, {}), Contains("x has 1, y has 0"));
+TEST_CASE("missing values: they are dropped and counted", "[campaign][statistics]") {
   const SPresentValues present = RemoveMissing(std::vector<Real>{kNaN, 2.0});
   CHECK(present.Values == std::vector<Real>{2.0});
   CHECK(present.NumMissing == 1);

@@ -240,7 +240,6 @@ TEST_CASE("rank-sum test: permeability data of Hollander and Wolfe", "[campaign]
   const SRankTestResult both = TestRankSum(kPermeabilityAtTerm, kPermeabilityBefore);
   CHECK_THAT(both.PValue, WithinRel(0.254412254412254, kDigits));
   CheckInterval(both.Interval, -0.15, 0.76, 0.96003996003996004);
-  CHECK(ComputeSuperiority(kPermeabilityAtTerm, kPermeabilityBefore) == 35.0 / 50.0);
 }
 
 TEST_CASE("rank-sum test: normal approximation and ties", "[campaign][statistics]") {
@@ -324,19 +323,16 @@ TEST_CASE("rank-sum test: hostile input", "[campaign][statistics]") {
   const std::vector<Real> some = {1.0, 2.0, 4.0};
   CHECK_THROWS_WITH(TestRankSum({}, some), Contains("x: number of values 0"));
   CHECK_THROWS_WITH(TestRankSum(some, {}), Contains("y: number of values 0"));
-  CHECK_THROWS_WITH(ComputeSuperiority(some, {}), Contains("y: number of values 0"));
   CHECK_THROWS_WITH(TestRankSum(some, some, {EAlternative::Less, kInfinity}), Contains("location"));
   CHECK_THROWS_WITH(TestRankSum(some, some, {EAlternative::Less, 0.0, kNaN}), Contains("level"));
   CheckRefusesHostileValues(some, [&](const std::vector<Real>& x) { TestRankSum(x, some); });
   CheckRefusesHostileValues(some, [&](const std::vector<Real>& y) { TestRankSum(some, y); });
-  CHECK(ComputeSuperiority(some, std::vector<Real>{2.0}) == 0.5);
   // all values equal
   const SRankTestResult equal = TestRankSum(std::vector<Real>(4, 2.0), std::vector<Real>(3, 2.0));
   CHECK(equal.PValue == 1.0);
   CHECK(equal.Estimate == 0.0);
   CHECK(equal.Interval.Lower == 0.0);
   CHECK(equal.Interval.Upper == 0.0);
-  CHECK(ComputeSuperiority(std::vector<Real>(4, 2.0), std::vector<Real>(3, 2.0)) == 0.5);
   // so many that the variance is a negative rounding error
   const SRankTestResult many = TestRankSum(std::vector<Real>(330291, 2.0), std::vector<Real>{2.0});
   CHECK(many.PValue == 1.0);
