@@ -53,7 +53,7 @@ check_installed_headers() { # check_installed_headers <include folder>
   [[ -z "$found" ]] || die "installed headers include third-party ones: $found"
   find "$1" -name '*.h' -printf '#include <%P>\n' | sort >"$work/all_headers.cpp"
   # those of users who call Eigen or Lua
-  local third='/(eigen_bridge|lua_headers|lua_quaternion|lua_utility|lua_vector[23])\.h>'
+  local third='/(eigen_bridge|lua_headers|lua_quaternion|lua_user_type|lua_utility|lua_vector[23])\.h>'
   grep -vE "$third" "$work/all_headers.cpp" >"$work/plain_headers.cpp"
   grep -E "$third" "$work/all_headers.cpp" >"$work/third_party_headers.cpp"
   c++ -std=gnu++17 -Wall -Wextra -Werror -fsyntax-only -I"$1" "$work/plain_headers.cpp"

@@ -1,57 +1,21 @@
 #ifndef ARGOS3_COMPAT_CORE_WRAPPERS_LUA_LUA_VECTOR3_H
 #define ARGOS3_COMPAT_CORE_WRAPPERS_LUA_LUA_VECTOR3_H
 
-#include <argos3/core/utility/datatypes/datatypes.h>
 #include <argos3/core/utility/math/vector3.h>
-#include <argos3/core/wrappers/lua/lua_headers.h>
-#include <argos3/core/wrappers/lua/lua_types.h>
-
-#include <string>
-#include <utility>
+#include <argos3/core/wrappers/lua/lua_user_type.h>
 
 namespace argos {
 
-/**
- * The Lua type vector3, as published with ARGoS 3: a userdatum that holds a CVector3. Our own code
- * uses CLuaType. Where C functions take a state, their arguments and results are on the stack.
- */
-class CLuaVector3 {
+/** The Lua type vector3. */
+class CLuaVector3 : public CLuaVectorType<CVector3> {
  public:
-  /** Creates the metatable and the constructor, the global function vector3(). */
-  static void RegisterType(lua_State* state) { CLuaType<CVector3>::Register(state); }
-  /** The name of the metatable in the registry, for luaL_checkudata(). */
-  static const std::string& GetTypeId() { return CLuaType<CVector3>::GetTypeId(); }
-
   /** Pushes CVector3(arguments...). */
   template <typename... ARGUMENTS>
   static void PushVector3(lua_State* state, ARGUMENTS&&... arguments) {
-    CLuaType<CVector3>::Push(state, CVector3(std::forward<ARGUMENTS>(arguments)...));
+    Push(state, std::forward<ARGUMENTS>(arguments)...);
   }
   /** The vector in the userdatum. Raises an error of Lua if the value has another type. */
-  static CVector3& ToVector3(lua_State* state, int index) {
-    return CLuaType<CVector3>::Get(state, index);
-  }
-
-  /** What Lua calls: the constructor, the metamethods and the methods. */
-  static int Create(lua_State* state) { return CLuaType<CVector3>::Create(state); }
-  static int Index(lua_State* state) { return Call(state, "__index"); }
-  static int NewIndex(lua_State* state) { return Call(state, "__newindex"); }
-  static int ToString(lua_State* state) { return Call(state, "__tostring"); }
-  static int Equal(lua_State* state) { return Call(state, "__eq"); }
-  static int Add(lua_State* state) { return Call(state, "__add"); }
-  static int Multiply(lua_State* state) { return Call(state, "__mul"); }
-  static int Subtract(lua_State* state) { return Call(state, "__sub"); }
-  static int UnaryMinus(lua_State* state) { return Call(state, "__unm"); }
-  static int Normalize(lua_State* state) { return Call(state, "normalize"); }
-  static int Length(lua_State* state) { return Call(state, "length"); }
-  static int DotProduct(lua_State* state) { return Call(state, "dot"); }
-  static int CrossProduct(lua_State* state) { return Call(state, "cross"); }
-  static int Rotate(lua_State* state) { return Call(state, "rotate"); }
-
- private:
-  static int Call(lua_State* state, const char* method) {
-    return CLuaType<CVector3>::Call(state, method);
-  }
+  static CVector3& ToVector3(lua_State* state, int index) { return Get(state, index); }
 };
 
 }  // namespace argos
