@@ -11,13 +11,6 @@
 
 namespace argos {
 
-CPiPuckGroundDefaultSensor::CPiPuckGroundDefaultSensor() {
-  m_interfaces.reserve(MAP_SENSOR_CONFIG.size());
-  for (const auto& sensor : MAP_SENSOR_CONFIG) {
-    m_interfaces.emplace_back(sensor.first);
-  }
-}
-
 void CPiPuckGroundDefaultSensor::SetRobot(CComposableEntity& robot) {
   // only a Pi-Puck has this component
   robot.GetComponent<CPiPuckDifferentialDriveEntity>("differential_drive");
@@ -26,10 +19,8 @@ void CPiPuckGroundDefaultSensor::SetRobot(CComposableEntity& robot) {
 }
 
 void CPiPuckGroundDefaultSensor::Init(TConfigurationNode& tree) {
-  CCI_PiPuckGroundSensor::Init(tree);
-  GetNodeAttributeOrDefault(tree, "show_rays", m_bShowRays, m_bShowRays);
+  CPiPuckSimulatedSensor::Init(tree);
   RequireFloor(*m_robot, tree);
-  Enable();
 }
 
 void CPiPuckGroundDefaultSensor::Update() {
@@ -57,12 +48,6 @@ void CPiPuckGroundDefaultSensor::Update() {
 void CPiPuckGroundDefaultSensor::Reset() {
   for (SInterface& interface : m_interfaces) {
     interface.Reflected = 0.0;
-  }
-}
-
-void CPiPuckGroundDefaultSensor::Visit(std::function<void(const SInterface&)> visit) {
-  for (const SInterface& interface : m_interfaces) {
-    visit(interface);
   }
 }
 

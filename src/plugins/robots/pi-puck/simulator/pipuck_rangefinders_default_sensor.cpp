@@ -26,24 +26,11 @@ SRayLayout MakeLayout(
 
 }  // namespace
 
-CPiPuckRangefindersDefaultSensor::CPiPuckRangefindersDefaultSensor() {
-  m_interfaces.reserve(MAP_SENSOR_CONFIG.size());
-  for (const auto& sensor : MAP_SENSOR_CONFIG) {
-    m_interfaces.emplace_back(sensor.first);
-  }
-}
-
 void CPiPuckRangefindersDefaultSensor::SetRobot(CComposableEntity& robot) {
   // only a Pi-Puck has this component
   robot.GetComponent<CPiPuckDifferentialDriveEntity>("differential_drive");
   m_caster.SetRobot(robot);
   m_anchor = &m_caster.GetBody().GetOriginAnchor();
-}
-
-void CPiPuckRangefindersDefaultSensor::Init(TConfigurationNode& tree) {
-  CCI_PiPuckRangefindersSensor::Init(tree);
-  GetNodeAttributeOrDefault(tree, "show_rays", m_bShowRays, m_bShowRays);
-  Enable();
 }
 
 void CPiPuckRangefindersDefaultSensor::Update() {
@@ -63,12 +50,6 @@ void CPiPuckRangefindersDefaultSensor::Update() {
 void CPiPuckRangefindersDefaultSensor::Reset() {
   for (SInterface& interface : m_interfaces) {
     interface.Proximity = std::get<3>(interface.Configuration);
-  }
-}
-
-void CPiPuckRangefindersDefaultSensor::Visit(std::function<void(const SInterface&)> visit) {
-  for (const SInterface& interface : m_interfaces) {
-    visit(interface);
   }
 }
 
