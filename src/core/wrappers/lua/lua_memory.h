@@ -49,8 +49,6 @@ class CLuaMemory {
   std::size_t GetLimit() const { return m_limit; }
   /** Bytes in use. */
   std::size_t GetUsed() const { return m_used; }
-  /** Bytes that are taken from the heap. */
-  std::size_t GetTaken() const { return m_taken; }
   /** Bytes in large blocks allocated since the last call; they cost time. */
   std::size_t TakeWork();
 

@@ -75,8 +75,6 @@ class CRigidWorld {
 
   /** In order of addition, except for bodies that fill the places of removed ones. */
   const std::vector<SRigidBody*>& GetMovables() const { return m_movables; }
-  /** Those that are not free robots. */
-  const std::vector<SRigidBody*>& GetActive() const { return m_active; }
   /** Length of the present substep, s. */
   Real GetSubstep() const { return m_substep; }
   UInt32 GetNumSubsteps() const { return m_numSubsteps; }

@@ -32,7 +32,6 @@ struct SSceneText {
   std::string Text;
   std::size_t NumSkipped = 0; /**< things left out: a number of theirs is not finite */
 
-  double GetAspectRatio() const { return static_cast<double>(Settings.Width) / Settings.Height; }
   /** Size of a pixel at a distance along the line of sight, m. */
   double ComputePixelSize(double depth) const;
   double ComputePixelSizeAt(const std::array<float, 3>& point) const;

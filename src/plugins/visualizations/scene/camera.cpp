@@ -18,10 +18,6 @@ constexpr double kVerticalShare = 1e-9;  // far below any meaningful difference 
 
 }  // namespace
 
-double SCameraPlacement::ComputeVerticalFieldOfView() const {
-  return 2.0 * std::atan(kHalfPictureHeight / FocalLength);
-}
-
 bool IsVertical(const Eigen::Vector3d& forward) {
   return forward.head<2>().norm() <= kVerticalShare * forward.norm();
 }

@@ -19,9 +19,6 @@ struct SCameraPlacement {
   double FocalLength = 20.0; /**< mm, > 0, of a 36 mm x 27 mm picture */
   /** Height of what the picture shows, m, in orthographic projection; 0: perspective. */
   double OrthographicHeight = 0.0;
-
-  /** Height of the field of view, rad: 2 atan(13.5 mm / FocalLength). */
-  double ComputeVerticalFieldOfView() const;
 };
 
 /** The arena as cameras see it: an upright box. World frame, m. */

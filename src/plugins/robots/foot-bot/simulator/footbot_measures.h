@@ -42,7 +42,6 @@ constexpr Real kProximityRingElevation = 0.06;
 constexpr Real kProximityRingRadius = kBodyRadius;
 constexpr Real kProximityRange = 0.1;
 constexpr Real kProximityStartAngle = 7.5;
-constexpr Real kProximityAngleStep = 360.0 / kNumProximitySensors;
 
 // ground sensors; ci_footbot_{motor,base}_ground_sensor.h has their positions
 constexpr UInt32 kFirstMotorGroundSensor = 0;

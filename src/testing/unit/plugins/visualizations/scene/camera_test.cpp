@@ -38,15 +38,6 @@ void CheckVector(const Eigen::Vector3d& found, const Eigen::Vector3d& expected) 
 
 }  // namespace
 
-TEST_CASE("camera: a 13.5 mm lens has a vertical field of view of 90 degrees",
-          "[visualizations][offscreen][camera]") {
-  SCameraPlacement placement;
-  placement.FocalLength = 13.5;
-  CHECK_THAT(placement.ComputeVerticalFieldOfView(), WithinAbs(std::numbers::pi / 2.0, kRounding));
-  placement.FocalLength = 13.5 / std::tan(std::numbers::pi / 12.0);
-  CHECK_THAT(placement.ComputeVerticalFieldOfView(), WithinAbs(std::numbers::pi / 6.0, kRounding));
-}
-
 TEST_CASE("camera: the target is in the middle of the picture",
           "[visualizations][offscreen][camera]") {
   const Eigen::Vector3d lookAt(0.3, -0.2, 0.1);
