@@ -3,10 +3,9 @@
 #   scripts/digests.sh BUILD_FOLDER           fails if a digest differs
 #   scripts/digests.sh BUILD_FOLDER --pin         writes the digests of this build into the file
 #   scripts/digests.sh BUILD_FOLDER --any-build   compares those of another compiler, build type or level of optimization
-# Digests are pinned for one compiler and build type, which the file names: another build is compared only on request, and
-# is an error in continuous integration (CI=true).
+# Digests are pinned for one compiler and build type, which the file names: another build is compared only on request.
 set -euo pipefail
-(($# > 0)) || { sed -n '2,7s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2; exit 2; }
+(($# > 0)) || { sed -n '2,6s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2; exit 2; }
 build="$(cd "$1" && pwd)"
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 mode="${2:-compare}"
@@ -35,7 +34,6 @@ compute() { # compute <arguments of argos3>: prints the digest
 this_build="$(describe_build)"
 pinned_build="$(sed -n 's/^build: //p' "$pinned")"
 if [[ "$mode" == compare && "$this_build" != "$pinned_build" ]]; then
-  [[ "${CI:-}" != true ]] || die "the digests are pinned for '$pinned_build', but $build is '$this_build'"
   echo "digests: not compared; they are pinned for '$pinned_build', and $build is '$this_build'"
   exit 0
 fi
