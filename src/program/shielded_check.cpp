@@ -2,6 +2,7 @@
 
 #include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/run/run_status.h>
+#include <argos3/support/child_process.h>
 #include <argos3/support/scratch_folder.h>
 
 #include <dlfcn.h>
@@ -69,9 +70,7 @@ int Wait(pid_t process) {
   struct sigaction oldQuit {};
   sigaction(SIGINT, &ignore, &oldInterrupt);
   sigaction(SIGQUIT, &ignore, &oldQuit);
-  int status = 0;
-  while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
-  }
+  const int status = AwaitEnd(process);
   sigaction(SIGINT, &oldInterrupt, nullptr);
   sigaction(SIGQUIT, &oldQuit, nullptr);
   return WIFEXITED(status) ? WEXITSTATUS(status)

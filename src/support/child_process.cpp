@@ -14,11 +14,13 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <memory>
 #include <sstream>
 #include <system_error>
 #include <thread>
@@ -55,14 +57,6 @@ int MoveUp(int file) {
   const int moved = fcntl(file, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
   close(file);
   return moved;
-}
-
-SProcessEnd DescribeEnd(int status) {
-  if (WIFEXITED(status)) {
-    return {WEXITSTATUS(status) == 0, "exit status " + std::to_string(WEXITSTATUS(status))};
-  }
-  const int signal = WTERMSIG(status);
-  return {false, "signal " + std::to_string(signal) + " (" + strsignal(signal) + ")"};
 }
 
 // of all processes of the group; terminated ones are counted when their parent has waited for them
@@ -102,14 +96,19 @@ std::chrono::milliseconds ReadCPUTimeOfGroup(pid_t group) {
 // what posix_spawn() does in the child, freed by the destructor
 class CSpawnPlan {
  public:
-  CSpawnPlan(int input, int errors) {
+  CSpawnPlan() {
     posix_spawn_file_actions_init(&Actions);
     posix_spawnattr_init(&Attributes);
-    posix_spawn_file_actions_adddup2(&Actions, input, STDIN_FILENO);
-    posix_spawn_file_actions_addopen(&Actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-    posix_spawn_file_actions_adddup2(&Actions, errors, STDERR_FILENO);
-    // users' code may have opened files without O_CLOEXEC
-    posix_spawn_file_actions_addclosefrom_np(&Actions, STDERR_FILENO + 1);
+  }
+  ~CSpawnPlan() {
+    posix_spawn_file_actions_destroy(&Actions);
+    posix_spawnattr_destroy(&Attributes);
+  }
+  CSpawnPlan(const CSpawnPlan&) = delete;
+  CSpawnPlan& operator=(const CSpawnPlan&) = delete;
+
+  // gives the child a process group of its own, in which no signal is blocked or ignored
+  void SetOwnGroup() {
     sigset_t signals;
     sigemptyset(&signals);
     posix_spawnattr_setsigmask(&Attributes, &signals);
@@ -121,16 +120,62 @@ class CSpawnPlan {
     posix_spawnattr_setflags(
         &Attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
   }
-  ~CSpawnPlan() {
-    posix_spawn_file_actions_destroy(&Actions);
-    posix_spawnattr_destroy(&Attributes);
-  }
-  CSpawnPlan(const CSpawnPlan&) = delete;
-  CSpawnPlan& operator=(const CSpawnPlan&) = delete;
 
   posix_spawn_file_actions_t Actions;
   posix_spawnattr_t Attributes;
 };
+
+// searches the program as FindProgram() does; no files but the standard streams are inherited
+pid_t Spawn(const std::vector<std::string>& arguments, const std::string& directory,
+            CSpawnPlan& plan) {
+  std::string program = FindProgram(arguments.at(0));
+  if (program.empty()) {
+    THROW_ARGOSEXCEPTION("The program \"" << arguments[0] << "\" cannot be started: "
+                                          << "there is no such executable file");
+  }
+  std::vector<std::string> copies = arguments;  // posix_spawn() takes them as not constant
+  std::vector<char*> pointers;
+  for (std::string& copy : copies) {
+    pointers.push_back(copy.data());
+  }
+  pointers.push_back(nullptr);
+  // users' code may have opened files without O_CLOEXEC
+  posix_spawn_file_actions_addclosefrom_np(&plan.Actions, STDERR_FILENO + 1);
+  if (!directory.empty()) {
+    // a relative path of the program counts from the working directory of this process
+    program = std::filesystem::absolute(program).string();
+    posix_spawn_file_actions_addchdir_np(&plan.Actions, directory.c_str());
+  }
+  pid_t process = -1;
+  const int error = posix_spawn(&process, program.c_str(), &plan.Actions, &plan.Attributes,
+                                pointers.data(), environ);
+  if (error != 0) {
+    THROW_ARGOSEXCEPTION("The program \"" << program
+                                          << "\" cannot be started: " << std::strerror(error));
+  }
+  return process;
+}
+
+using TFile = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
+
+TFile OpenTemporaryFile() {
+  TFile file(std::tmpfile(), &std::fclose);
+  if (file == nullptr) {
+    THROW_ARGOSEXCEPTION("no temporary file can be created: " << std::strerror(errno));
+  }
+  return file;
+}
+
+std::string ReadAll(std::FILE* file) {
+  std::rewind(file);
+  std::string text;
+  std::array<char, 4096> block{};
+  for (size_t size = 0; (size = std::fread(block.data(), 1, block.size(), file)) > 0;) {
+    text.append(block.data(), size);
+  }
+  text.erase(text.find_last_not_of('\n') + 1);
+  return text;
+}
 
 }  // namespace
 
@@ -151,6 +196,32 @@ std::string FindProgram(const std::string& name) {
     }
   }
   return "";
+}
+
+int AwaitEnd(pid_t process) {
+  int status = 0;
+  while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
+  }
+  return status;
+}
+
+SProcessEnd DescribeEnd(int status) {
+  if (WIFEXITED(status)) {
+    return {WEXITSTATUS(status) == 0, "exit status " + std::to_string(WEXITSTATUS(status))};
+  }
+  const int signal = WTERMSIG(status);
+  return {false, "signal " + std::to_string(signal) + " (" + strsignal(signal) + ")"};
+}
+
+SProgramOutput RunProgram(const std::vector<std::string>& arguments) {
+  // files, because a full pipe would stop the program
+  const TFile out = OpenTemporaryFile();
+  const TFile err = OpenTemporaryFile();
+  CSpawnPlan plan;
+  posix_spawn_file_actions_adddup2(&plan.Actions, fileno(out.get()), STDOUT_FILENO);
+  posix_spawn_file_actions_adddup2(&plan.Actions, fileno(err.get()), STDERR_FILENO);
+  const int status = AwaitEnd(Spawn(arguments, "", plan));
+  return {DescribeEnd(status).IsSuccess, ReadAll(out.get()), ReadAll(err.get())};
 }
 
 CChildProcess::CChildProcess(const std::vector<std::string>& arguments,
@@ -184,29 +255,12 @@ CChildProcess::CChildProcess(const std::vector<std::string>& arguments,
 
 void CChildProcess::Start(const std::vector<std::string>& arguments, const std::string& directory,
                           int input, int errors) {
-  std::string program = FindProgram(arguments.at(0));
-  if (program.empty()) {
-    THROW_ARGOSEXCEPTION("The program \"" << arguments[0] << "\" cannot be started: "
-                                          << "there is no such executable file");
-  }
-  std::vector<std::string> copies = arguments;  // posix_spawn() takes them as not constant
-  std::vector<char*> pointers;
-  for (std::string& copy : copies) {
-    pointers.push_back(copy.data());
-  }
-  pointers.push_back(nullptr);
-  CSpawnPlan plan(input, errors);
-  if (!directory.empty()) {
-    // a relative path of the program counts from the working directory of this process
-    program = std::filesystem::absolute(program).string();
-    posix_spawn_file_actions_addchdir_np(&plan.Actions, directory.c_str());
-  }
-  const int error = posix_spawn(&m_id, program.c_str(), &plan.Actions, &plan.Attributes,
-                                pointers.data(), environ);
-  if (error != 0) {
-    THROW_ARGOSEXCEPTION("The program \"" << program
-                                          << "\" cannot be started: " << std::strerror(error));
-  }
+  CSpawnPlan plan;
+  posix_spawn_file_actions_adddup2(&plan.Actions, input, STDIN_FILENO);
+  posix_spawn_file_actions_addopen(&plan.Actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+  posix_spawn_file_actions_adddup2(&plan.Actions, errors, STDERR_FILENO);
+  plan.SetOwnGroup();
+  m_id = Spawn(arguments, directory, plan);
   m_isRunning = true;
 }
 

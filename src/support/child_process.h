@@ -22,6 +22,25 @@ struct SProcessEnd {
   std::string Description; /**< "exit status 1", "signal 9 (Killed)" */
 };
 
+/** Waits for the end of a child of this process. @return the status of waitpid(). */
+int AwaitEnd(pid_t process);
+/** What a status of waitpid() says. */
+SProcessEnd DescribeEnd(int status);
+
+/** What a program has printed, without line breaks at the end. */
+struct SProgramOutput {
+  bool IsSuccess = false; /**< exit status 0 */
+  std::string Out, Err;
+};
+
+/**
+ * Runs a program to its end, however long that takes, and captures what it prints. No shell is
+ * involved; signals of the terminal reach it.
+ * @param arguments  the program, searched as by FindProgram(), and its arguments.
+ * @throws CARGoSException naming the program and the system's reason, if it cannot be started.
+ */
+SProgramOutput RunProgram(const std::vector<std::string>& arguments);
+
 /**
  * Runs another program, and feeds its standard input. No shell is involved.
  *

@@ -5,6 +5,7 @@
 
 #include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/logging/argos_log.h>
+#include <argos3/support/child_process.h>
 
 #include <fcntl.h>
 #include <sys/prctl.h>
@@ -112,11 +113,7 @@ std::string CWorkerProcess::AwaitDeath() {
   while (waitpid(m_process, &status, 0) < 0 && errno == EINTR) {
   }
   m_process = -1;
-  if (WIFSIGNALED(status)) {
-    const int signal = WTERMSIG(status);
-    return "signal " + std::to_string(signal) + " (" + strsignal(signal) + ")";
-  }
-  return "exit status " + std::to_string(WEXITSTATUS(status));
+  return DescribeEnd(status).Description;
 }
 
 }  // namespace argos
