@@ -15,16 +15,6 @@ class b2Body;
 
 namespace argos {
 
-class CDynamics2DBody;
-class CEmbodiedEntity;
-
-/** The engine's references to a body: Model and Body are null for a wall of the region. */
-struct SPlanarOwner {
-  CDynamics2DBody* Model = nullptr;
-  CEmbodiedEntity* Body = nullptr;
-  SPlanarHandle* Handle = nullptr;  // receives the slot of the body
-};
-
 /** A wall or another object that never moves by itself. */
 struct SImmovableBody {
   SPlanarOwner Owner;

@@ -93,11 +93,7 @@ void CPlanarStore::DestroyBody(b2Body& body) {
 
 // of a body that is about to get the last slot
 SPlanarHandle CPlanarStore::MakeHandle(EPlanarKind kind, size_t slot) {
-  SPlanarHandle handle;
-  handle.Kind = kind;
-  handle.Slot = static_cast<UInt32>(slot);
-  handle.Generation = m_generations[static_cast<size_t>(kind)].Add();
-  return handle;
+  return {kind, static_cast<UInt32>(slot), m_generations[static_cast<size_t>(kind)].Add()};
 }
 
 void CPlanarStore::AddImmovable(const SPlanarOwner& owner, const SBodyDescription& description,

@@ -171,7 +171,7 @@ void CKinematics2DEngine::AddToWorld(CKinematics2DModel& model) {
   const CEmbodiedEntity& body = model.GetEmbodiedEntity();
   const SBodyDescription& description = *body.GetBodyDescription();
   const SPlanarPose pose = ToFrame(ReadPose(body));
-  const SKinematicOwner owner{&model, &model.m_handle, &model.GetEmbodiedEntity()};
+  const SKinematicOwner owner{&model, &model.GetEmbodiedEntity(), &model.m_handle};
   if (!body.IsMovable()) {
     m_world->AddImmovable(owner, description, pose);
     return;

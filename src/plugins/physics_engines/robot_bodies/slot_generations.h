@@ -3,6 +3,7 @@
 
 #include <argos3/core/utility/configuration/argos_exception.h>
 #include <argos3/core/utility/datatypes/datatypes.h>
+#include <argos3/plugins/simulator/physics_engines/robot_bodies/body_handle.h>
 
 #include <cstddef>
 #include <vector>

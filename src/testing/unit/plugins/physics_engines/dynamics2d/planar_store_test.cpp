@@ -19,7 +19,7 @@ TEST_CASE("planar store: handles follow the bodies", "[dynamics2d]") {
   // bodies 0, 3, 6 are robots, 1, 4, 7 boxes, 2, 5, 8 walls
   for (const size_t first : {0U, 1U, 2U}) {
     scene.Store.Remove(scene.Bodies[first].Handle);
-    CHECK_FALSE(scene.Bodies[first].Handle.IsInWorld());
+    CHECK(scene.Bodies[first].Handle.Slot == SPlanarHandle::kNowhere);
     CHECK(scene.Bodies[first + 6].Handle.Slot == 0);
     CHECK(scene.Bodies[first + 3].Handle.Slot == 1);
     CHECK(scene.Store.GetOwner(scene.Bodies[first + 6].Handle).Body ==

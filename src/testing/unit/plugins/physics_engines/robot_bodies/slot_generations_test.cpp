@@ -8,17 +8,14 @@ namespace slot_generations_test {
 using namespace argos;
 
 TEST_CASE("slot generations: a slot that is used again has another generation", "[engines]") {
-  struct SHandle {
-    UInt32 Slot, Generation;
-  };
   CSlotGenerations generations;
-  const SHandle first{0, generations.Add()};
-  const SHandle second{1, generations.Add()};
+  const SSlotHandle first{0, generations.Add()};
+  const SSlotHandle second{1, generations.Add()};
   generations.Check(first);
   generations.Check(second);
 
   // the second body gets slot 0
-  const SHandle moved{0, generations.Remove(0)};
+  const SSlotHandle moved{0, generations.Remove(0)};
   CHECK(moved.Generation == generations.Get(0));
   CHECK(generations.IsCurrent(0, moved.Generation));
   CHECK_FALSE(generations.IsCurrent(0, first.Generation));
@@ -27,12 +24,12 @@ TEST_CASE("slot generations: a slot that is used again has another generation", 
   CheckCaught([&] { generations.Check(second); }, "slot 1, among 1 bodies");
   CheckCaught([&] { static_cast<void>(generations.Get(1)); }, "no body in slot 1 of 1");
 
-  const SHandle third{1, generations.Add()};
+  const SSlotHandle third{1, generations.Add()};
   CHECK(generations.IsCurrent(1, third.Generation));
   CHECK_FALSE(generations.IsCurrent(1, second.Generation));
 
   generations.Clear();
-  const SHandle fourth{0, generations.Add()};
+  const SSlotHandle fourth{0, generations.Add()};
   CHECK(generations.IsCurrent(0, fourth.Generation));
   CHECK_FALSE(generations.IsCurrent(0, moved.Generation));
 }
