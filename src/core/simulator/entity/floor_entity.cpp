@@ -4,15 +4,12 @@
 #include <argos3/core/simulator/context/simulation_context.h>
 #include <argos3/core/simulator/entity/floor_painter.h>
 #include <argos3/core/simulator/entity/robots_code.h>
-#include <argos3/core/simulator/images/image_decoding.h>
-#include <argos3/core/simulator/images/image_encoding.h>
+#include <argos3/core/simulator/images/image_file.h>
 #include <argos3/core/utility/errors/exception_text.h>
 #include <argos3/core/utility/errors/running_code.h>
 #include <argos3/core/utility/files/file_replacement.h>
 #include <argos3/core/utility/files/nearby_file.h>
 #include <argos3/core/utility/text/string_utilities.h>
-
-#include <FreeImage.h>
 
 #include <algorithm>
 #include <cmath>
@@ -27,25 +24,7 @@ struct SPixel {
   UInt8 Red, Green, Blue;
 };
 
-struct SBitmapDeleter {
-  void operator()(FIBITMAP* bitmap) const { FreeImage_Unload(bitmap); }
-};
-using TBitmap = std::unique_ptr<FIBITMAP, SBitmapDeleter>;
-
-void WriteBitmap(FIBITMAP& bitmap, const std::string& path) {
-  const FREE_IMAGE_FORMAT format = FreeImage_GetFIFFromFilename(path.c_str());
-  if (format == FIF_UNKNOWN || !FreeImage_FIFSupportsWriting(format) ||
-      !FreeImage_FIFSupportsExportBPP(format, 24)) {
-    THROW_ARGOSEXCEPTION("cannot save the floor as "
-                         << DescribePath(path)
-                         << ": the extension must be one of an image format with 24-bit colours, "
-                            "such as .png, .jpg, .bmp or .tif");
-  }
-  std::string problem;
-  if (!ReplaceFile(path, EncodeImage(bitmap, format, 0), problem)) {
-    THROW_ARGOSEXCEPTION("cannot write the floor to " << DescribePath(path) << ": " << problem);
-  }
-}
+static_assert(sizeof(SPixel) == 3, "rows of pixels are encoded as they are");
 
 }  // namespace
 
@@ -66,23 +45,20 @@ class CFloorEntity::CImage {
   size_t GetHeight() const { return m_pixels.size() / m_width; }
   SPixel& At(size_t column, size_t row) { return m_pixels[row * m_width + column]; }
 
-  TBitmap ToBitmap() {
-    TBitmap bitmap(
-        FreeImage_Allocate(static_cast<int>(m_width), static_cast<int>(GetHeight()), 24));
-    if (!bitmap) {
-      THROW_ARGOSEXCEPTION("a floor image of " << m_width << " x " << GetHeight()
-                                               << " pixels does not fit in memory");
+  void Write(const std::string& path) const {
+    const std::optional<SImageFormat> format = FindImageFormat(path);
+    if (!format) {
+      THROW_ARGOSEXCEPTION("cannot save the floor as "
+                           << DescribePath(path)
+                           << ": the extension must be one of an image format with 24-bit colours, "
+                              "such as .png, .jpg, .bmp or .tif");
     }
-    for (size_t row = 0; row < GetHeight(); ++row) {
-      BYTE* line = FreeImage_GetScanLine(bitmap.get(), static_cast<int>(row));
-      for (size_t column = 0; column < m_width; ++column, line += 3) {
-        const SPixel pixel = At(column, row);
-        line[FI_RGBA_RED] = pixel.Red;
-        line[FI_RGBA_GREEN] = pixel.Green;
-        line[FI_RGBA_BLUE] = pixel.Blue;
-      }
+    const SPixelView pixels{m_width, GetHeight(), &m_pixels.front().Red,
+                            static_cast<std::ptrdiff_t>(sizeof(SPixel) * m_width), sizeof(SPixel)};
+    std::string problem;
+    if (!ReplaceFile(path, EncodeImage(pixels, *format), problem)) {
+      THROW_ARGOSEXCEPTION("cannot write the floor to " << DescribePath(path) << ": " << problem);
     }
-    return bitmap;
   }
 
  private:
@@ -206,7 +182,7 @@ CColor CFloorEntity::GetColorAtPoint(Real x, Real y) {
 
 void CFloorEntity::SaveAsImage(const std::string& path) {
   if (m_source == FROM_IMAGE) {
-    WriteBitmap(*m_image->ToBitmap(), path);
+    m_image->Write(path);
     return;
   }
   const CVector3& size = m_context.Arena.Size;
@@ -218,13 +194,13 @@ void CFloorEntity::SaveAsImage(const std::string& path) {
   CImage image(toPixels(size.GetX()), toPixels(size.GetY()));
   for (size_t row = 0; row < image.GetHeight(); ++row) {
     for (size_t column = 0; column < image.GetWidth(); ++column) {
-      // at the middle of the pixel
+      // colour at the middle of the pixel
       const CColor color = GetColorAtPoint(corner.GetX() + (column + 0.5) / density,
                                            corner.GetY() + (row + 0.5) / density);
       image.At(column, row) = {color.GetRed(), color.GetGreen(), color.GetBlue()};
     }
   }
-  WriteBitmap(*image.ToBitmap(), path);
+  image.Write(path);
 }
 
 REGISTER_ENTITY(

@@ -1,7 +1,7 @@
 #ifndef ARGOS3_CORE_SIMULATOR_PLACEMENT_WALLS_H
 #define ARGOS3_CORE_SIMULATOR_PLACEMENT_WALLS_H
 
-#include <argos3/core/simulator/images/image_decoding.h>
+#include <argos3/core/simulator/images/image_file.h>
 #include <argos3/core/utility/configuration/argos_configuration.h>
 #include <argos3/core/utility/math/angles.h>
 #include <argos3/core/utility/math/range.h>

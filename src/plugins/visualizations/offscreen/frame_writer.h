@@ -1,6 +1,7 @@
 #ifndef ARGOS3_PLUGINS_VISUALIZATIONS_OFFSCREEN_FRAME_WRITER_H
 #define ARGOS3_PLUGINS_VISUALIZATIONS_OFFSCREEN_FRAME_WRITER_H
 
+#include <argos3/core/simulator/images/image_file.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/picture_sink.h>
 #include <argos3/plugins/simulator/visualizations/scene/frame_files.h>
 
@@ -69,8 +70,7 @@ class CFrameWriter : public CPictureSink {
 
   SFrameFileSettings m_settings;
   std::optional<CFrameFiles> m_files;  // set by the constructor
-  int m_format = -1;  // FreeImage's number
-  int m_flags = 0;  // FreeImage's
+  SImageFormat m_format;
   std::unique_ptr<CLockFile> m_lock;  // during a run
 };
 

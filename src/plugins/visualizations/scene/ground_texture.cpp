@@ -1,6 +1,6 @@
 #include <argos3/plugins/simulator/visualizations/scene/ground_texture.h>
 
-#include <argos3/core/simulator/images/image_decoding.h>
+#include <argos3/core/simulator/images/image_file.h>
 #include <argos3/core/utility/files/nearby_file.h>
 #include <argos3/core/utility/text/string_utilities.h>
 

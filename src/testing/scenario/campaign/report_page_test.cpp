@@ -3,7 +3,7 @@
 #include "../command_line/program_run.h"
 #include "campaign_world.h"
 
-#include <argos3/core/simulator/images/image_decoding.h>
+#include <argos3/core/simulator/images/image_file.h>
 #include <argos3/support/child_process.h>
 
 #include <catch2/catch.hpp>

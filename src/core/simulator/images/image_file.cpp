@@ -1,4 +1,4 @@
-#include <argos3/core/simulator/images/image_decoding.h>
+#include <argos3/core/simulator/images/image_file.h>
 
 #include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/files/input_file.h>
@@ -12,6 +12,11 @@
 namespace argos {
 
 namespace {
+
+constexpr int kBitsPerPixel = 24;
+// zlib has 1 to 9. This takes a quarter to a half less time than 6, libpng's own, for files up to a
+// fifth larger
+constexpr int kFastPngLevel = 3;
 
 struct SBitmapDeleter {
   void operator()(FIBITMAP* bitmap) const { FreeImage_Unload(bitmap); }
