@@ -18,6 +18,15 @@ namespace argos {
 
 namespace {
 
+// bytes that most devices and controllers use in every tick, from their beginning; of a controller
+// also from the end of its base
+constexpr size_t kSensorBytes = 160;
+constexpr size_t kActuatorBytes = 80;
+constexpr size_t kControllerBytes = 96;
+static_assert(kSensorBytes > sizeof(CSimulatedSensor) &&
+                  kActuatorBytes > sizeof(CSimulatedActuator),
+              "the members of derived classes are behind those of the base");
+
 // a <sensors> or <actuators> section, or null: it may be left out
 TConfigurationNode* FindSection(TConfigurationNode& controllerNode, const std::string& tag) {
   return NodeExists(controllerNode, tag) ? &GetNode(controllerNode, tag) : nullptr;
@@ -502,6 +511,37 @@ void CControllableEntity::AddIntersectionPoint(const CRay3& ray, Real tOnRay) {
   CVector3 point;
   ray.GetPoint(point, tOnRay);
   m_vecIntersectionPoints.push_back(point);
+}
+
+void CControllableEntity::LoadEntityAhead() const {
+  LoadAhead(this, 1);  // the pointer to its virtual functions
+  const auto* const begin = reinterpret_cast<const char*>(&m_pcController);
+  LoadAhead(begin, reinterpret_cast<const char*>(&m_vecIntersectionPoints + 1) - begin);
+}
+
+void CControllableEntity::LoadActuatorsAhead() const {
+  for (const CSimulatedActuator* actuator : m_actuators) {
+    LoadAhead(actuator, kActuatorBytes);
+  }
+}
+
+void CControllableEntity::LoadSensorsAhead() const {
+  for (const SSensorEntry& sensor : m_sensors) {
+    LoadAhead(sensor.Simulated, kSensorBytes);
+  }
+}
+
+void CControllableEntity::LoadControllerAhead() const {
+  if (m_pcController != nullptr) {
+    LoadAhead(m_pcController, 1);
+    LoadAhead(m_pcController + 1, kControllerBytes);
+  }
+}
+
+void CControllableEntity::ListMemory(std::vector<SMemory>& memory) const {
+  for (const SSensorEntry& sensor : m_sensors) {
+    sensor.Simulated->ListMemory(memory);
+  }
 }
 
 }  // namespace argos

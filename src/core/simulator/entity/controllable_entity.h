@@ -18,7 +18,6 @@
 namespace argos {
 
 class CLoadErrors;
-class CLookAhead;
 class CSignalSafeText;
 class CSimulator;
 class CSpace;
@@ -121,12 +120,20 @@ class CControllableEntity : public CEntity {
   const std::map<std::string, CSimulatedActuator*>& GetActuators() const;
   const std::map<std::string, CSimulatedSensor*>& GetSensors() const;
 
+  // For CLookAhead, which prefetches what a tick uses of a robot: these functions read the entity,
+  // which LoadEntityAhead() has prefetched before.
+  void LoadEntityAhead() const;
+  void LoadActuatorListAhead() const { LoadAhead(m_actuators.data(), 1); }
+  void LoadActuatorsAhead() const;
+  void LoadSensorsAhead() const;
+  void LoadControllerAhead() const;
+  /** Appends CSimulatedSensor::ListMemory() of the sensors. */
+  void ListMemory(std::vector<SMemory>& memory) const;
+
  protected:
   CCI_Controller* m_pcController = nullptr;  // owned through m_controller
 
  private:
-  friend class CLookAhead;
-
   struct SSensorEntry {
     CSimulatedSensor* Simulated;
     CCI_Sensor* Interface;  // the same object

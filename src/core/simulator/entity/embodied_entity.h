@@ -13,7 +13,6 @@
 namespace argos {
 
 class CBodyIndex;
-class CLookAhead;
 struct SBodyDescription;
 
 /**
@@ -149,6 +148,8 @@ class CEmbodiedEntity : public CEntity {
 
   /** Number of this body in the space's index, or CBodyIndex::kNoBody. */
   UInt32 GetBodyNumber() const { return m_bodyNumber; }
+  /** Where it is stored, to prefetch it. */
+  const UInt32* GetBodyNumberAddress() const { return &m_bodyNumber; }
   /** Adds the body, which has a description and is in no index, to the space's index. */
   void EnterIndex(CBodyIndex& index);
   /** Removes it from there; does nothing if it is in none. */
@@ -167,7 +168,6 @@ class CEmbodiedEntity : public CEntity {
  private:
   [[noreturn]] void ThrowNotFinite(const CVector3& position, const CQuaternion& orientation) const;
   friend struct SAnchor;
-  friend class CLookAhead;
   SBodyPose FindPossiblePose(const SBodyPose& pose) const;
   void MoveModelsTo(const CVector3& position, const CQuaternion& orientation);
   void ConfirmMove();

@@ -2,8 +2,11 @@
 #define ARGOS3_CORE_SIMULATOR_ENTITY_SENSOR_H
 
 #include <argos3/core/control_interface/ci_sensor.h>
+#include <argos3/core/utility/memory/load_ahead.h>
 #include <argos3/core/utility/memory/object_slabs.h>
 #include <argos3/core/utility/plugins/factory.h>
+
+#include <vector>
 
 namespace argos {
 
@@ -22,6 +25,12 @@ class CSimulatedSensor : public CSlabObject {
   virtual void SetRobot(CComposableEntity& robot) = 0;
   /** Called every tick after physics and media, unless the sensor was disabled. */
   virtual void Update() = 0;
+  /**
+   * Not in ARGoS 3. Appends memory apart from the sensor that Update() uses for this robot only,
+   * such as an array of readings, which the tick then prefetches. Called when the robots of the
+   * space have changed: what is reallocated later is not prefetched.
+   */
+  virtual void ListMemory(std::vector<SMemory>& /*memory*/) const {}
 };
 
 }  // namespace argos

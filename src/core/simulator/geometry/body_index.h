@@ -21,7 +21,6 @@
 namespace argos {
 
 class CEmbodiedEntity;
-class CLookAhead;
 class CThreadPool;
 
 /**
@@ -159,9 +158,10 @@ class CBodyIndex {
                      const CQuaternion& orientation, UInt32 ignored,
                      const SBodyPose* links = nullptr) const;
 
- private:
-  friend class CLookAhead;
+  /** Prefetches the lists that a query around a small body at (x, y), m, with that reach reads. */
+  void LoadListsAhead(Real x, Real y, Real reach) const;
 
+ private:
   struct SPose {
     Real X, Y, Z;  // m, world frame, of the origin anchor
     Real Cos, Sin;  // of the yaw, if upright
@@ -189,7 +189,7 @@ class CBodyIndex {
     SPlanarCell FirstCell;  // in which it is listed
   };
 
-  // of several solids, m, world frame
+  // range of the heights of several solids, m, world frame
   struct SHeights {
     Real Min = HUGE_VAL, Max = -HUGE_VAL;
 

@@ -3,6 +3,7 @@
 #include <argos3/core/simulator/geometry/convex_solid.h>
 #include <argos3/core/simulator/geometry/shape_overlap.h>
 #include <argos3/core/simulator/geometry/solid_overlap.h>
+#include <argos3/core/utility/memory/load_ahead.h>
 
 #include <limits>
 
@@ -193,7 +194,7 @@ UInt32 CBodyIndex::FindOverlap(const SBodyDescription& description, const CVecto
       if (other.Body == ignored || other.Body >= found || !ShapesOverlap(shape, other)) {
         return;
       }
-      // of other solids, ShapesOverlap() has tested the bounds only
+      // ShapesOverlap() has tested only the bounds of other solids
       const bool isExact =
           shape.Kind != SIndexedShape::EKind::Bounds && other.Kind != SIndexedShape::EKind::Bounds;
       if (isExact || SolidsOverlap({&solid, placed.Position, placed.Orientation}, place(other))) {
@@ -202,6 +203,18 @@ UInt32 CBodyIndex::FindOverlap(const SBodyDescription& description, const CVecto
     });
   }
   return found;
+}
+
+void CBodyIndex::LoadListsAhead(Real x, Real y, Real reach) const {
+  if (m_shapes.empty()) {
+    return;
+  }
+  // the radius of this body and that of the other one are both at most SmallReach()
+  const SCellRange cells = m_grid.CellsAround(x, y, reach + 2.0 * SmallReach());
+  m_grid.ForRows(cells, [this](UInt32 first, UInt32 last) {
+    const UInt32 begin = m_sort.Begin(first);
+    LoadAhead(m_shapes.data() + begin, (m_sort.End(last) - begin) * sizeof(SPackedShape));
+  });
 }
 
 }  // namespace argos

@@ -1,7 +1,7 @@
 #ifndef ARGOS3_CORE_SIMULATOR_TICK_LOOK_AHEAD_H
 #define ARGOS3_CORE_SIMULATOR_TICK_LOOK_AHEAD_H
 
-#include <argos3/core/simulator/entity/array_sensor.h>
+#include <argos3/core/utility/datatypes/datatypes.h>
 #include <argos3/core/utility/memory/load_ahead.h>
 
 #include <algorithm>
@@ -26,8 +26,7 @@ struct SRobotVisit {
  * A loop over robots follows pointers from the robot to its devices, and sensing reads the solids
  * around each robot, which may be anywhere in the arena: hardware prefetchers predict neither. So
  * while the loop visits a robot, the cache lines that later robots need are prefetched in stages: a
- * stage dereferences only what an earlier stage has loaded. Has no effect on results. Private to
- * the tick.
+ * stage dereferences only what an earlier stage has loaded. Has no effect on results.
  */
 class CLookAhead {
  public:
@@ -45,15 +44,15 @@ class CLookAhead {
  private:
   struct SRobot {
     const SAnchor* Origin;  // of its body; null if it has none
-    UInt32 EndOfArrays;  // in m_arrays; they begin where those of the robot before end
+    UInt32 EndOfMemory;  // in m_memory; it begins where that of the robot before ends
   };
-  // The place of an array in one word: there are several for each robot. A place that does not fit
-  // is not prefetched correctly, which costs time only.
-  class CPlace {
+  // SMemory in one word: there are several for each robot. A range that does not fit is not
+  // prefetched correctly, which costs time only.
+  class CPackedMemory {
    public:
-    CPlace(const CArraySensor::SArray& array)
-        : m_start(reinterpret_cast<UInt64>(array.Start)),
-          m_bytes(std::min<size_t>(array.Bytes, (1U << 16) - 1)) {}
+    CPackedMemory(const SMemory& memory)
+        : m_start(reinterpret_cast<UInt64>(memory.Start)),
+          m_bytes(std::min<size_t>(memory.Bytes, (1U << 16) - 1)) {}
     void Load() const {
       LoadAhead(reinterpret_cast<const void*>(static_cast<UInt64>(m_start)), m_bytes);
     }
@@ -62,15 +61,13 @@ class CLookAhead {
     UInt64 m_start : 48;
     UInt64 m_bytes : 16;
   };
-
-  static void LoadHead(const CControllableEntity& robot);
-  void LoadAround(const SRobot& robot, const CBodyIndex& index, bool lists) const;
+  static_assert(sizeof(CPackedMemory) == sizeof(void*) && sizeof(void*) == sizeof(UInt64));
 
   const CControllableEntity& GetRobot(size_t visit) const { return *(*m_visits)[visit].Robot; }
 
   const std::vector<SRobotVisit>* m_visits = nullptr;
   std::vector<SRobot> m_robots;  // in the same order; empty if there are few
-  std::vector<CPlace> m_arrays;  // that the robots' sensors read and write
+  std::vector<CPackedMemory> m_memory;  // that only the robot's sensors use
 };
 
 }  // namespace argos

@@ -21,7 +21,6 @@
 #include <algorithm>
 #include <chrono>
 #include <exception>
-#include <mutex>
 #include <string>
 #include <type_traits>
 
@@ -325,7 +324,7 @@ void CTick::SenseAndControl() {
                   [](const CPhysicsEngine* engine) { return engine->HasBodiesOutsideIndex(); }));
   // a controller writes only into its own robot's actuators, which no sensor reads in this phase:
   // so all robots of a run may sense before the first of them is controlled
-  std::mutex timesMutex;
+  m_robotTimes.assign(m_context.Pool->GetNumThreads(), SRobotTimes());
   const auto senseAndControl = [&](size_t first, size_t last, UInt32 thread, UInt64 firstPlace) {
     Real sense = 0.0;
     Real control = 0.0;
@@ -333,7 +332,7 @@ void CTick::SenseAndControl() {
     // may fail: the robot that is reported is the first in order, however they are dealt.
     std::exception_ptr failure;
     size_t sensed = first;
-    Timed(m_times ? &sense : nullptr, [&] {
+    Timed(m_times != nullptr ? &times.Sense : nullptr, [&] {
       try {
         ForRobots(
             m_context, {m_visits, first, last, thread, firstPlace, {"a sensor", true}},
@@ -347,18 +346,13 @@ void CTick::SenseAndControl() {
         failure = std::current_exception();
       }
     });
-    Timed(m_times ? &control : nullptr, [&] {
+    Timed(m_times != nullptr ? &times.Control : nullptr, [&] {
       ForRobots(
           m_context, {m_visits, first, sensed, thread, firstPlace, {"ControlStep()", false}},
           [](CControllableEntity& robot) { robot.ControlStep(); }, [](size_t) {});
     });
     if (failure) {
       std::rethrow_exception(failure);
-    }
-    if (m_times != nullptr) {
-      const std::lock_guard<std::mutex> lock(timesMutex);
-      m_times->Sense += sense;
-      m_times->Control += control;
     }
   };
   InLogOrder(m_visits.size(), [&](UInt64 firstPlace) {
@@ -370,6 +364,12 @@ void CTick::SenseAndControl() {
           }
         });
   });
+  if (m_times != nullptr) {
+    for (const SRobotTimes& times : m_robotTimes) {
+      m_times->Sense += times.Sense;
+      m_times->Control += times.Control;
+    }
+  }
   TakeRecords("ControlStep()", false);
 }
 

@@ -42,8 +42,15 @@ class CTick {
   void BeginRecords();
   void TakeRecords(const char* call, bool isDevice);
 
+  // on a cache line of its own, because each thread writes to one of them
+  struct alignas(64) SRobotTimes {
+    Real Sense = 0.0;  // s
+    Real Control = 0.0;  // s
+  };
+
   SSimulationContext& m_context;
   STickTimes* m_times = nullptr;
+  std::vector<SRobotTimes> m_robotTimes;  // of the present phase, by thread
   CPhaseCost m_actCost, m_senseCost;  // of robots
   CPhaseCost m_ghostCost, m_engineCost, m_mediumCost;
   std::vector<SRobotVisit> m_visits;

@@ -5,6 +5,12 @@
 
 namespace argos {
 
+/** A range of memory that is to be prefetched. */
+struct SMemory {
+  const void* Start;
+  size_t Bytes;
+};
+
 /**
  * Prefetches cache lines that will be read soon; has no effect on results. For loops
  * over objects that are scattered in memory.

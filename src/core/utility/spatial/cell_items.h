@@ -79,8 +79,6 @@ class CCellItems {
                  "the cells from " << first << " to " << last << " have no list of items");
     return {m_items.data() + m_sort.Begin(first), m_items.data() + m_sort.End(last)};
   }
-  /** Where the lists of a cell and the next ones begin is stored from here on, for prefetching. */
-  const UInt32* GetStartAddress(UInt32 cell) const { return m_sort.GetStartAddress(cell); }
 
  private:
   struct SListing {

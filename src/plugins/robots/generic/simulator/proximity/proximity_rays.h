@@ -1,8 +1,8 @@
 #ifndef ARGOS3_PLUGINS_ROBOTS_GENERIC_SIMULATOR_PROXIMITY_PROXIMITY_RAYS_H
 #define ARGOS3_PLUGINS_ROBOTS_GENERIC_SIMULATOR_PROXIMITY_PROXIMITY_RAYS_H
 
-#include <argos3/core/simulator/entity/array_sensor.h>
 #include <argos3/core/utility/configuration/argos_configuration.h>
+#include <argos3/core/utility/memory/load_ahead.h>
 #include <argos3/plugins/robots/generic/simulator/noise.h>
 #include <argos3/plugins/robots/generic/simulator/ray_caster.h>
 #include <argos3/plugins/simulator/entities/proximity_sensor_equipped_entity.h>
@@ -45,9 +45,9 @@ class CProximityRays {
   void SetRange(Real range) { m_range = range; }
 
   size_t GetNumSensors() const { return m_sensors->GetNumSensors(); }
-  /** See CArraySensor::ListInputs(). */
-  void ListInputs(std::vector<CArraySensor::SArray>& inputs) const {
-    inputs.push_back({m_sensors->GetLayoutAddress(), sizeof(void*)});
+  /** See CSimulatedSensor::ListMemory(). */
+  void ListMemory(std::vector<SMemory>& memory) const {
+    memory.push_back({m_sensors->GetLayoutAddress(), sizeof(void*)});
   }
 
   /** For sensors whose derived classes find the robot's parts themselves. */
