@@ -1,6 +1,7 @@
 #include <argos3/program/query_plugins.h>
 
 #include <argos3/core/utility/logging/argos_log.h>
+#include <argos3/core/utility/text/lists.h>
 #include <argos3/program/catalogue/answer.h>
 #include <argos3/program/catalogue/device_facts.h>
 #include <argos3/program/catalogue/facts_json.h>
@@ -31,10 +32,7 @@ std::string WriteText(const std::string& query, const SAnswer& answer,
     }
   }
   if (!answer.Others.empty()) {
-    std::string others;
-    for (const std::string& label : answer.Others) {
-      others += (others.empty() ? "" : ", ") + label;
-    }
+    const std::string others = JoinItems(answer.Others);
     text += Wrapped("See also: " + others, 0, 2);
   }
   return text;

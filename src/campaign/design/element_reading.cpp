@@ -1,5 +1,6 @@
 #include <argos3/campaign/design/element_reading.h>
 
+#include <argos3/core/utility/text/lists.h>
 #include <argos3/core/utility/text/string_utilities.h>
 
 #include <algorithm>
@@ -124,7 +125,7 @@ size_t ReadChoice(TConfigurationNode& node, const std::string& attribute,
   if (found == choices.end()) {
     std::string known;
     for (const std::string& choice : choices) {
-      known += (known.empty() ? "\"" : ", \"") + choice + '"';
+      AppendQuoted(known, choice);
     }
     const std::string nearest = NearestNames(text, choices, 1);
     ThrowAt(node, "attribute \"" + attribute + "\": expected one of " + known + ", found \"" +

@@ -2,6 +2,7 @@
 
 #include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/files/input_file.h>
+#include <argos3/core/utility/text/lists.h>
 #include <argos3/core/utility/text/string_utilities.h>
 
 #include <fmt/format.h>
@@ -89,10 +90,7 @@ void CTableFile::Throw(const std::string& problem) const {
 size_t CTableFile::FindColumn(const std::string& name) const {
   const auto column = m_columns.find(name);
   if (column == m_columns.end()) {
-    std::string known;
-    for (const std::string& each : m_names) {
-      known += (known.empty() ? "" : ", ") + each;
-    }
+    const std::string known = JoinItems(m_names);
     Throw("there is no column \"" + name + "\"; columns: " + known);
   }
   return column->second;

@@ -5,6 +5,7 @@
 #include <argos3/campaign/report/gnuplot_text.h>
 #include <argos3/campaign/report/report_text.h>
 #include <argos3/core/utility/errors/argos_exception.h>
+#include <argos3/core/utility/text/lists.h>
 #include <argos3/core/utility/text/string_utilities.h>
 
 #include <fmt/format.h>
@@ -76,7 +77,7 @@ std::string DescribePooled(const CReportData& data, const std::vector<std::strin
     const std::string& name = data.GetCampaign().Factors[factor].Name;
     if (data.GetLevels(factor).size() > 1 &&
         std::find(shown.begin(), shown.end(), name) == shown.end()) {
-      names += (names.empty() ? "" : ", ") + name;
+      AppendItem(names, name);
     }
   }
   return names.empty() ? "" : " Runs at all levels of " + names + " are taken together.";

@@ -1,6 +1,7 @@
 #include <argos3/campaign/report/gnuplot_text.h>
 
 #include <argos3/campaign/report/report_text.h>
+#include <argos3/core/utility/text/lists.h>
 
 #include <fmt/format.h>
 
@@ -55,7 +56,7 @@ std::string MakeTics(const std::string& axis,
   std::string list;
   size_t letters = 0;
   for (const auto& [place, label] : placesAndLabels) {
-    list += (list.empty() ? "" : ", ") + QuoteForGnuplot(label) + ' ' + FormatForGnuplot(place);
+    AppendItem(list, QuoteForGnuplot(label) + ' ' + FormatForGnuplot(place));
     letters += label.size() + 2;
   }
   const bool isRotated = axis == "x" && letters > kLettersOfAxis;

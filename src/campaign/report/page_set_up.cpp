@@ -1,5 +1,6 @@
 #include <argos3/campaign/report/page_parts.h>
 #include <argos3/campaign/report/report_text.h>
+#include <argos3/core/utility/text/lists.h>
 
 #include <fmt/format.h>
 
@@ -69,11 +70,7 @@ std::string ListPaths(const SFactor& factor) {
       }
     }
   }
-  std::string text;
-  for (const std::string& path : paths) {
-    text += (text.empty() ? "" : ", ") + path;
-  }
-  return text;
+  return JoinItems(paths);
 }
 
 std::string JoinLevels(const std::vector<std::string>& levels) {

@@ -1,6 +1,7 @@
 #include <argos3/campaign/report/report_data.h>
 
 #include <argos3/core/utility/errors/argos_exception.h>
+#include <argos3/core/utility/text/lists.h>
 #include <argos3/core/utility/text/string_utilities.h>
 
 #include <algorithm>
@@ -114,7 +115,7 @@ std::string CReportData::DescribeCombination(size_t combination,
   const std::vector<std::string>& values = m_campaign.Combinations.at(combination).Values;
   for (size_t factor = 0; factor < values.size(); ++factor) {
     if (!Contains(without, factor)) {
-      text += (text.empty() ? "" : ", ") + m_campaign.Factors[factor].Name + " = " + values[factor];
+      AppendItem(text, m_campaign.Factors[factor].Name + " = " + values[factor]);
     }
   }
   return text;

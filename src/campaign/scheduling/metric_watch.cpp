@@ -1,6 +1,7 @@
 #include <argos3/campaign/scheduling/metric_watch.h>
 
 #include <argos3/campaign/store/failed_runs.h>
+#include <argos3/core/utility/text/lists.h>
 
 #include <fmt/format.h>
 
@@ -38,7 +39,7 @@ std::string CMetricWatch::TakeWarning(bool isEnd) {
   }
   std::string names;
   for (const std::string& name : m_missing) {
-    names += (names.empty() ? "\"" : ", \"") + name + '"';
+    AppendQuoted(names, name);
   }
   m_missing.clear();
   return fmt::format(

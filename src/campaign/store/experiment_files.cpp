@@ -3,6 +3,7 @@
 #include <argos3/core/utility/configuration/argos_configuration.h>
 #include <argos3/core/utility/datatypes/digest.h>
 #include <argos3/core/utility/files/input_file.h>
+#include <argos3/core/utility/text/lists.h>
 #include <argos3/core/utility/text/string_utilities.h>
 
 #include <fmt/format.h>
@@ -107,7 +108,7 @@ std::string ListChangedFiles(const std::string& before, const std::string& now) 
   for (const auto& [name, description] : SplitDescriptions(now)) {
     const auto other = old.find(name);
     if (other != old.end() && other->second != description) {
-      changed += (changed.empty() ? "" : ", ") + name;
+      AppendItem(changed, name);
     }
   }
   return changed;

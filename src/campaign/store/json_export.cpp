@@ -1,6 +1,7 @@
 #include <argos3/campaign/store/result_export.h>
 
 #include <argos3/core/utility/files/output_file.h>
+#include <argos3/core/utility/text/lists.h>
 #include <argos3/core/utility/text/string_utilities.h>
 #include <argos3/core/utility/text/utf8.h>
 
@@ -129,7 +130,7 @@ class CSeriesWriter {
         seed = s;
       }
       m_file << (m_values.empty() ? "" : ", ") << tick;
-      m_values += (m_values.empty() ? "" : ", ") + FormatNumber(value);
+      AppendItem(m_values, FormatNumber(value));
     });
     End(isOpen);
   }

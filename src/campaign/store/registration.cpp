@@ -2,6 +2,7 @@
 #include <argos3/campaign/store/result_schema.h>
 #include <argos3/campaign/store/result_store.h>
 #include <argos3/core/utility/errors/argos_exception.h>
+#include <argos3/core/utility/text/lists.h>
 
 #include <fmt/format.h>
 
@@ -14,7 +15,7 @@ namespace {
 std::string Join(const std::vector<std::string>& names) {
   std::string text;
   for (const std::string& name : names) {
-    text += (text.empty() ? "\"" : ", \"") + name + '"';
+    AppendQuoted(text, name);
   }
   return text.empty() ? "none" : text;
 }

@@ -1,4 +1,5 @@
 #include <argos3/core/control_interface/ci_controller.h>
+#include <argos3/core/utility/text/lists.h>
 
 #include <cxxabi.h>
 
@@ -151,10 +152,7 @@ void CCI_Controller::AddSensor(const std::string& type, CCI_Sensor* sensor) {
 
 void CCI_Controller::ThrowDeviceMissing(const std::string& kind, const std::string& type,
                                         const std::vector<std::string>& types) const {
-  std::string all;
-  for (const std::string& known : types) {
-    all += (all.empty() ? "" : ", ") + known;
-  }
+  const std::string all = JoinItems(types);
   const std::string near = NearestNames(type, types);
   THROW_ARGOSEXCEPTION("Robot \"" << m_strId << "\": its controller requests the " << kind << " \""
                                   << type << "\", which is not in the <" << kind

@@ -10,6 +10,7 @@
 #include <argos3/core/utility/errors/running_code.h>
 #include <argos3/core/utility/errors/signal_safe_text.h>
 #include <argos3/core/utility/plugins/unknown_label.h>
+#include <argos3/core/utility/text/lists.h>
 #include <argos3/core/utility/text/string_utilities.h>
 
 #include <exception>
@@ -39,8 +40,7 @@ std::string ListImplementations(const std::string& tag) {
   std::string list;
   for (const std::string& label : CFactory<SIMULATED>::GetLabels()) {
     if (label.rfind(before, 0) == 0) {
-      list += (list.empty() ? "\"" : ", \"") +
-              label.substr(before.size(), label.size() - before.size() - 1) + '"';
+      AppendQuoted(list, label.substr(before.size(), label.size() - before.size() - 1));
     }
   }
   return list;

@@ -2,6 +2,7 @@
 
 #include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/files/input_file.h>
+#include <argos3/core/utility/text/lists.h>
 
 #include <FreeImage.h>
 
@@ -122,6 +123,49 @@ SImage ReadImage(const std::string& path, const std::string& what) {
     }
   }
   return image;
+}
+
+std::optional<SImageFormat> FindImageFormat(const std::string& fileName) {
+  const FREE_IMAGE_FORMAT format = FreeImage_GetFIFFromFilename(fileName.c_str());
+  if (format == FIF_UNKNOWN || !CanWrite(format)) {
+    return std::nullopt;
+  }
+  return SImageFormat{format, 0};
+}
+
+std::string ListImageFormats() {
+  std::string names;
+  for (int i = 0; i < FreeImage_GetFIFCount(); ++i) {
+    const auto format = static_cast<FREE_IMAGE_FORMAT>(i);
+    if (CanWrite(format)) {
+      AppendItem(names, std::string(FreeImage_GetFIFExtensionList(format)));
+    }
+  }
+  return names;
+}
+
+void SetQuality(SImageFormat& format, int quality) {
+  format.Flags = ComputeFlags(static_cast<FREE_IMAGE_FORMAT>(format.Number), quality);
+}
+
+// FreeImage's functions for files ignore failed writes, and overflow a buffer with the message on a
+// long path
+std::string EncodeImage(const SPixelView& picture, const SImageFormat& format) {
+  const auto type = static_cast<FREE_IMAGE_FORMAT>(format.Number);
+  const TBitmap bitmap = MakeBitmap(picture);
+  t_imageProblem.clear();
+  FreeImage_SetOutputMessage(&NoteImageProblem);
+  const std::unique_ptr<FIMEMORY, SMemoryDeleter> memory(FreeImage_OpenMemory());
+  BYTE* content = nullptr;
+  DWORD size = 0;
+  if (memory == nullptr ||
+      !FreeImage_SaveToMemory(type, bitmap.get(), memory.get(), format.Flags) ||
+      !FreeImage_AcquireMemory(memory.get(), &content, &size) || size == 0) {
+    THROW_ARGOSEXCEPTION("a picture of " << picture.Width << "x" << picture.Height
+                                         << " pixels cannot be stored as "
+                                         << FreeImage_GetFormatFromFIF(type) << ImageProblem());
+  }
+  return std::string(reinterpret_cast<const char*>(content), size);
 }
 
 }  // namespace argos

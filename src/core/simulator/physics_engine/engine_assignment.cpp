@@ -6,6 +6,7 @@
 #include <argos3/core/simulator/geometry/region_geometry.h>
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
 #include <argos3/core/utility/text/classic_locale.h>
+#include <argos3/core/utility/text/lists.h>
 
 #include <algorithm>
 #include <sstream>
@@ -144,7 +145,7 @@ void CEngineAssignment::ThrowNoEngine(CEmbodiedEntity& body) const {
     if (engine->IsPointContained(position)) {
       reasons += "; " + id + " " + engine->ExplainRefusal(root);
     } else {
-      elsewhere += (elsewhere.empty() ? "" : ", ") + id;
+      AppendItem(elsewhere, id);
       others.push_back(engine);
     }
   }

@@ -2,6 +2,7 @@
 
 #include <argos3/core/utility/configuration/configuration_error.h>
 #include <argos3/core/utility/configuration/configuration_store.h>
+#include <argos3/core/utility/text/lists.h>
 
 #include <algorithm>
 #include <iterator>
@@ -187,7 +188,7 @@ CConfigurationPath::TElements CConfigurationPath::Find(tinyxml2::XMLElement& roo
   if (found.size() > 1 && !mayMatchSeveral) {
     std::string lines;
     for (const tinyxml2::XMLElement* element : found) {
-      lines += (lines.empty() ? "" : ", ") + std::to_string(element->GetLineNum());
+      AppendItem(lines, std::to_string(element->GetLineNum()));
     }
     THROW_CONFIGURATION_ERROR("\"" << m_path << "\" matches " << found.size()
                                    << " elements, in lines " << lines << ": select one, as in \""

@@ -4,6 +4,7 @@
 #include <argos3/core/utility/math/normal_quantile.h>
 #include <argos3/core/utility/math/random_stream.h>
 #include <argos3/core/utility/math/rng_owner.h>
+#include <argos3/core/utility/text/lists.h>
 
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_rng.h>
@@ -358,7 +359,7 @@ CRandom::CCategory& CRandom::CRegistry::GetCategory(const std::string& category)
   if (found == m_categories.end()) {
     std::string known;
     for (const auto& entry : m_categories) {
-      known += (known.empty() ? "\"" : ", \"") + entry.first + "\"";
+      AppendQuoted(known, entry.first);
     }
     THROW_ARGOSEXCEPTION("There is no random number category \""
                          << category << "\"; known categories: " << (known.empty() ? "none" : known)

@@ -3,6 +3,7 @@
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/utility/errors/running_code.h>
 #include <argos3/core/utility/string_utilities.h>
+#include <argos3/core/utility/text/lists.h>
 #include <argos3/core/wrappers/lua/lua_limits.h>
 #include <argos3/core/wrappers/lua/lua_metrics.h>
 #include <argos3/core/wrappers/lua/lua_parameters.h>
@@ -135,7 +136,7 @@ void CLuaLoopFunctions::ThrowIfNoHooks() {
     }
   });
   for (const char* const hook : kHooks) {
-    all += (all.empty() ? "" : ", ") + std::string(hook);
+    AppendItem(all, std::string(hook));
   }
   if (!hasOne) {
     THROW_ARGOSEXCEPTION("the Lua loop functions \""

@@ -5,6 +5,7 @@
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/logging/argos_log.h>
+#include <argos3/core/utility/text/lists.h>
 #include <argos3/core/utility/text/string_utilities.h>
 
 #include <algorithm>
@@ -232,7 +233,7 @@ void CEntityRows::CheckFields(const std::vector<CEntity*>& entities, CSpace& /*s
     }
     if (part.Name.Field->NeedsController() && !haveControllers) {
       part.Columns = {{ToColumnName(part.Name.Name), ""}};
-      empty += (empty.empty() ? "\"" : ", \"") + part.Name.Name + '"';
+      AppendQuoted(empty, part.Name.Name);
       continue;
     }
     const bool isUnset =

@@ -1,4 +1,5 @@
 #include <argos3/core/utility/configuration/command_line_arg_parser.h>
+#include <argos3/core/utility/text/lists.h>
 
 #include <algorithm>
 
@@ -53,10 +54,7 @@ const CCommandLineArgParser::SOption& CCommandLineArgParser::FindShort(char name
     }
     names.push_back(std::string("-") + option.Short);
   }
-  std::string known;
-  for (const std::string& option : names) {
-    known += (known.empty() ? "" : ", ") + option;
-  }
+  const std::string known = JoinItems(names);
   THROW_ARGOSEXCEPTION("Unknown option \"-" << name << "\"; known: " << known);
 }
 
