@@ -6,8 +6,8 @@
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/math/eigen_bridge.h>
 #include <argos3/plugins/simulator/visualizations/scene/camera_xml.h>
-#include <argos3/plugins/simulator/visualizations/offscreen/frame_recorder.h>
-#include <argos3/plugins/simulator/visualizations/offscreen/recording_xml.h>
+#include <argos3/plugins/simulator/visualizations/offscreen/frame_series.h>
+#include <argos3/plugins/simulator/visualizations/offscreen/offscreen_xml.h>
 
 #include <cmath>
 #include <utility>
@@ -26,7 +26,7 @@ CFrameOutput::CFrameOutput() = default;
 CFrameOutput::~CFrameOutput() = default;
 
 void CFrameOutput::InitAsOffscreen(TConfigurationNode& tree) {
-  SRecordingSettings settings = ReadOffscreenSettings(tree);
+  SFrameSeriesSettings settings = ReadOffscreenSettings(tree);
   CompleteFilmSettings(settings,
                        static_cast<UInt32>(std::lround(1.0 / CurrentSimulator().GetTickLength())));
   SCameraSettings camera(CCameraTimeline(MakeDefaultPlacements(GetArenaBox(CurrentSpace()))));
@@ -39,17 +39,17 @@ void CFrameOutput::InitAsQtOpenGl(TConfigurationNode& tree) {
   SCameraSettings camera(CCameraTimeline(MakeDefaultPlacements(GetArenaBox(CurrentSpace()))));
   ReadCamera(tree, camera.Timeline);
   if (request.WantsFrames) {
-    InitFrames(tree, request.Recording, camera);
+    InitFrames(tree, request.Frames, camera);
     return;
   }
   LOG << "[INFO] <qt-opengl> has no window here and requests no frames: running headless"
       << (request.HasUserFunctions ? ", without its user functions" : "") << std::endl;
 }
 
-void CFrameOutput::InitFrames(TConfigurationNode& tree, const SRecordingSettings& settings,
+void CFrameOutput::InitFrames(TConfigurationNode& tree, const SFrameSeriesSettings& settings,
                               const SCameraSettings& camera) {
   try {
-    m_recorder = std::make_unique<CFrameRecorder>(settings, camera, m_drawing);
+    m_series = std::make_unique<CFrameSeries>(settings, camera, m_drawing);
   } catch (CARGoSException& ex) {
     THROW_ARGOSEXCEPTION_NESTED(
         tree.GetLocation() << ": <" << tree.Value() << "> cannot draw frames", ex);
@@ -58,10 +58,10 @@ void CFrameOutput::InitFrames(TConfigurationNode& tree, const SRecordingSettings
 }
 
 void CFrameOutput::Destroy() {
-  const std::unique_ptr<CFrameRecorder> recorder = std::move(m_recorder);
+  const std::unique_ptr<CFrameSeries> series = std::move(m_series);
   try {
-    if (recorder != nullptr) {
-      recorder->Close();
+    if (series != nullptr) {
+      series->Close();
     }
   } catch (...) {
     m_drawing.Destroy();
@@ -71,20 +71,20 @@ void CFrameOutput::Destroy() {
 }
 
 void CFrameOutput::Reset() {
-  if (m_recorder != nullptr) {
-    m_recorder->Reset();
+  if (m_series != nullptr) {
+    m_series->Reset();
   }
 }
 
 void CFrameOutput::Observe(CSimulator& simulator) {
-  if (m_recorder != nullptr) {
-    m_recorder->Observe(simulator);
+  if (m_series != nullptr) {
+    m_series->Observe(simulator);
   }
 }
 
 void CFrameOutput::Finish(CSimulator& simulator) {
-  if (m_recorder != nullptr) {
-    m_recorder->Finish(simulator);
+  if (m_series != nullptr) {
+    m_series->Finish(simulator);
   }
 }
 

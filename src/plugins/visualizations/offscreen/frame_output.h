@@ -8,9 +8,9 @@
 
 namespace argos {
 
-class CFrameRecorder;
+class CFrameSeries;
 struct SCameraSettings;
-struct SRecordingSettings;
+struct SFrameSeriesSettings;
 
 /**
  * Base of the views that draw frames into image files or films; draws nothing if none are
@@ -38,11 +38,11 @@ class CFrameOutput : public CRunOutput {
   void InitAsQtOpenGl(TConfigurationNode& tree);
 
  private:
-  void InitFrames(TConfigurationNode& tree, const SRecordingSettings& settings,
+  void InitFrames(TConfigurationNode& tree, const SFrameSeriesSettings& settings,
                   const SCameraSettings& camera);
 
   CViewDrawing m_drawing;
-  std::unique_ptr<CFrameRecorder> m_recorder;  // null: headless
+  std::unique_ptr<CFrameSeries> m_series;  // null: headless
 };
 
 }  // namespace argos

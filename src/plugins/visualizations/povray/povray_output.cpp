@@ -3,7 +3,7 @@
 #include <argos3/core/simulator/context/current.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/utility/math/eigen_bridge.h>
-#include <argos3/plugins/simulator/visualizations/povray/povray_recorder.h>
+#include <argos3/plugins/simulator/visualizations/povray/povray_frame_series.h>
 #include <argos3/plugins/simulator/visualizations/povray/povray_xml.h>
 #include <argos3/plugins/simulator/visualizations/scene/camera_xml.h>
 
@@ -13,13 +13,13 @@ CPovrayOutput::CPovrayOutput() = default;
 CPovrayOutput::~CPovrayOutput() = default;
 
 void CPovrayOutput::Init(TConfigurationNode& tree) {
-  const SPovrayRecording settings = ReadPovraySettings(tree);
+  const SPovrayFrameSettings settings = ReadPovraySettings(tree);
   CSpace& space = CurrentSpace();
   SCameraSettings camera(CCameraTimeline(
       MakeDefaultPlacements({ToEigen(space.GetArenaCenter()), ToEigen(space.GetArenaSize())})));
   ReadCameraSettings(tree, space, camera);
   try {
-    m_recorder = std::make_unique<CPovrayRecorder>(settings, camera, m_drawing);
+    m_series = std::make_unique<CPovrayFrameSeries>(settings, camera, m_drawing);
   } catch (CARGoSException& ex) {
     THROW_ARGOSEXCEPTION_NESTED(
         tree.GetLocation() << ": <" << tree.Value() << "> cannot write scenes", ex);
@@ -28,22 +28,22 @@ void CPovrayOutput::Init(TConfigurationNode& tree) {
 }
 
 void CPovrayOutput::Reset() {
-  if (m_recorder != nullptr) {
-    m_recorder->Reset();
+  if (m_series != nullptr) {
+    m_series->Reset();
   }
 }
 
 void CPovrayOutput::Destroy() {
-  m_recorder.reset();
+  m_series.reset();
   m_drawing.Destroy();
 }
 
 void CPovrayOutput::Observe(CSimulator& simulator) {
-  m_recorder->Observe(simulator);
+  m_series->Observe(simulator);
 }
 
 void CPovrayOutput::Finish(CSimulator& simulator) {
-  m_recorder->Finish(simulator);
+  m_series->Finish(simulator);
 }
 
 REGISTER_RUN_OUTPUT(

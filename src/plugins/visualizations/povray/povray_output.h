@@ -8,7 +8,7 @@
 
 namespace argos {
 
-class CPovrayRecorder;
+class CPovrayFrameSeries;
 
 /** Writes scene files for POV-Ray, and renders them where it is installed: `<povray>`. */
 class CPovrayOutput : public CRunOutput {
@@ -26,7 +26,7 @@ class CPovrayOutput : public CRunOutput {
 
  private:
   CViewDrawing m_drawing;
-  std::unique_ptr<CPovrayRecorder> m_recorder;  // null before Init() and after Destroy()
+  std::unique_ptr<CPovrayFrameSeries> m_series;  // null before Init() and after Destroy()
 };
 
 }  // namespace argos

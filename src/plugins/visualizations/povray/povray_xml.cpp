@@ -47,12 +47,12 @@ void ReadUpTo(TConfigurationNode& node, const std::string& attribute, UInt32 mos
 
 }  // namespace
 
-SPovrayRecording ReadPovraySettings(TConfigurationNode& node) {
-  using ERender = SPovrayRecording::ERender;
+SPovrayFrameSettings ReadPovraySettings(TConfigurationNode& node) {
+  using ERender = SPovrayFrameSettings::ERender;
   using TQuality = std::pair<const char*, EPovrayQuality>;
   using TRender = std::pair<const char*, ERender>;
   using TLook = std::pair<const char*, bool>;
-  SPovrayRecording settings;
+  SPovrayFrameSettings settings;
   SPovraySettings& scene = settings.Scene;
   GetNodeAttributeOrDefault(node, "directory", settings.Directory, settings.Directory);
   GetNodeAttributeOrDefault(node, "base_name", settings.BaseName, settings.BaseName);

@@ -1,7 +1,8 @@
-#include <argos3/plugins/simulator/visualizations/povray/povray_recorder.h>
+#include <argos3/plugins/simulator/visualizations/povray/povray_frame_series.h>
 
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/space.h>
+#include <argos3/core/simulator/visualization/povray_model.h>
 #include <argos3/core/simulator/visualization/view_drawing.h>
 #include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/files/file_replacement.h>
@@ -33,8 +34,20 @@ void WriteFile(const std::string& path, const std::string& content) {
 
 }  // namespace
 
-CPovrayRecorder::CPovrayRecorder(const SPovrayRecording& settings, const SCameraSettings& camera,
-                                 CViewDrawing& drawing)
+const CSceneBuilder::TModels& CPovrayModels::Find(const std::string& type) {
+  const auto [found, isNew] = m_models.try_emplace(type);
+  if (isNew && CFactory<CPovrayModel>::Exists(type)) {
+    const std::unique_ptr<CPovrayModel> model(CFactory<CPovrayModel>::New(type));
+    for (const CPovrayModel::SPart& part : model->MakeParts()) {
+      found->second.emplace_back(part.Anchor, m_objects.size());
+      m_objects.push_back(part.Object);
+    }
+  }
+  return found->second;
+}
+
+CPovrayFrameSeries::CPovrayFrameSeries(const SPovrayFrameSettings& settings,
+                                       const SCameraSettings& camera, CViewDrawing& drawing)
     : m_settings(settings),
       m_camera(camera, static_cast<double>(settings.Scene.Width) / settings.Scene.Height),
       m_drawing(drawing),
@@ -46,10 +59,10 @@ CPovrayRecorder::CPovrayRecorder(const SPovrayRecording& settings, const SCamera
     });
   }
   const bool isInstalled = !FindProgram(GetPovrayProgram()).empty();
-  if (settings.Render != SPovrayRecording::ERender::No && isInstalled) {
+  if (settings.Render != SPovrayFrameSettings::ERender::No && isInstalled) {
     CheckPovrayName(settings.BaseName);
   }
-  if (settings.Render == SPovrayRecording::ERender::Yes && !isInstalled) {
+  if (settings.Render == SPovrayFrameSettings::ERender::Yes && !isInstalled) {
     THROW_ARGOSEXCEPTION("The program \""
                          << GetPovrayProgram()
                          << "\" is not installed, which render=\"true\" needs; install POV-Ray, "
@@ -58,24 +71,24 @@ CPovrayRecorder::CPovrayRecorder(const SPovrayRecording& settings, const SCamera
   }
 }
 
-CPovrayRecorder::~CPovrayRecorder() = default;
+CPovrayFrameSeries::~CPovrayFrameSeries() = default;
 
-SPovrayJob CPovrayRecorder::MakeJob() const {
+SPovrayJob CPovrayFrameSeries::MakeJob() const {
   const SPovraySettings& scene = m_settings.Scene;
   return {scene.Width, scene.Height, scene.Quality, m_settings.Threads, m_files.GetDirectory()};
 }
 
-void CPovrayRecorder::Begin() {
+void CPovrayFrameSeries::Begin() {
   m_lock = m_files.Lock();
   m_floorVersion = 0;
-  const bool renders = m_settings.Render != SPovrayRecording::ERender::No &&
+  const bool renders = m_settings.Render != SPovrayFrameSettings::ERender::No &&
                        !FindProgram(GetPovrayProgram()).empty();
   const std::string scene = m_files.MakeFileName(0, "pov");
   CLogControl::Notify("<povray> writes scene files, " + scene + " and following" +
                       (renders ? ", and renders them with " + GetPovrayProgram() : ""));
   if (renders) {
     m_renderer = std::make_unique<CPovrayRenderer>(MakeJob());
-  } else if (m_settings.Render == SPovrayRecording::ERender::IfInstalled) {
+  } else if (m_settings.Render == SPovrayFrameSettings::ERender::IfInstalled) {
     std::string command =
         "cd " + QuoteForShell(m_files.GetDirectory()) + " && " + QuoteForShell(GetPovrayProgram());
     const std::string name = NameOf(scene);
@@ -88,7 +101,7 @@ void CPovrayRecorder::Begin() {
   }
 }
 
-void CPovrayRecorder::Observe(CSimulator& simulator) {
+void CPovrayFrameSeries::Observe(CSimulator& simulator) {
   if (m_lock == nullptr) {
     Begin();
   }
@@ -98,7 +111,7 @@ void CPovrayRecorder::Observe(CSimulator& simulator) {
   }
 }
 
-void CPovrayRecorder::Finish(CSimulator& simulator) {
+void CPovrayFrameSeries::Finish(CSimulator& simulator) {
   if (m_settings.IsLastWanted() && m_lastTick != simulator.GetSpace().GetSimulationClock()) {
     WriteScene(simulator);
   }
@@ -109,12 +122,12 @@ void CPovrayRecorder::Finish(CSimulator& simulator) {
   m_lock.reset();
 }
 
-void CPovrayRecorder::Reset() {
+void CPovrayFrameSeries::Reset() {
   m_lastTick.reset();
   m_camera.Reset();
 }
 
-std::string CPovrayRecorder::WriteFloor() {
+std::string CPovrayFrameSeries::WriteFloor() {
   const SFloorImage& floor = m_scene.Floor;
   if (floor.Width == 0 || floor.Height == 0 || floor.Pixels == nullptr) {
     return "";
@@ -130,7 +143,7 @@ std::string CPovrayRecorder::WriteFloor() {
   return m_floorFile;
 }
 
-void CPovrayRecorder::WarnSkipped(std::size_t number, std::uint32_t tick) {
+void CPovrayFrameSeries::WarnSkipped(std::size_t number, std::uint32_t tick) {
   if (number > 0 && !m_hasWarned) {
     m_hasWarned = true;
     LOGERR << "[WARNING] <povray> leaves out " << number << " shapes in tick " << tick
@@ -138,7 +151,7 @@ void CPovrayRecorder::WarnSkipped(std::size_t number, std::uint32_t tick) {
   }
 }
 
-void CPovrayRecorder::WriteScene(CSimulator& simulator) {
+void CPovrayFrameSeries::WriteScene(CSimulator& simulator) {
   CSpace& space = simulator.GetSpace();
   const UInt32 tick = space.GetSimulationClock();
   const SPovraySettings& settings = m_settings.Scene;

@@ -1,4 +1,4 @@
-#include <argos3/plugins/simulator/visualizations/offscreen/recording_xml.h>
+#include <argos3/plugins/simulator/visualizations/offscreen/offscreen_xml.h>
 
 #include <argos3/plugins/simulator/visualizations/scene/ground_texture.h>
 
@@ -55,18 +55,18 @@ void ReadFilmNumber(TConfigurationNode& node, const std::string& attribute, doub
 }
 
 void ReadFilmRate(TConfigurationNode& node, SFilmSettings& film) {
-  constexpr double kLargestSpeed = 10000.0;
-  constexpr double kSmallestRate = 1.0;
+  constexpr double kMaxSpeed = 10000.0;
+  constexpr double kMinRate = 1.0;
   if (NodeAttributeExists(node, "speed")) {
-    ReadFilmNumber(node, "speed", kLargestSpeed, film.Speed);
+    ReadFilmNumber(node, "speed", kMaxSpeed, film.Speed);
   }
   if (NodeAttributeExists(node, "fps")) {
     const double highest = film.Format == EFilmFormat::Gif ? 50.0 : 240.0;
     double rate = 0.0;
     ReadFilmNumber(node, "fps", highest, rate);
-    if (rate < kSmallestRate) {
+    if (rate < kMinRate) {
       THROW_ARGOSEXCEPTION(node.GetLocation() << ": <" << node.Value() << ">: attribute \"fps\" is "
-                                              << rate << "; it must be at least " << kSmallestRate
+                                              << rate << "; it must be at least " << kMinRate
                                               << ", frames of long duration are repeated");
     }
     film.FramesPerSecond = rate;
@@ -128,7 +128,7 @@ std::optional<SFilmSettings> ReadFilm(TConfigurationNode& node) {
   return film;
 }
 
-void ReadOutput(TConfigurationNode& node, SRecordingSettings& settings) {
+void ReadOutput(TConfigurationNode& node, SFrameSeriesSettings& settings) {
   settings.Film = ReadFilm(node);
   if (!settings.Film) {
     settings.File.Directory = "out";
@@ -140,7 +140,7 @@ void ReadOutput(TConfigurationNode& node, SRecordingSettings& settings) {
 }
 
 // the usual coding of colours in films has one sample for each square of four pixels
-void MakeSidesEven(SRecordingSettings& settings) {
+void MakeSidesEven(SFrameSeriesSettings& settings) {
   if (settings.Film && settings.Film->Format != EFilmFormat::Gif) {
     settings.Render.Width += settings.Render.Width % 2;
     settings.Render.Height += settings.Render.Height % 2;
@@ -148,25 +148,25 @@ void MakeSidesEven(SRecordingSettings& settings) {
 }
 
 void ReadFrameGrabbing(TConfigurationNode& node, SQtOpenGlRequest& request) {
-  SRecordingSettings& recording = request.Recording;
-  recording.File.CreateDirectory = false;
-  ReadFile(node, recording.File);
+  SFrameSeriesSettings& frames = request.Frames;
+  frames.File.CreateDirectory = false;
+  ReadFile(node, frames.File);
   // only an explicit "false" restricts frames to runs with a window
   GetNodeAttributeOrDefault(node, "headless_grabbing", request.WantsFrames, true);
-  recording.Render.Width = 1600;
-  recording.Render.Height = 1200;
+  frames.Render.Width = 1600;
+  frames.Render.Height = 1200;
   if (NodeAttributeExists(node, "headless_frame_size")) {
-    ReadSize(node, "headless_frame_size", recording.Render.Width, recording.Render.Height);
+    ReadSize(node, "headless_frame_size", frames.Render.Width, frames.Render.Height);
   }
-  ReadPositive(node, "headless_frame_rate", recording.Every);
-  recording.KeepLastFrame = false;
-  recording.Announcement = "<qt-opengl> has no window here but asks for frames: ";
+  ReadPositive(node, "headless_frame_rate", frames.Every);
+  frames.KeepLastFrame = false;
+  frames.Announcement = "<qt-opengl> has no window here but asks for frames: ";
 }
 
 }  // namespace
 
-SRecordingSettings ReadOffscreenSettings(TConfigurationNode& node) {
-  SRecordingSettings settings;
+SFrameSeriesSettings ReadOffscreenSettings(TConfigurationNode& node) {
+  SFrameSeriesSettings settings;
   ReadOutput(node, settings);
   ReadFrameSize(node, settings.Render.Width, settings.Render.Height);
   MakeSidesEven(settings);
@@ -180,7 +180,7 @@ SRecordingSettings ReadOffscreenSettings(TConfigurationNode& node) {
   return settings;
 }
 
-void CompleteFilmSettings(SRecordingSettings& settings, UInt32 ticksPerSecond) {
+void CompleteFilmSettings(SFrameSeriesSettings& settings, UInt32 ticksPerSecond) {
   if (!settings.Film) {
     return;
   }
@@ -201,7 +201,7 @@ SQtOpenGlRequest ReadQtOpenGlRequest(TConfigurationNode& node) {
   GetNodeAttributeOrDefault(node, "autoplay", ofTheWindow, false);
   GetNodeAttributeOrDefault(node, "lua_editor", ofTheWindow, false);
   GetNodeAttributeOrDefault(node, "invert_mouse", ofTheWindow, false);
-  GetNodeAttributeOrDefault(node, "show_boundary", request.Recording.ShowBoundary, true);
+  GetNodeAttributeOrDefault(node, "show_boundary", request.Frames.ShowBoundary, true);
   if (NodeExists(node, "frame_grabbing")) {
     ReadFrameGrabbing(GetNode(node, "frame_grabbing"), request);
   }

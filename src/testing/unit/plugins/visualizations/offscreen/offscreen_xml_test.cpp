@@ -1,11 +1,11 @@
 #include <argos3/plugins/simulator/visualizations/scene/camera_xml.h>
-#include <argos3/plugins/simulator/visualizations/offscreen/recording_xml.h>
+#include <argos3/plugins/simulator/visualizations/offscreen/offscreen_xml.h>
 
 #include <catch2/catch.hpp>
 
 #include <string>
 
-namespace recording_xml_test {
+namespace offscreen_xml_test {
 
 using namespace argos;
 using Catch::Matchers::Contains;
@@ -23,7 +23,7 @@ class CXml {
   CConfigurationDocument m_document;
 };
 
-SRecordingSettings ReadOffscreen(const std::string& attributes) {
+SFrameSeriesSettings ReadOffscreen(const std::string& attributes) {
   return ReadOffscreenSettings(CXml("<offscreen " + attributes + "/>").Root());
 }
 
@@ -43,7 +43,7 @@ CCameraTimeline ReadCameraText(const std::string& children) {
 
 TEST_CASE("offscreen settings: omitted attributes have their documented defaults",
           "[visualizations][offscreen][xml]") {
-  const SRecordingSettings settings = ReadOffscreen("");
+  const SFrameSeriesSettings settings = ReadOffscreen("");
   CHECK(settings.File.Directory == "out");
   CHECK(settings.File.BaseName == "frame_");
   CHECK(settings.File.Format == "png");
@@ -60,7 +60,7 @@ TEST_CASE("offscreen settings: omitted attributes have their documented defaults
 }
 
 TEST_CASE("offscreen settings: every attribute is read", "[visualizations][offscreen][xml]") {
-  const SRecordingSettings settings = ReadOffscreen(
+  const SFrameSeriesSettings settings = ReadOffscreen(
       "directory='d' base_name='b' format='jpg' quality='80' size='320x200' every='7' samples='16' "
       "look='dark' show_grid='false' show_boundary='false' show_rays='false'");
   CHECK(settings.File.Directory == "d");
@@ -75,14 +75,14 @@ TEST_CASE("offscreen settings: every attribute is read", "[visualizations][offsc
   CHECK_FALSE(settings.ShowGrid);
   CHECK_FALSE(settings.ShowBoundary);
   CHECK_FALSE(settings.ShowRays);
-  const SRecordingSettings sides = ReadOffscreen("width='640' height='480'");
+  const SFrameSeriesSettings sides = ReadOffscreen("width='640' height='480'");
   CHECK(sides.Render.Width == 640);
   CHECK(sides.Render.Height == 480);
 }
 
 TEST_CASE("offscreen settings: a file, or the format of one, means a film",
           "[visualizations][offscreen][films][xml]") {
-  SRecordingSettings settings =
+  SFrameSeriesSettings settings =
       ReadOffscreen("file='a/b.webm' size='321x240' speed='2.5' fps='25' quality='70'");
   CompleteFilmSettings(settings, 100);
   REQUIRE(settings.Film.has_value());
@@ -97,7 +97,7 @@ TEST_CASE("offscreen settings: a file, or the format of one, means a film",
   CHECK(ReadOffscreen("format='gif' size='321x240'").Film->File == "out/film.gif");
   CHECK(ReadOffscreen("format='gif' size='321x240'").Render.Width == 321);
   CHECK(ReadOffscreen("format='mp4' directory='d' base_name='b'").Film->File == "d/b.mp4");
-  SRecordingSettings given = ReadOffscreen("file='a.mp4' every='7'");
+  SFrameSeriesSettings given = ReadOffscreen("file='a.mp4' every='7'");
   CompleteFilmSettings(given, 100);
   CHECK(given.Every == 7);
 }
@@ -156,7 +156,7 @@ TEST_CASE("qt-opengl: without frame grabbing no frames are requested",
              "show_boundary='false'");
   CHECK_FALSE(request.WantsFrames);
   CHECK_FALSE(request.HasUserFunctions);
-  CHECK_FALSE(request.Recording.ShowBoundary);
+  CHECK_FALSE(request.Frames.ShowBoundary);
 }
 
 TEST_CASE("qt-opengl: frame grabbing settings are read", "[visualizations][offscreen][xml]") {
@@ -164,25 +164,25 @@ TEST_CASE("qt-opengl: frame grabbing settings are read", "[visualizations][offsc
       "<frame_grabbing directory='frames' base_name='f' format='jpg' quality='90' "
       "headless_grabbing='true' headless_frame_size='800x600' headless_frame_rate='5'/>");
   CHECK(request.WantsFrames);
-  CHECK(request.Recording.File.Directory == "frames");
-  CHECK(request.Recording.File.BaseName == "f");
-  CHECK(request.Recording.File.Format == "jpg");
-  CHECK(request.Recording.File.Quality == 90);
-  CHECK_FALSE(request.Recording.File.CreateDirectory);
-  CHECK(request.Recording.Render.Width == 800);
-  CHECK(request.Recording.Render.Height == 600);
-  CHECK(request.Recording.Every == 5);
-  CHECK_FALSE(request.Recording.KeepLastFrame);
+  CHECK(request.Frames.File.Directory == "frames");
+  CHECK(request.Frames.File.BaseName == "f");
+  CHECK(request.Frames.File.Format == "jpg");
+  CHECK(request.Frames.File.Quality == 90);
+  CHECK_FALSE(request.Frames.File.CreateDirectory);
+  CHECK(request.Frames.Render.Width == 800);
+  CHECK(request.Frames.Render.Height == 600);
+  CHECK(request.Frames.Every == 5);
+  CHECK_FALSE(request.Frames.KeepLastFrame);
 }
 
 TEST_CASE("qt-opengl: frame grabbing has the defaults of ARGoS 3",
           "[visualizations][offscreen][xml]") {
   const SQtOpenGlRequest request = ReadQt("<frame_grabbing/>");
   CHECK(request.WantsFrames);
-  CHECK(request.Recording.File.Directory == ".");
-  CHECK(request.Recording.Render.Width == 1600);
-  CHECK(request.Recording.Render.Height == 1200);
-  CHECK(request.Recording.Every == 1);
+  CHECK(request.Frames.File.Directory == ".");
+  CHECK(request.Frames.Render.Width == 1600);
+  CHECK(request.Frames.Render.Height == 1200);
+  CHECK(request.Frames.Every == 1);
   CHECK_FALSE(ReadQt("<frame_grabbing headless_grabbing='false'/>").WantsFrames);
 }
 
@@ -270,4 +270,4 @@ TEST_CASE("offscreen settings: parts of the run are ticks and ranges of ticks",
                     Contains("test.argos:1: <offscreen>: attribute \"ticks\""));
 }
 
-}  // namespace recording_xml_test
+}  // namespace offscreen_xml_test

@@ -1,4 +1,4 @@
-#include <argos3/plugins/simulator/visualizations/offscreen/frame_recorder.h>
+#include <argos3/plugins/simulator/visualizations/offscreen/frame_series.h>
 
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/space.h>
@@ -15,7 +15,7 @@ namespace argos {
 
 namespace {
 
-std::unique_ptr<CPictureSink> MakeSink(const SRecordingSettings& settings) {
+std::unique_ptr<CPictureSink> MakeSink(const SFrameSeriesSettings& settings) {
   if (!settings.Film) {
     return std::make_unique<CFrameWriter>(settings.File);
   }
@@ -28,24 +28,24 @@ std::unique_ptr<CPictureSink> MakeSink(const SRecordingSettings& settings) {
 
 }  // namespace
 
-CFrameRecorder::CFrameRecorder(const SRecordingSettings& settings, const SCameraSettings& camera,
-                               CViewDrawing& drawing)
+CFrameSeries::CFrameSeries(const SFrameSeriesSettings& settings, const SCameraSettings& camera,
+                           CViewDrawing& drawing)
     : m_settings(settings),
       m_camera(camera, static_cast<double>(settings.Render.Width) / settings.Render.Height),
       m_drawing(drawing),
       m_sink(MakeSink(settings)),
       m_builder(settings.ShowRays) {}
 
-CFrameRecorder::~CFrameRecorder() = default;
+CFrameSeries::~CFrameSeries() = default;
 
-void CFrameRecorder::Announce() const {
+void CFrameSeries::Announce() const {
   const SRenderSettings& render = m_settings.Render;
   CLogControl::Notify(m_settings.Announcement +
                       m_sink->Describe(render.Width, render.Height, m_settings.Every) + " (" +
                       m_pipeline->DescribeDriver() + ")");
 }
 
-void CFrameRecorder::Begin() {
+void CFrameSeries::Begin() {
   m_sink->Begin();
   m_hasBegun = true;
   if (!m_pipeline.has_value()) {
@@ -56,7 +56,7 @@ void CFrameRecorder::Begin() {
   Announce();
 }
 
-void CFrameRecorder::Observe(CSimulator& simulator) {
+void CFrameSeries::Observe(CSimulator& simulator) {
   if (!m_hasBegun) {
     Begin();
   }
@@ -66,7 +66,7 @@ void CFrameRecorder::Observe(CSimulator& simulator) {
   }
 }
 
-bool CFrameRecorder::IsWanted(std::uint32_t tick) const {
+bool CFrameSeries::IsWanted(std::uint32_t tick) const {
   if (m_settings.Film && m_settings.Ticks.empty() && m_lastTick.has_value()) {
     // a replay may begin at any tick, show every n-th one, and then the last one
     return tick - *m_lastTick >= m_distance.value_or(m_settings.Every);
@@ -74,14 +74,14 @@ bool CFrameRecorder::IsWanted(std::uint32_t tick) const {
   return m_settings.IsWanted(tick, !m_lastTick.has_value());
 }
 
-void CFrameRecorder::Finish(CSimulator& simulator) {
+void CFrameSeries::Finish(CSimulator& simulator) {
   if (m_settings.IsLastWanted() && m_lastTick != simulator.GetSpace().GetSimulationClock()) {
     WriteFrame(simulator);
   }
   Close();
 }
 
-void CFrameRecorder::Close() {
+void CFrameSeries::Close() {
   if (!m_hasBegun) {
     return;
   }
@@ -97,14 +97,14 @@ void CFrameRecorder::Close() {
   m_sink->Finish();
 }
 
-void CFrameRecorder::Reset() {
+void CFrameSeries::Reset() {
   Close();
   m_lastTick.reset();
   m_distance.reset();
   m_camera.Reset();
 }
 
-void CFrameRecorder::WriteFrame(CSimulator& simulator) {
+void CFrameSeries::WriteFrame(CSimulator& simulator) {
   CSpace& space = simulator.GetSpace();
   const UInt32 tick = space.GetSimulationClock();
   CFramePipeline::SFrame& frame = m_pipeline->Acquire();

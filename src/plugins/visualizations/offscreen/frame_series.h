@@ -1,5 +1,5 @@
-#ifndef ARGOS3_PLUGINS_VISUALIZATIONS_OFFSCREEN_FRAME_RECORDER_H
-#define ARGOS3_PLUGINS_VISUALIZATIONS_OFFSCREEN_FRAME_RECORDER_H
+#ifndef ARGOS3_PLUGINS_VISUALIZATIONS_OFFSCREEN_FRAME_SERIES_H
+#define ARGOS3_PLUGINS_VISUALIZATIONS_OFFSCREEN_FRAME_SERIES_H
 
 #include <argos3/plugins/simulator/visualizations/scene/camera_plan.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/film_encoding.h>
@@ -21,7 +21,7 @@ class CSimulator;
 class CViewDrawing;
 
 /** Selects the frames, their appearance and their files, or their film. */
-struct SRecordingSettings : SFrameChoice {
+struct SFrameSeriesSettings : SFrameChoice {
   SRenderSettings Render;
   SFrameFileSettings File;
   std::optional<SFilmSettings> Film; /**< if set, a film is written instead of files */
@@ -40,17 +40,17 @@ struct SRecordingSettings : SFrameChoice {
  * The constructor checks the settings. The first call of Observe() starts the threads that draw
  * and write, see CFramePipeline; scenes are built, and users' code draws, in Observe().
  */
-class CFrameRecorder {
+class CFrameSeries {
  public:
   /**
-   * @param drawing  what users' code draws; must outlive the recorder.
+   * @param drawing  what users' code draws; must outlive the series.
    * @throws CARGoSException as CFrameWriter and CFilmWriter.
    */
-  CFrameRecorder(const SRecordingSettings& settings, const SCameraSettings& camera,
-                 CViewDrawing& drawing);
-  ~CFrameRecorder();
-  CFrameRecorder(const CFrameRecorder&) = delete;
-  CFrameRecorder& operator=(const CFrameRecorder&) = delete;
+  CFrameSeries(const SFrameSeriesSettings& settings, const SCameraSettings& camera,
+               CViewDrawing& drawing);
+  ~CFrameSeries();
+  CFrameSeries(const CFrameSeries&) = delete;
+  CFrameSeries& operator=(const CFrameSeries&) = delete;
 
   /**
    * Called with the first state and after each tick.
@@ -73,7 +73,7 @@ class CFrameRecorder {
   bool IsWanted(std::uint32_t tick) const;
   void WriteFrame(CSimulator& simulator);
 
-  SRecordingSettings m_settings;
+  SFrameSeriesSettings m_settings;
   CCameraPlan m_camera;
   CViewDrawing& m_drawing;
   std::unique_ptr<CPictureSink> m_sink;

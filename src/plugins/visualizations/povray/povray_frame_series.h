@@ -1,7 +1,6 @@
-#ifndef ARGOS3_PLUGINS_VISUALIZATIONS_POVRAY_POVRAY_RECORDER_H
-#define ARGOS3_PLUGINS_VISUALIZATIONS_POVRAY_POVRAY_RECORDER_H
+#ifndef ARGOS3_PLUGINS_VISUALIZATIONS_POVRAY_POVRAY_FRAME_SERIES_H
+#define ARGOS3_PLUGINS_VISUALIZATIONS_POVRAY_POVRAY_FRAME_SERIES_H
 
-#include <argos3/plugins/simulator/visualizations/povray/povray_models.h>
 #include <argos3/plugins/simulator/visualizations/povray/povray_renderer.h>
 #include <argos3/plugins/simulator/visualizations/povray/scene_file.h>
 #include <argos3/plugins/simulator/visualizations/scene/camera_plan.h>
@@ -10,9 +9,11 @@
 #include <argos3/plugins/simulator/visualizations/scene/scene_builder.h>
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace argos {
 
@@ -21,7 +22,7 @@ class CSimulator;
 class CViewDrawing;
 
 /** What the attributes of `<povray>` say. */
-struct SPovrayRecording : SFrameChoice {
+struct SPovrayFrameSettings : SFrameChoice {
   enum class ERender : std::uint8_t { No, Yes, IfInstalled };
 
   SPovraySettings Scene;
@@ -36,21 +37,35 @@ struct SPovrayRecording : SFrameChoice {
   bool UseModels = true; /**< otherwise all entities appear as the parts of their appearances */
 };
 
+/** The models of types of entities, looked up when a type first appears; see CPovrayModel. */
+class CPovrayModels {
+ public:
+  /** @return valid as long as this object. */
+  const CSceneBuilder::TModels& Find(const std::string& type);
+
+  /** Texts by number. */
+  const std::vector<std::string>& GetObjects() const { return m_objects; }
+
+ private:
+  std::map<std::string, CSceneBuilder::TModels> m_models;  // by type; empty: it has none
+  std::vector<std::string> m_objects;
+};
+
 /**
  * Writes scene files of a run, and starts POV-Ray for them. Files are written in Observe();
  * pictures follow on another thread.
  */
-class CPovrayRecorder {
+class CPovrayFrameSeries {
  public:
   /**
-   * @param drawing  what users' code draws; must outlive the recorder.
+   * @param drawing  what users' code draws; must outlive the series.
    * @throws CARGoSException as CFrameFiles; if pictures are required and POV-Ray is not installed.
    */
-  CPovrayRecorder(const SPovrayRecording& settings, const SCameraSettings& camera,
-                  CViewDrawing& drawing);
-  ~CPovrayRecorder();
-  CPovrayRecorder(const CPovrayRecorder&) = delete;
-  CPovrayRecorder& operator=(const CPovrayRecorder&) = delete;
+  CPovrayFrameSeries(const SPovrayFrameSettings& settings, const SCameraSettings& camera,
+                     CViewDrawing& drawing);
+  ~CPovrayFrameSeries();
+  CPovrayFrameSeries(const CPovrayFrameSeries&) = delete;
+  CPovrayFrameSeries& operator=(const CPovrayFrameSeries&) = delete;
 
   /**
    * Called with the first state and after each tick.
@@ -70,7 +85,7 @@ class CPovrayRecorder {
   std::string WriteFloor();
   void WarnSkipped(std::size_t number, std::uint32_t tick);
 
-  SPovrayRecording m_settings;
+  SPovrayFrameSettings m_settings;
   CCameraPlan m_camera;
   CViewDrawing& m_drawing;
   CFrameFiles m_files;
