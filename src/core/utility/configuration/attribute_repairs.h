@@ -8,7 +8,7 @@
 namespace argos {
 
 class CConfigurationStore;
-struct SConfigurationRecord;
+struct SConfigurationEntry;
 
 /**
  * Finds further errors of an element: during its lifetime, an attribute that a reader has refused
@@ -34,7 +34,7 @@ class CAttributeRepairs {
 
   struct SRequest {
     std::weak_ptr<CConfigurationStore> Store;
-    SConfigurationRecord* Record = nullptr;
+    SConfigurationEntry* Entry = nullptr;
     std::string Attribute;
     const char* Sample = nullptr;  // a valid text of the requested type; null for strings
   };
@@ -44,8 +44,8 @@ class CAttributeRepairs {
     std::string Text;
   };
 
-  // for the element that requests an attribute
-  static void Note(SConfigurationRecord& record, const std::string& attribute, const char* sample);
+  // notes that an element requests an attribute
+  static void Note(SConfigurationEntry& entry, const std::string& attribute, const char* sample);
 
   SRequest m_last;
   std::vector<SRepaired> m_repaired;

@@ -12,14 +12,14 @@ namespace {
 
 // as a look-up by name does; only the first attributes are searched, so that a loop over many takes
 // linear time
-void MarkRead(SConfigurationRecord& record, const tinyxml2::XMLAttribute& attribute) {
+void MarkRead(SConfigurationEntry& entry, const tinyxml2::XMLAttribute& attribute) {
   if (CRequestRecorder* const recorder = CRequestRecorder::Current()) {
-    recorder->NoteAttribute(record, attribute.Name());
+    recorder->NoteAttribute(entry, attribute.Name());
   }
-  const auto* each = record.Element->FirstAttribute();
+  const auto* each = entry.Element->FirstAttribute();
   for (std::size_t index = 0; index < kTrackedAttributes && each != nullptr; ++index) {
     if (each == &attribute) {
-      record.ReadAttributes |= UInt64(1) << index;
+      entry.ReadAttributes |= UInt64(1) << index;
       return;
     }
     each = each->Next();
@@ -28,9 +28,9 @@ void MarkRead(SConfigurationRecord& record, const tinyxml2::XMLAttribute& attrib
 
 }  // namespace
 
-CConfigurationAttribute::CConfigurationAttribute(SConfigurationRecord* record,
+CConfigurationAttribute::CConfigurationAttribute(SConfigurationEntry* entry,
                                                  const tinyxml2::XMLAttribute* attribute)
-    : m_record(record), m_attribute(attribute) {}
+    : m_entry(entry), m_attribute(attribute) {}
 
 const tinyxml2::XMLAttribute& CConfigurationAttribute::Checked() const {
   if (m_attribute == nullptr) {
@@ -48,13 +48,13 @@ std::string CConfigurationAttribute::Value() const {
 }
 
 void CConfigurationAttribute::SetText(const std::string& text) {
-  m_record->Element->SetAttribute(Checked().Name(), text.c_str());
+  m_entry->Element->SetAttribute(Checked().Name(), text.c_str());
 }
 
 CConfigurationAttribute CConfigurationAttribute::Successor() const {
-  CConfigurationAttribute next(m_record, Checked().Next());
+  CConfigurationAttribute next(m_entry, Checked().Next());
   if (next.m_attribute != nullptr) {
-    MarkRead(*m_record, *next.m_attribute);
+    MarkRead(*m_entry, *next.m_attribute);
   }
   return next;
 }
@@ -63,39 +63,39 @@ CConfigurationAttribute* CConfigurationAttribute::Next(bool throwIfMissing) cons
   const CConfigurationAttribute next = Successor();
   if (next.m_attribute == nullptr) {
     if (throwIfMissing) {
-      THROW_CONFIGURATION_ERROR(LocationText(*m_record->File, m_record->Line)
+      THROW_CONFIGURATION_ERROR(LocationText(*m_entry->File, m_entry->Line)
                                 << ": no attribute follows \"" << Name() << "\"");
     }
     return nullptr;
   }
-  return m_record->Store->KeepAttribute(next);
+  return m_entry->Store->KeepAttribute(next);
 }
 
 bool CConfigurationAttribute::IsLenient() const {
-  return m_record->Store->HandleOf(m_record->Element)->IsLenient();
+  return m_entry->Store->HandleOf(m_entry->Element)->IsLenient();
 }
 
 void CConfigurationAttribute::WarnOfLooseText(const std::string& text,
                                               const std::string& expected) const {
-  m_record->Store->HandleOf(m_record->Element)
+  m_entry->Store->HandleOf(m_entry->Element)
       ->WarnOfLooseText("attribute \"" + Name() + '"', text.c_str(), expected);
 }
 
 void CConfigurationAttribute::ThrowUnparsable(const std::string& text, const std::string& expected,
                                               const std::string& reason, bool isLoose) const {
-  m_record->Store->HandleOf(m_record->Element)
+  m_entry->Store->HandleOf(m_entry->Element)
       ->ThrowUnparsable("attribute \"" + Name() + '"', text.c_str(), expected, reason, isLoose);
 }
 
 CConfigurationAttributeIterator CConfigurationAttributeIterator::begin(
     const CConfigurationNode* node) const {
-  SConfigurationRecord& record = node->Record();
-  record.ReadAttributes |= 1;
+  SConfigurationEntry& entry = node->Entry();
+  entry.ReadAttributes |= 1;
   if (CRequestRecorder* const recorder = CRequestRecorder::Current()) {
-    recorder->NoteOpen(record);
+    recorder->NoteOpen(entry);
   }
   return CConfigurationAttributeIterator(
-      CConfigurationAttribute(&record, record.Element->FirstAttribute()));
+      CConfigurationAttribute(&entry, entry.Element->FirstAttribute()));
 }
 
 CConfigurationAttributeIterator& CConfigurationAttributeIterator::operator++() {

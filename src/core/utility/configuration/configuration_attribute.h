@@ -13,7 +13,7 @@ namespace argos {
 
 class CConfigurationNode;
 class CConfigurationStore;
-struct SConfigurationRecord;
+struct SConfigurationEntry;
 
 /**
  * Handle of an attribute of an element, valid as long as the document. Obtained from the element.
@@ -49,7 +49,7 @@ class CConfigurationAttribute {
   friend class CConfigurationNode;
   friend class CConfigurationAttributeIterator;
 
-  CConfigurationAttribute(SConfigurationRecord* record, const tinyxml2::XMLAttribute* attribute);
+  CConfigurationAttribute(SConfigurationEntry* entry, const tinyxml2::XMLAttribute* attribute);
 
   template <typename T>
   void Convert(const std::string& text, T& value) const {
@@ -71,7 +71,7 @@ class CConfigurationAttribute {
   CConfigurationAttribute Successor() const;
   void SetText(const std::string& text);
 
-  SConfigurationRecord* m_record = nullptr;
+  SConfigurationEntry* m_entry = nullptr;
   const tinyxml2::XMLAttribute* m_attribute = nullptr;
 };
 

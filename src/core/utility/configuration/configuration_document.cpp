@@ -174,15 +174,15 @@ std::string CConfigurationDocument::SetByPath(const std::string& path, const std
   SConfigurationSetting setting{path, parsed.GetAttribute(), value, {}};
   for (tinyxml2::XMLElement* element : parsed.Find(*root)) {
     const char* previous = element->Attribute(parsed.GetAttribute().c_str());
-    const SConfigurationRecord& record = m_store->RecordOf(*element);
+    const SConfigurationEntry& entry = m_store->EntryOf(*element);
     report += report.empty() ? "" : "\n";
-    report += LocationText(*record.File, record.Line) + ": <" + element->Value() + "> " +
+    report += LocationText(*entry.File, entry.Line) + ": <" + element->Value() + "> " +
               parsed.GetAttribute() + "=\"" + value + "\" (" +
               (previous != nullptr ? std::string("was \"") + previous + '"'
                                    : std::string("was not there")) +
               ')';
     element->SetAttribute(parsed.GetAttribute().c_str(), value.c_str());
-    setting.Elements.push_back(&record);
+    setting.Elements.push_back(&entry);
   }
   if (mustBeRead) {
     m_store->AddSetting(std::move(setting));
@@ -194,17 +194,17 @@ void CConfigurationDocument::ForEachUnread(
     const std::function<void(const CConfigurationNode&, const std::string&)>& report) const {
   const std::function<void(tinyxml2::XMLElement&)> visit = [&](tinyxml2::XMLElement& element) {
     // a copy: the report may read the element
-    const SConfigurationRecord record = m_store->RecordOf(element);
+    const SConfigurationEntry entry = m_store->EntryOf(element);
     CConfigurationNode node;
-    node.m_record = &m_store->RecordOf(element);
-    if (!record.IsVisited) {
+    node.m_entry = &m_store->EntryOf(element);
+    if (!entry.IsVisited) {
       report(node, "");
       return;
     }
     std::size_t index = 0;
     for (const auto* attribute = element.FirstAttribute(); attribute != nullptr;
          attribute = attribute->Next(), ++index) {
-      if (!IsAttributeRead(record, index)) {
+      if (!IsAttributeRead(entry, index)) {
         report(node, attribute->Name());
       }
     }
@@ -237,7 +237,7 @@ std::vector<std::string> CConfigurationDocument::DescribeRepeated() const {
 std::vector<std::string> CConfigurationDocument::DescribeUnread(
     const CConfigurationNode& node) const {
   std::vector<std::string> lines;
-  m_store->DescribeUnread(*node.Record().Element, lines);
+  m_store->DescribeUnread(*node.Entry().Element, lines);
   return lines;
 }
 
@@ -245,7 +245,7 @@ std::vector<std::string> CConfigurationDocument::DescribeUnreadSettings(
     const std::vector<const CConfigurationNode*>& pending) const {
   std::set<const tinyxml2::XMLNode*> elements;
   for (const CConfigurationNode* node : pending) {
-    elements.insert(node->Record().Element);
+    elements.insert(node->Entry().Element);
   }
   return m_store->DescribeUnreadSettings(elements);
 }

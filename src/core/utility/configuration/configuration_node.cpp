@@ -36,72 +36,72 @@ CConfigurationNode::CConfigurationNode(const std::string& tag) {
   auto store = std::make_shared<CConfigurationStore>(kMadeByProgram);
   tinyxml2::XMLElement* element = store->GetXml().NewElement(tag.c_str());
   store->GetXml().InsertEndChild(element);
-  m_record = &store->RecordOf(*element);
+  m_entry = &store->EntryOf(*element);
   m_owner = std::move(store);
 }
 
 CConfigurationNode::CConfigurationNode(const CConfigurationNode& other)
-    : m_record(other.m_record),
-      m_owner(other.m_record == nullptr ? nullptr : other.m_record->Store->shared_from_this()) {}
+    : m_entry(other.m_entry),
+      m_owner(other.m_entry == nullptr ? nullptr : other.m_entry->Store->shared_from_this()) {}
 
 CConfigurationNode& CConfigurationNode::operator=(const CConfigurationNode& other) {
   if (this == &other) {
     return *this;
   }
-  CConfigurationStore* ownStore = m_record != nullptr ? m_record->Store : nullptr;
+  CConfigurationStore* ownStore = m_entry != nullptr ? m_entry->Store : nullptr;
   // reassigning the document's own handle of an element: the next GetNode() creates a new one
-  if (m_record != nullptr && m_record->Handle == this) {
-    m_record->Handle = nullptr;
+  if (m_entry != nullptr && m_entry->Handle == this) {
+    m_entry->Handle = nullptr;
   }
-  SConfigurationRecord* record = other.m_record;
+  SConfigurationEntry* entry = other.m_entry;
   std::shared_ptr<CConfigurationStore> owner;
   // the document must not own itself
-  if (record != nullptr && !(m_heldByDocument && record->Store == ownStore)) {
-    owner = record->Store->shared_from_this();
+  if (entry != nullptr && !(m_heldByDocument && entry->Store == ownStore)) {
+    owner = entry->Store->shared_from_this();
   }
-  m_record = record;
+  m_entry = entry;
   m_owner = std::move(owner);
   return *this;
 }
 
 CConfigurationNode::~CConfigurationNode() = default;
 
-SConfigurationRecord& CConfigurationNode::Record() const {
-  if (m_record == nullptr) {
+SConfigurationEntry& CConfigurationNode::Entry() const {
+  if (m_entry == nullptr) {
     THROW_CONFIGURATION_ERROR(
         "An empty configuration node was used: assign an element to it first");
   }
-  if (m_record->Element == nullptr) {
+  if (m_entry->Element == nullptr) {
     THROW_CONFIGURATION_ERROR(
-        LocationText(*m_record->File, m_record->Line)
+        LocationText(*m_entry->File, m_entry->Line)
         << ": a configuration node was used after it was removed from its parent");
   }
-  return *m_record;
+  return *m_entry;
 }
 
 bool CConfigurationNode::IsLasting() const {
-  return m_heldByDocument && m_record != nullptr && m_record->Store->IsLasting();
+  return m_heldByDocument && m_entry != nullptr && m_entry->Store->IsLasting();
 }
 
 std::string CConfigurationNode::Value() const {
-  return Record().Element->Value();
+  return Entry().Element->Value();
 }
 
 void CConfigurationNode::SetTag(const std::string& tag) {
   CheckXmlName(tag);
-  Record().Element->SetValue(tag.c_str());
+  Entry().Element->SetValue(tag.c_str());
 }
 
 UInt32 CConfigurationNode::GetLine() const {
-  return static_cast<UInt32>(Record().Line);
+  return static_cast<UInt32>(Entry().Line);
 }
 
 const std::string& CConfigurationNode::GetFileName() const {
-  return *Record().File;
+  return *Entry().File;
 }
 
 std::string CConfigurationNode::GetLocation() const {
-  return LocationText(*Record().File, Record().Line);
+  return LocationText(*Entry().File, Entry().Line);
 }
 
 /****************************************/
@@ -127,17 +127,17 @@ std::string DescribePresent(const std::string& missing, const std::vector<std::s
 
 void CConfigurationNode::ThrowMissingAttribute(const std::string& name) const {
   if (CRequestRecorder* const recorder = CRequestRecorder::Current()) {
-    recorder->NoteMissed(Record(), name);
+    recorder->NoteMissed(Entry(), name);
   }
   THROW_CONFIGURATION_ERROR(GetLocation()
                             << ": <" << Value() << ">: attribute \"" << name << "\" is missing"
-                            << DescribePresent(name, AttributeNames(*Record().Element)));
+                            << DescribePresent(name, AttributeNames(*Entry().Element)));
 }
 
 void CConfigurationNode::ThrowMissingChild(const std::string& tag) const {
   THROW_CONFIGURATION_ERROR(GetLocation()
                             << ": <" << Value() << ">: element <" << tag << "> is missing inside it"
-                            << DescribePresent(tag, ChildTags(*Record().Element)));
+                            << DescribePresent(tag, ChildTags(*Entry().Element)));
 }
 
 std::string CConfigurationNode::GetAttributeOrDefault(const std::string& name,
@@ -153,27 +153,27 @@ std::string CConfigurationNode::GetTextOrDefault(const std::string& dflt) const 
 }
 
 void CConfigurationNode::NoteRequest(const std::string& name, const char* sample) const {
-  CAttributeRepairs::Note(Record(), name, sample);
+  CAttributeRepairs::Note(Entry(), name, sample);
   if (CRequestRecorder* const recorder = CRequestRecorder::Current()) {
-    recorder->NoteType(Record(), name, sample);
+    recorder->NoteType(Entry(), name, sample);
   }
 }
 
 bool CConfigurationNode::IsLenient() const {
-  const SConfigurationRecord& record = Record();
-  return record.Store->LeniencyOf(record) != nullptr || CRequestRecorder::Current() != nullptr;
+  const SConfigurationEntry& entry = Entry();
+  return entry.Store->LeniencyOf(entry) != nullptr || CRequestRecorder::Current() != nullptr;
 }
 
 void CConfigurationNode::WarnOfLooseText(const std::string& what, const char* text,
                                          const std::string& expected) const {
-  const SConfigurationRecord& record = Record();
+  const SConfigurationEntry& entry = Entry();
   if (CRequestRecorder* const recorder = CRequestRecorder::Current()) {
-    recorder->NoteExpected(record, what, expected);
+    recorder->NoteExpected(entry, what, expected);
     return;
   }
   const std::string warning = GetLocation() + ": <" + Value() + ">: " + what + ": found \"" + text +
                               "\", expected " + expected;
-  if (record.Store->LeniencyOf(record)->Reported.insert(warning).second) {
+  if (entry.Store->LeniencyOf(entry)->Reported.insert(warning).second) {
     LOGERR << "[WARNING] " << warning << "; read as ARGoS 3 reads it" << std::endl;
   }
 }
@@ -193,7 +193,7 @@ void CConfigurationNode::ThrowUnparsable(const std::string& what, const char* te
 }
 
 void CConfigurationNode::ThrowIfHuge(const std::string& name, const char* text) const {
-  if (HasHugeNumber(text) && !IsOfUser(*Record().Element)) {
+  if (HasHugeNumber(text) && !IsOfUser(*Entry().Element)) {
     CTextOutput expected;
     expected << "real numbers from " << -kMostReal << " to " << kMostReal;
     ThrowUnparsable("attribute \"" + name + '"', text, expected.str(), "", false);
@@ -206,39 +206,39 @@ void CConfigurationNode::ThrowIfHuge(const std::string& name, const char* text) 
 
 namespace {
 
-void NoteChildRequest(const SConfigurationRecord& record, const std::string& tag) {
+void NoteChildRequest(const SConfigurationEntry& entry, const std::string& tag) {
   if (CRequestRecorder* const recorder = CRequestRecorder::Current()) {
-    recorder->NoteChild(record, tag);
+    recorder->NoteChild(entry, tag);
   }
 }
 
 }  // namespace
 
 CConfigurationNode* CConfigurationNode::Parent(bool throwIfMissing) const {
-  tinyxml2::XMLNode* parent = Record().Element->Parent();
+  tinyxml2::XMLNode* parent = Entry().Element->Parent();
   tinyxml2::XMLElement* element = parent != nullptr ? parent->ToElement() : nullptr;
   if (element == nullptr && throwIfMissing) {
     THROW_CONFIGURATION_ERROR(GetLocation() << ": <" << Value() << "> has no parent element");
   }
-  return m_record->Store->HandleOf(element);
+  return m_entry->Store->HandleOf(element);
 }
 
 CConfigurationNode* CConfigurationNode::FirstChildElement(bool throwIfMissing) const {
-  tinyxml2::XMLElement* element = Record().Element->FirstChildElement();
+  tinyxml2::XMLElement* element = Entry().Element->FirstChildElement();
   if (element == nullptr && throwIfMissing) {
     THROW_CONFIGURATION_ERROR(GetLocation() << ": <" << Value() << "> contains no element");
   }
-  return m_record->Store->HandleOf(element);
+  return m_entry->Store->HandleOf(element);
 }
 
 CConfigurationNode* CConfigurationNode::FirstChildElement(const char* tag,
                                                           bool throwIfMissing) const {
-  NoteChildRequest(Record(), tag);
-  tinyxml2::XMLElement* element = Record().Element->FirstChildElement(tag);
+  NoteChildRequest(Entry(), tag);
+  tinyxml2::XMLElement* element = Entry().Element->FirstChildElement(tag);
   if (element == nullptr && throwIfMissing) {
     ThrowMissingChild(tag);
   }
-  return m_record->Store->HandleOf(element);
+  return m_entry->Store->HandleOf(element);
 }
 
 CConfigurationNode* CConfigurationNode::FirstChildElement(const std::string& tag,
@@ -247,39 +247,39 @@ CConfigurationNode* CConfigurationNode::FirstChildElement(const std::string& tag
 }
 
 CConfigurationNode* CConfigurationNode::LastChildElement(bool throwIfMissing) const {
-  tinyxml2::XMLElement* element = Record().Element->LastChildElement();
+  tinyxml2::XMLElement* element = Entry().Element->LastChildElement();
   if (element == nullptr && throwIfMissing) {
     THROW_CONFIGURATION_ERROR(GetLocation() << ": <" << Value() << "> contains no element");
   }
-  return m_record->Store->HandleOf(element);
+  return m_entry->Store->HandleOf(element);
 }
 
 CConfigurationNode* CConfigurationNode::LastChildElement(const std::string& tag,
                                                          bool throwIfMissing) const {
-  NoteChildRequest(Record(), tag);
-  tinyxml2::XMLElement* element = Record().Element->LastChildElement(tag.c_str());
+  NoteChildRequest(Entry(), tag);
+  tinyxml2::XMLElement* element = Entry().Element->LastChildElement(tag.c_str());
   if (element == nullptr && throwIfMissing) {
     ThrowMissingChild(tag);
   }
-  return m_record->Store->HandleOf(element);
+  return m_entry->Store->HandleOf(element);
 }
 
 CConfigurationNode* CConfigurationNode::NextSiblingElement(bool throwIfMissing) const {
-  tinyxml2::XMLElement* element = Record().Element->NextSiblingElement();
+  tinyxml2::XMLElement* element = Entry().Element->NextSiblingElement();
   if (element == nullptr && throwIfMissing) {
     THROW_CONFIGURATION_ERROR(GetLocation() << ": no element follows <" << Value() << ">");
   }
-  return m_record->Store->HandleOf(element);
+  return m_entry->Store->HandleOf(element);
 }
 
 CConfigurationNode* CConfigurationNode::NextSiblingElement(const char* tag,
                                                            bool throwIfMissing) const {
-  tinyxml2::XMLElement* element = Record().Element->NextSiblingElement(tag);
+  tinyxml2::XMLElement* element = Entry().Element->NextSiblingElement(tag);
   if (element == nullptr && throwIfMissing) {
     THROW_CONFIGURATION_ERROR(GetLocation()
                               << ": no element <" << tag << "> follows <" << Value() << ">");
   }
-  return m_record->Store->HandleOf(element);
+  return m_entry->Store->HandleOf(element);
 }
 
 CConfigurationNode* CConfigurationNode::NextSiblingElement(const std::string& tag,
@@ -288,21 +288,21 @@ CConfigurationNode* CConfigurationNode::NextSiblingElement(const std::string& ta
 }
 
 CConfigurationNode* CConfigurationNode::PreviousSiblingElement(bool throwIfMissing) const {
-  tinyxml2::XMLElement* element = Record().Element->PreviousSiblingElement();
+  tinyxml2::XMLElement* element = Entry().Element->PreviousSiblingElement();
   if (element == nullptr && throwIfMissing) {
     THROW_CONFIGURATION_ERROR(GetLocation() << ": no element precedes <" << Value() << ">");
   }
-  return m_record->Store->HandleOf(element);
+  return m_entry->Store->HandleOf(element);
 }
 
 CConfigurationNode* CConfigurationNode::PreviousSiblingElement(const std::string& tag,
                                                                bool throwIfMissing) const {
-  tinyxml2::XMLElement* element = Record().Element->PreviousSiblingElement(tag.c_str());
+  tinyxml2::XMLElement* element = Entry().Element->PreviousSiblingElement(tag.c_str());
   if (element == nullptr && throwIfMissing) {
     THROW_CONFIGURATION_ERROR(GetLocation()
                               << ": no element <" << tag << "> precedes <" << Value() << ">");
   }
-  return m_record->Store->HandleOf(element);
+  return m_entry->Store->HandleOf(element);
 }
 
 CConfigurationNode* CConfigurationNode::IterateChildren(CConfigurationNode* previous) const {
@@ -316,7 +316,7 @@ CConfigurationNode* CConfigurationNode::IterateChildren(const std::string& tag,
 }
 
 bool CConfigurationNode::NoChildren() const {
-  for (const auto* child = Record().Element->FirstChild(); child != nullptr;
+  for (const auto* child = Entry().Element->FirstChild(); child != nullptr;
        child = child->NextSibling()) {
     if (child->ToComment() == nullptr) {
       return false;
@@ -330,39 +330,39 @@ bool CConfigurationNode::NoChildren() const {
 /****************************************/
 
 CConfigurationNode* CConfigurationNode::InsertEndChild(const CConfigurationNode& child) {
-  CConfigurationStore& store = *Record().Store;
-  tinyxml2::XMLElement& copy = store.CopyOf(*child.Record().Element);
-  m_record->Element->InsertEndChild(&copy);
+  CConfigurationStore& store = *Entry().Store;
+  tinyxml2::XMLElement& copy = store.CopyOf(*child.Entry().Element);
+  m_entry->Element->InsertEndChild(&copy);
   return store.HandleOf(&copy);
 }
 
 CConfigurationNode* CConfigurationNode::InsertAfterChild(const CConfigurationNode& before,
                                                          const CConfigurationNode& child) {
-  tinyxml2::XMLElement* neighbour = before.Record().Element;
-  if (neighbour->Parent() != Record().Element) {
+  tinyxml2::XMLElement* neighbour = before.Entry().Element;
+  if (neighbour->Parent() != Entry().Element) {
     THROW_CONFIGURATION_ERROR(GetLocation() << ": <" << before.Value() << "> is not a child of <"
                                             << Value() << ">, so nothing can be inserted after it");
   }
-  CConfigurationStore& store = *m_record->Store;
-  tinyxml2::XMLElement& copy = store.CopyOf(*child.Record().Element);
-  m_record->Element->InsertAfterChild(neighbour, &copy);
+  CConfigurationStore& store = *m_entry->Store;
+  tinyxml2::XMLElement& copy = store.CopyOf(*child.Entry().Element);
+  m_entry->Element->InsertAfterChild(neighbour, &copy);
   return store.HandleOf(&copy);
 }
 
 CConfigurationNode* CConfigurationNode::InsertBeforeChild(const CConfigurationNode& after,
                                                           const CConfigurationNode& child) {
-  tinyxml2::XMLElement* neighbour = after.Record().Element;
-  if (neighbour->Parent() != Record().Element) {
+  tinyxml2::XMLElement* neighbour = after.Entry().Element;
+  if (neighbour->Parent() != Entry().Element) {
     THROW_CONFIGURATION_ERROR(GetLocation()
                               << ": <" << after.Value() << "> is not a child of <" << Value()
                               << ">, so nothing can be inserted before it");
   }
-  CConfigurationStore& store = *m_record->Store;
-  tinyxml2::XMLElement& copy = store.CopyOf(*child.Record().Element);
+  CConfigurationStore& store = *m_entry->Store;
+  tinyxml2::XMLElement& copy = store.CopyOf(*child.Entry().Element);
   if (neighbour->PreviousSibling() != nullptr) {
-    m_record->Element->InsertAfterChild(neighbour->PreviousSibling(), &copy);
+    m_entry->Element->InsertAfterChild(neighbour->PreviousSibling(), &copy);
   } else {
-    m_record->Element->InsertFirstChild(&copy);
+    m_entry->Element->InsertFirstChild(&copy);
   }
   return store.HandleOf(&copy);
 }
@@ -381,26 +381,26 @@ CConfigurationNode* CConfigurationNode::ReplaceChild(CConfigurationNode* child,
 }
 
 void CConfigurationNode::RemoveChild(CConfigurationNode* child) {
-  tinyxml2::XMLElement* element = child->Record().Element;
-  if (element->Parent() != Record().Element) {
+  tinyxml2::XMLElement* element = child->Entry().Element;
+  if (element->Parent() != Entry().Element) {
     THROW_CONFIGURATION_ERROR(GetLocation() << ": <" << child->Value() << "> is not a child of <"
                                             << Value() << ">, so it cannot be removed from it");
   }
-  m_record->Store->Delete(*element);
+  m_entry->Store->Delete(*element);
 }
 
 void CConfigurationNode::Clear() {
-  while (Record().Element->FirstChild() != nullptr) {
-    m_record->Store->Delete(*m_record->Element->FirstChild());
+  while (Entry().Element->FirstChild() != nullptr) {
+    m_entry->Store->Delete(*m_entry->Element->FirstChild());
   }
 }
 
 std::unique_ptr<CConfigurationNode> CConfigurationNode::Clone() const {
   auto store = std::make_shared<CConfigurationStore>(GetFileName());
-  tinyxml2::XMLElement& copy = store->CopyOf(*Record().Element);
+  tinyxml2::XMLElement& copy = store->CopyOf(*Entry().Element);
   store->GetXml().InsertEndChild(&copy);
   auto clone = std::make_unique<CConfigurationNode>();
-  clone->m_record = &store->RecordOf(copy);
+  clone->m_entry = &store->EntryOf(copy);
   clone->m_owner = std::move(store);
   return clone;
 }
@@ -412,21 +412,20 @@ std::unique_ptr<CConfigurationNode> CConfigurationNode::Clone() const {
 namespace {
 
 // notes what it finds
-const tinyxml2::XMLAttribute* SearchAttribute(SConfigurationRecord& record,
-                                              const std::string& name) {
+const tinyxml2::XMLAttribute* SearchAttribute(SConfigurationEntry& entry, const std::string& name) {
   const tinyxml2::XMLAttribute* const next =
-      record.LastFound != nullptr ? record.LastFound->Next() : nullptr;
+      entry.LastFound != nullptr ? entry.LastFound->Next() : nullptr;
   if (next != nullptr && name == next->Name()) {
-    record.LastFound = next;
-    ++record.LastFoundIndex;
+    entry.LastFound = next;
+    ++entry.LastFoundIndex;
     return next;
   }
   UInt32 index = 0;
-  for (const auto* attribute = record.Element->FirstAttribute(); attribute != nullptr;
+  for (const auto* attribute = entry.Element->FirstAttribute(); attribute != nullptr;
        attribute = attribute->Next(), ++index) {
     if (name == attribute->Name()) {
-      record.LastFound = attribute;
-      record.LastFoundIndex = index;
+      entry.LastFound = attribute;
+      entry.LastFoundIndex = index;
       return attribute;
     }
   }
@@ -436,16 +435,16 @@ const tinyxml2::XMLAttribute* SearchAttribute(SConfigurationRecord& record,
 }  // namespace
 
 const char* CConfigurationNode::FindAttribute(const std::string& name) const {
-  SConfigurationRecord& record = Record();
+  SConfigurationEntry& entry = Entry();
   CRequestRecorder* const recorder = CRequestRecorder::Current();
   if (recorder != nullptr) {
-    recorder->NoteAttribute(record, name);
+    recorder->NoteAttribute(entry, name);
   }
-  if (const tinyxml2::XMLAttribute* const attribute = SearchAttribute(record, name)) {
-    record.ReadAttributes |= AttributeBit(record.LastFoundIndex);
+  if (const tinyxml2::XMLAttribute* const attribute = SearchAttribute(entry, name)) {
+    entry.ReadAttributes |= AttributeBit(entry.LastFoundIndex);
     return recorder != nullptr ? recorder->TextOf(name, attribute->Value()) : attribute->Value();
   }
-  std::vector<std::string>& missed = record.MissedNames;
+  std::vector<std::string>& missed = entry.MissedNames;
   if (std::find(missed.begin(), missed.end(), name) == missed.end()) {
     missed.push_back(name);
   }
@@ -460,15 +459,15 @@ std::string CConfigurationNode::GetAttribute(const std::string& name) const {
 
 void CConfigurationNode::SetAttributeText(const std::string& name, const std::string& text) {
   CheckXmlName(name);
-  Record().Element->SetAttribute(name.c_str(), text.c_str());
+  Entry().Element->SetAttribute(name.c_str(), text.c_str());
   // a written attribute counts as read
   FindAttribute(name);
 }
 
 void CConfigurationNode::RemoveAttribute(const std::string& name) {
-  SConfigurationRecord& record = Record();
+  SConfigurationEntry& entry = Entry();
   UInt32 index = 0;
-  for (const auto* attribute = record.Element->FirstAttribute(); attribute != nullptr;
+  for (const auto* attribute = entry.Element->FirstAttribute(); attribute != nullptr;
        attribute = attribute->Next(), ++index) {
     if (name != attribute->Name()) {
       continue;
@@ -476,43 +475,43 @@ void CConfigurationNode::RemoveAttribute(const std::string& name) {
     // the bits of later attributes move down by one
     if (index < kTrackedAttributes) {
       const UInt64 before = AttributeBit(index) - 1;
-      record.ReadAttributes =
-          (record.ReadAttributes & before) | ((record.ReadAttributes >> 1) & ~before);
+      entry.ReadAttributes =
+          (entry.ReadAttributes & before) | ((entry.ReadAttributes >> 1) & ~before);
     }
-    record.LastFound = nullptr;
-    record.Element->DeleteAttribute(name.c_str());
+    entry.LastFound = nullptr;
+    entry.Element->DeleteAttribute(name.c_str());
     return;
   }
 }
 
 CConfigurationAttribute* CConfigurationNode::FirstAttribute(bool throwIfMissing) const {
   if (CRequestRecorder* const recorder = CRequestRecorder::Current()) {
-    recorder->NoteOpen(Record());
+    recorder->NoteOpen(Entry());
   }
-  const tinyxml2::XMLAttribute* attribute = Record().Element->FirstAttribute();
+  const tinyxml2::XMLAttribute* attribute = Entry().Element->FirstAttribute();
   if (attribute == nullptr) {
     if (throwIfMissing) {
       THROW_CONFIGURATION_ERROR(GetLocation() << ": <" << Value() << "> has no attributes");
     }
     return nullptr;
   }
-  m_record->ReadAttributes |= AttributeBit(0);
-  return m_record->Store->KeepAttribute(CConfigurationAttribute(m_record, attribute));
+  m_entry->ReadAttributes |= AttributeBit(0);
+  return m_entry->Store->KeepAttribute(CConfigurationAttribute(m_entry, attribute));
 }
 
 std::vector<std::string> CConfigurationNode::GetAttributeNames() const {
   if (CRequestRecorder* const recorder = CRequestRecorder::Current()) {
-    recorder->NoteOpen(Record());
+    recorder->NoteOpen(Entry());
   }
-  return AttributeNames(*Record().Element);
+  return AttributeNames(*Entry().Element);
 }
 
 std::vector<std::pair<std::string, std::string>> CConfigurationNode::CopyAttributes() const {
   if (CRequestRecorder* const recorder = CRequestRecorder::Current()) {
-    recorder->NoteOpen(Record());
+    recorder->NoteOpen(Entry());
   }
   std::vector<std::pair<std::string, std::string>> attributes;
-  for (const auto* attribute = Record().Element->FirstAttribute(); attribute != nullptr;
+  for (const auto* attribute = Entry().Element->FirstAttribute(); attribute != nullptr;
        attribute = attribute->Next()) {
     attributes.emplace_back(attribute->Name(), attribute->Value());
   }
@@ -520,12 +519,12 @@ std::vector<std::pair<std::string, std::string>> CConfigurationNode::CopyAttribu
 }
 
 const char* CConfigurationNode::FindText(bool throwIfMissing) const {
-  SConfigurationRecord& record = Record();
-  record.IsTextRead = true;
+  SConfigurationEntry& entry = Entry();
+  entry.IsTextRead = true;
   if (CRequestRecorder* const recorder = CRequestRecorder::Current()) {
-    recorder->NoteText(record);
+    recorder->NoteText(entry);
   }
-  const char* text = record.Element->GetText();
+  const char* text = entry.Element->GetText();
   if (text == nullptr && throwIfMissing) {
     THROW_CONFIGURATION_ERROR(GetLocation() << ": <" << Value() << "> contains no text");
   }
@@ -538,7 +537,7 @@ std::string CConfigurationNode::GetText(bool throwIfMissing) const {
 }
 
 void CConfigurationNode::SetTextContent(const std::string& text) {
-  Record().Element->SetText(text.c_str());
+  Entry().Element->SetText(text.c_str());
 }
 
 /****************************************/
@@ -547,7 +546,7 @@ void CConfigurationNode::SetTextContent(const std::string& text) {
 
 std::ostream& operator<<(std::ostream& stream, const CConfigurationNode& node) {
   tinyxml2::XMLPrinter printer;
-  node.Record().Element->Accept(&printer);
+  node.Entry().Element->Accept(&printer);
   return stream << printer.CStr();
 }
 
@@ -560,12 +559,12 @@ std::istream& operator>>(std::istream& stream, CConfigurationNode& node) {
 }
 
 void MarkSubtreeRead(CConfigurationNode& node) {
-  SConfigurationRecord& record = node.Record();
-  record.IsVisited = true;
-  record.IsTextRead = true;
-  record.ReadAttributes = ~UInt64(0);
+  SConfigurationEntry& entry = node.Entry();
+  entry.IsVisited = true;
+  entry.IsTextRead = true;
+  entry.ReadAttributes = ~UInt64(0);
   if (CRequestRecorder* const recorder = CRequestRecorder::Current()) {
-    recorder->NoteOpen(record);
+    recorder->NoteOpen(entry);
   }
   for (auto* child = node.FirstChildElement(false); child != nullptr;
        child = child->NextSiblingElement(false)) {

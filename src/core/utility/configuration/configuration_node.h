@@ -44,7 +44,7 @@ class CConfigurationNode {
   CConfigurationNode& operator=(const CConfigurationNode& other);
   ~CConfigurationNode();
 
-  bool IsEmpty() const { return m_record == nullptr; }
+  bool IsEmpty() const { return m_entry == nullptr; }
   /** True if its address stays valid: see CConfigurationDocument::SetLasting(). */
   bool IsLasting() const;
 
@@ -273,13 +273,13 @@ class CConfigurationNode {
                                     const std::string& expected, const std::string& reason,
                                     bool isLoose) const;
 
-  SConfigurationRecord& Record() const;
+  SConfigurationEntry& Entry() const;
   void SetTag(const std::string& tag);
   void SetAttributeText(const std::string& name, const std::string& text);
   void SetTextContent(const std::string& text);
   const char* FindText(bool throwIfMissing) const;
 
-  SConfigurationRecord* m_record = nullptr;
+  SConfigurationEntry* m_entry = nullptr;
   // a user's handle may outlive the document object; empty in handles that the document itself
   // holds
   std::shared_ptr<CConfigurationStore> m_owner;

@@ -18,34 +18,34 @@ CConfigurationStore::CConfigurationStore(const std::string& name)
     : m_name(std::make_shared<const std::string>(name)),
       m_xml(true, tinyxml2::COLLAPSE_WHITESPACE) {}
 
-SConfigurationRecord& CConfigurationStore::RecordOf(tinyxml2::XMLElement& element) {
+SConfigurationEntry& CConfigurationStore::EntryOf(tinyxml2::XMLElement& element) {
   if (element.GetUserData() == nullptr) {
-    SConfigurationRecord& record = m_records.emplace_back();
-    record.Element = &element;
-    record.Store = this;
-    record.Line = element.GetLineNum();
-    record.File = m_name;
-    element.SetUserData(&record);
+    SConfigurationEntry& entry = m_entries.emplace_back();
+    entry.Element = &element;
+    entry.Store = this;
+    entry.Line = element.GetLineNum();
+    entry.File = m_name;
+    element.SetUserData(&entry);
   }
-  return *static_cast<SConfigurationRecord*>(element.GetUserData());
+  return *static_cast<SConfigurationEntry*>(element.GetUserData());
 }
 
 CConfigurationNode* CConfigurationStore::HandleOf(tinyxml2::XMLElement* element) {
   if (element == nullptr) {
     return nullptr;
   }
-  SConfigurationRecord& record = RecordOf(*element);
-  record.IsVisited = true;
+  SConfigurationEntry& entry = EntryOf(*element);
+  entry.IsVisited = true;
   if (CRequestRecorder* const recorder = CRequestRecorder::Current()) {
-    recorder->NoteVisit(record);
+    recorder->NoteVisit(entry);
   }
-  if (record.Handle == nullptr) {
+  if (entry.Handle == nullptr) {
     CConfigurationNode& handle = m_handles.emplace_back();
-    handle.m_record = &record;
+    handle.m_entry = &entry;
     handle.m_heldByDocument = true;
-    record.Handle = &handle;
+    entry.Handle = &handle;
   }
-  return record.Handle;
+  return entry.Handle;
 }
 
 CConfigurationAttribute* CConfigurationStore::KeepAttribute(
@@ -75,25 +75,25 @@ tinyxml2::XMLElement& CConfigurationStore::CopyOf(tinyxml2::XMLElement& original
 
 void CConfigurationStore::InheritOrigin(tinyxml2::XMLElement& copy,
                                         tinyxml2::XMLElement& original) {
-  SConfigurationRecord& record = RecordOf(copy);
-  const auto* originalRecord = static_cast<const SConfigurationRecord*>(original.GetUserData());
+  SConfigurationEntry& entry = EntryOf(copy);
+  const auto* originalRecord = static_cast<const SConfigurationEntry*>(original.GetUserData());
   if (CRequestRecorder::Current() != nullptr) {
-    record.OriginPath =
+    entry.OriginPath =
         std::make_shared<const std::vector<std::string>>(CRequestRecorder::PathOf(original));
   }
   if (originalRecord != nullptr) {
-    record.Origin = originalRecord->Origin;
-    record.File = originalRecord->File;
-    record.Leniency = originalRecord->Store->LeniencyOf(*originalRecord);
-    record.Line = originalRecord->Line;
+    entry.Origin = originalRecord->Origin;
+    entry.File = originalRecord->File;
+    entry.Leniency = originalRecord->Store->LeniencyOf(*originalRecord);
+    entry.Line = originalRecord->Line;
   } else {
-    // all ancestors of the original have records, which give its file
-    record.Line = original.GetLineNum();
+    // all ancestors of the original have entries, which give its file
+    entry.Line = original.GetLineNum();
     for (auto* parent = original.Parent(); parent != nullptr; parent = parent->Parent()) {
       if (parent->GetUserData() != nullptr) {
-        const auto* ancestor = static_cast<const SConfigurationRecord*>(parent->GetUserData());
-        record.File = ancestor->File;
-        record.Leniency = ancestor->Store->LeniencyOf(*ancestor);
+        const auto* ancestor = static_cast<const SConfigurationEntry*>(parent->GetUserData());
+        entry.File = ancestor->File;
+        entry.Leniency = ancestor->Store->LeniencyOf(*ancestor);
         break;
       }
     }
@@ -109,7 +109,7 @@ void CConfigurationStore::InheritOrigin(tinyxml2::XMLElement& copy,
 
 void CConfigurationStore::Forget(tinyxml2::XMLElement& element) {
   if (element.GetUserData() != nullptr) {
-    static_cast<SConfigurationRecord*>(element.GetUserData())->Element = nullptr;
+    static_cast<SConfigurationEntry*>(element.GetUserData())->Element = nullptr;
   }
   for (auto* child = element.FirstChildElement(); child != nullptr;
        child = child->NextSiblingElement()) {
@@ -131,28 +131,28 @@ void CConfigurationStore::Delete(tinyxml2::XMLNode& node) {
 namespace {
 
 // the attributes that the readers of an element use: those that they have found, or missed
-std::vector<std::string> UsedNames(const SConfigurationRecord& record) {
+std::vector<std::string> UsedNames(const SConfigurationEntry& entry) {
   std::vector<std::string> names;
   std::size_t index = 0;
-  for (const auto* attribute = record.Element->FirstAttribute(); attribute != nullptr;
+  for (const auto* attribute = entry.Element->FirstAttribute(); attribute != nullptr;
        attribute = attribute->Next(), ++index) {
     if (index >= kTrackedAttributes) {
       break;
     }
-    if (IsAttributeRead(record, index)) {
+    if (IsAttributeRead(entry, index)) {
       names.emplace_back(attribute->Name());
     }
   }
-  names.insert(names.end(), record.MissedNames.begin(), record.MissedNames.end());
+  names.insert(names.end(), entry.MissedNames.begin(), entry.MissedNames.end());
   return names;
 }
 
-bool IsUnread(const SConfigurationRecord& record, const std::string& name) {
+bool IsUnread(const SConfigurationEntry& entry, const std::string& name) {
   std::size_t index = 0;
-  for (const auto* attribute = record.Element->FirstAttribute(); attribute != nullptr;
+  for (const auto* attribute = entry.Element->FirstAttribute(); attribute != nullptr;
        attribute = attribute->Next(), ++index) {
     if (name == attribute->Name()) {
-      return !IsAttributeRead(record, index);
+      return !IsAttributeRead(entry, index);
     }
   }
   return false;
@@ -183,24 +183,24 @@ std::string Shortened(const std::string& text) {
 }
 
 // 'file:12: <tag>'
-std::string DescribeElement(const SConfigurationRecord& record) {
-  return LocationText(*record.File, record.Line) + ": <" + record.Element->Value() + ">";
+std::string DescribeElement(const SConfigurationEntry& entry) {
+  return LocationText(*entry.File, entry.Line) + ": <" + entry.Element->Value() + ">";
 }
 
-std::string DescribeUnreadAttribute(const SConfigurationRecord& record, const std::string& name) {
-  const std::string hint = DidYouMean(name, UsedNames(record));
+std::string DescribeUnreadAttribute(const SConfigurationEntry& entry, const std::string& name) {
+  const std::string hint = DidYouMean(name, UsedNames(entry));
   // without a similar name the list of all of them does not help
   const bool hasSimilar = hint.rfind("; did", 0) == 0;
-  return DescribeElement(record) + ": attribute \"" + name + "\" is not used by anything" +
+  return DescribeElement(entry) + ": attribute \"" + name + "\" is not used by anything" +
          (hasSimilar ? hint : "");
 }
 
-std::string DescribeUnreadText(const SConfigurationRecord& record, const std::string& text) {
-  const std::string tag = record.Element->Value();
+std::string DescribeUnreadText(const SConfigurationEntry& entry, const std::string& text) {
+  const std::string tag = entry.Element->Value();
   const std::size_t equals = text.find('=');
   const bool isMisplacedAttribute = equals != std::string::npos && equals > 0 &&
                                     text.find_first_of("'\"", equals) != std::string::npos;
-  return DescribeElement(record) + ": the text '" + Shortened(text) +
+  return DescribeElement(entry) + ": the text '" + Shortened(text) +
          "' inside it is not used by anything" +
          (isMisplacedAttribute
               ? "; attributes belong into the tag: <" + tag + ' ' + Shortened(text) + " />"
@@ -211,8 +211,8 @@ std::string DescribeUnreadText(const SConfigurationRecord& record, const std::st
 
 std::vector<std::string> CConfigurationStore::DescribeUnreadSettings(
     const std::set<const tinyxml2::XMLNode*>& pending) const {
-  const auto isPending = [&pending](const SConfigurationRecord& record) {
-    const tinyxml2::XMLNode* node = record.Element;
+  const auto isPending = [&pending](const SConfigurationEntry& entry) {
+    const tinyxml2::XMLNode* node = entry.Element;
     while (node != nullptr && pending.count(node) == 0) {
       node = node->Parent();
     }
@@ -220,16 +220,16 @@ std::vector<std::string> CConfigurationStore::DescribeUnreadSettings(
   };
   std::vector<std::string> lines;
   for (const SConfigurationSetting& setting : m_settings) {
-    const SConfigurationRecord* unread = nullptr;
+    const SConfigurationEntry* unread = nullptr;
     bool isUsed = false;
-    for (const SConfigurationRecord* origin : setting.Elements) {
+    for (const SConfigurationEntry* origin : setting.Elements) {
       // an element that was replaced by copies is read through these
       bool isOriginUnread = false;
-      for (const SConfigurationRecord& record : m_records) {
-        if (record.Origin == origin && record.Element != nullptr &&
-            IsUnread(record, setting.Attribute) && !isPending(record)) {
+      for (const SConfigurationEntry& entry : m_entries) {
+        if (entry.Origin == origin && entry.Element != nullptr &&
+            IsUnread(entry, setting.Attribute) && !isPending(entry)) {
           isOriginUnread = true;
-          unread = &record;
+          unread = &entry;
         }
       }
       isUsed = isUsed || !isOriginUnread;
@@ -247,23 +247,23 @@ std::vector<std::string> CConfigurationStore::DescribeUnreadSettings(
 
 void CConfigurationStore::DescribeUnread(tinyxml2::XMLElement& element,
                                          std::vector<std::string>& lines) {
-  const SConfigurationRecord& record = RecordOf(element);
-  if (!record.IsVisited) {
-    lines.push_back(DescribeElement(record) + " is not used by anything");
+  const SConfigurationEntry& entry = EntryOf(element);
+  if (!entry.IsVisited) {
+    lines.push_back(DescribeElement(entry) + " is not used by anything");
     return;
   }
   std::size_t index = 0;
   for (const auto* attribute = element.FirstAttribute(); attribute != nullptr;
        attribute = attribute->Next(), ++index) {
-    if (!IsAttributeRead(record, index)) {
-      lines.push_back(DescribeUnreadAttribute(record, attribute->Name()));
+    if (!IsAttributeRead(entry, index)) {
+      lines.push_back(DescribeUnreadAttribute(entry, attribute->Name()));
     }
   }
   for (auto* child = element.FirstChild(); child != nullptr; child = child->NextSibling()) {
-    if (child->ToText() != nullptr && !record.IsTextRead) {
+    if (child->ToText() != nullptr && !entry.IsTextRead) {
       const std::string text = Trimmed(child->Value());
       if (!text.empty()) {
-        lines.push_back(DescribeUnreadText(record, text));
+        lines.push_back(DescribeUnreadText(entry, text));
       }
     } else if (child->ToElement() != nullptr) {
       DescribeUnread(*child->ToElement(), lines);
@@ -278,15 +278,15 @@ void CConfigurationStore::DescribeRepeated(tinyxml2::XMLElement& element,
   }
   for (auto* child = element.FirstChildElement(); child != nullptr;
        child = child->NextSiblingElement()) {
-    const SConfigurationRecord& record = RecordOf(*child);
-    if (record.IsVisited) {
+    const SConfigurationEntry& entry = EntryOf(*child);
+    if (entry.IsVisited) {
       DescribeRepeated(*child, lines);
       continue;
     }
     auto* const first = element.FirstChildElement(child->Value());
-    const SConfigurationRecord& other = RecordOf(*first);
+    const SConfigurationEntry& other = EntryOf(*first);
     if (other.IsVisited) {
-      lines.push_back(DescribeElement(record) + ": " +
+      lines.push_back(DescribeElement(entry) + ": " +
                       DescribeRepeat(LocationText(*other.File, other.Line)));
     }
   }

@@ -22,7 +22,7 @@ struct SLeniency {
 };
 
 /** Data about an element besides its XML. */
-struct SConfigurationRecord {
+struct SConfigurationEntry {
   tinyxml2::XMLElement* Element = nullptr;  // null once the element was removed
   CConfigurationStore* Store = nullptr;
   CConfigurationNode* Handle =
@@ -37,8 +37,8 @@ struct SConfigurationRecord {
   bool IsVisited = false;
   bool IsTextRead = false;
   int Line = 0;
-  // of the element of which it is a copy, or of itself
-  const SConfigurationRecord* Origin = this;
+  // the entry of the element of which it is a copy, or this one
+  const SConfigurationEntry* Origin = this;
   // where the original is or was, for CRequestRecorder; null unless it is a recorded copy
   std::shared_ptr<const std::vector<std::string>> OriginPath;
   // shared with the document from which the element was copied, which may have been destroyed
@@ -52,10 +52,10 @@ struct SConfigurationSetting {
   std::string Path;
   std::string Attribute;
   std::string Value;
-  std::vector<const SConfigurationRecord*> Elements;  // that were changed
+  std::vector<const SConfigurationEntry*> Elements;  // that were changed
 };
 
-/** One XML document with a record per element; addresses of records and handles are stable. */
+/** One XML document with a entry per element; addresses of entries and handles are stable. */
 class CConfigurationStore : public std::enable_shared_from_this<CConfigurationStore> {
  public:
   explicit CConfigurationStore(const std::string& name);
@@ -63,7 +63,7 @@ class CConfigurationStore : public std::enable_shared_from_this<CConfigurationSt
   tinyxml2::XMLDocument& GetXml() { return m_xml; }
   const std::shared_ptr<const std::string>& GetName() const { return m_name; }
 
-  SConfigurationRecord& RecordOf(tinyxml2::XMLElement& element);
+  SConfigurationEntry& EntryOf(tinyxml2::XMLElement& element);
 
   /** Returns the element's handle, owned by the store; marks the element as visited. */
   CConfigurationNode* HandleOf(tinyxml2::XMLElement* element);
@@ -73,8 +73,8 @@ class CConfigurationStore : public std::enable_shared_from_this<CConfigurationSt
 
   void SetLenient() { m_leniency = std::make_shared<SLeniency>(); }
   /** Null if texts that are no valid values are errors. */
-  const std::shared_ptr<SLeniency>& LeniencyOf(const SConfigurationRecord& record) const {
-    return record.Leniency != nullptr ? record.Leniency : m_leniency;
+  const std::shared_ptr<SLeniency>& LeniencyOf(const SConfigurationEntry& entry) const {
+    return entry.Leniency != nullptr ? entry.Leniency : m_leniency;
   }
 
   /** See attribute_text.h. */
@@ -112,7 +112,7 @@ class CConfigurationStore : public std::enable_shared_from_this<CConfigurationSt
   tinyxml2::XMLDocument m_xml;
   std::shared_ptr<SLeniency> m_leniency;  // null: it is strict
   bool m_isLasting = false;
-  std::deque<SConfigurationRecord> m_records;
+  std::deque<SConfigurationEntry> m_entries;
   std::deque<CConfigurationNode> m_handles;
   std::deque<CConfigurationAttribute> m_attributes;
   std::vector<SConfigurationSetting> m_settings;
@@ -122,8 +122,8 @@ class CConfigurationStore : public std::enable_shared_from_this<CConfigurationSt
 constexpr std::size_t kTrackedAttributes = 64;
 
 /** @return true if the attribute with that number, in the order of the file, was read. */
-inline bool IsAttributeRead(const SConfigurationRecord& record, std::size_t index) {
-  return index >= kTrackedAttributes || ((record.ReadAttributes >> index) & 1) != 0;
+inline bool IsAttributeRead(const SConfigurationEntry& entry, std::size_t index) {
+  return index >= kTrackedAttributes || ((entry.ReadAttributes >> index) & 1) != 0;
 }
 
 /** @return true if one of the numbers in a text exceeds kMostReal. */

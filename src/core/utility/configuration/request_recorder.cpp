@@ -71,7 +71,7 @@ CRequestRecorder* CRequestRecorder::Current() {
 }
 
 std::vector<std::string> CRequestRecorder::PathOf(const tinyxml2::XMLElement& element) {
-  const auto* const record = static_cast<const SConfigurationRecord*>(element.GetUserData());
+  const auto* const record = static_cast<const SConfigurationEntry*>(element.GetUserData());
   if (record != nullptr && record->OriginPath != nullptr) {
     return *record->OriginPath;
   }
@@ -90,7 +90,7 @@ std::vector<std::string> CRequestRecorder::PathOf(const tinyxml2::XMLElement& el
   return path;
 }
 
-SRequestedElement* CRequestRecorder::Find(const SConfigurationRecord& record) {
+SRequestedElement* CRequestRecorder::Find(const SConfigurationEntry& record) {
   const std::vector<std::string> path = PathOf(*record.Element);
   if (path.empty()) {
     return nullptr;
@@ -103,13 +103,13 @@ SRequestedElement* CRequestRecorder::Find(const SConfigurationRecord& record) {
   return found;
 }
 
-void CRequestRecorder::NoteAttribute(const SConfigurationRecord& record, const std::string& name) {
+void CRequestRecorder::NoteAttribute(const SConfigurationEntry& record, const std::string& name) {
   if (SRequestedElement* const element = Find(record)) {
     element->Attributes[name];
   }
 }
 
-void CRequestRecorder::NoteType(const SConfigurationRecord& record, const std::string& name,
+void CRequestRecorder::NoteType(const SConfigurationEntry& record, const std::string& name,
                                 const char* sample) {
   const std::string form = sample == nullptr ? "" : sample;
   m_number = form == "1" ? name : "";
@@ -131,7 +131,7 @@ const char* CRequestRecorder::TextOf(const std::string& name, const char* text) 
   return m_text.c_str();
 }
 
-void CRequestRecorder::NoteExpected(const SConfigurationRecord& record, const std::string& what,
+void CRequestRecorder::NoteExpected(const SConfigurationEntry& record, const std::string& what,
                                     const std::string& expected) {
   SRequestedElement* const element = Find(record);
   // 'attribute "name"'
@@ -142,13 +142,13 @@ void CRequestRecorder::NoteExpected(const SConfigurationRecord& record, const st
   }
 }
 
-void CRequestRecorder::NoteMissed(const SConfigurationRecord& record, const std::string& name) {
+void CRequestRecorder::NoteMissed(const SConfigurationEntry& record, const std::string& name) {
   if (SRequestedElement* const element = Find(record)) {
     element->Attributes[name].IsMissed = true;
   }
 }
 
-void CRequestRecorder::NoteChild(const SConfigurationRecord& record, const std::string& tag) {
+void CRequestRecorder::NoteChild(const SConfigurationEntry& record, const std::string& tag) {
   SRequestedElement* const element = Find(record);
   // an element that exists is noted when something is read of it
   if (element != nullptr && record.Element->FirstChildElement(tag.c_str()) == nullptr) {
@@ -156,17 +156,17 @@ void CRequestRecorder::NoteChild(const SConfigurationRecord& record, const std::
   }
 }
 
-void CRequestRecorder::NoteVisit(const SConfigurationRecord& record) {
+void CRequestRecorder::NoteVisit(const SConfigurationEntry& record) {
   Find(record);
 }
 
-void CRequestRecorder::NoteText(const SConfigurationRecord& record) {
+void CRequestRecorder::NoteText(const SConfigurationEntry& record) {
   if (SRequestedElement* const element = Find(record)) {
     element->HasText = true;
   }
 }
 
-void CRequestRecorder::NoteOpen(const SConfigurationRecord& record) {
+void CRequestRecorder::NoteOpen(const SConfigurationEntry& record) {
   if (SRequestedElement* const element = Find(record)) {
     element->IsOpen = true;
   }

@@ -8,7 +8,7 @@
 
 namespace argos {
 
-struct SConfigurationRecord;
+struct SConfigurationEntry;
 }  // namespace argos
 
 namespace tinyxml2 {
@@ -70,22 +70,22 @@ class CRequestRecorder {
   static std::vector<std::string> PathOf(const tinyxml2::XMLElement& element);
 
   // called by the elements
-  void NoteAttribute(const SConfigurationRecord& record, const std::string& name);
+  void NoteAttribute(const SConfigurationEntry& record, const std::string& name);
   /** @param sample  null for texts of any form. */
-  void NoteType(const SConfigurationRecord& record, const std::string& name, const char* sample);
+  void NoteType(const SConfigurationEntry& record, const std::string& name, const char* sample);
   /** @return the text of the attribute to read: with a text behind it if it is a number. */
   const char* TextOf(const std::string& name, const char* text);
-  void NoteExpected(const SConfigurationRecord& record, const std::string& what,
+  void NoteExpected(const SConfigurationEntry& record, const std::string& what,
                     const std::string& expected);
-  void NoteMissed(const SConfigurationRecord& record, const std::string& name);
-  void NoteChild(const SConfigurationRecord& record, const std::string& tag);
-  void NoteVisit(const SConfigurationRecord& record);
-  void NoteText(const SConfigurationRecord& record);
-  void NoteOpen(const SConfigurationRecord& record);
+  void NoteMissed(const SConfigurationEntry& record, const std::string& name);
+  void NoteChild(const SConfigurationEntry& record, const std::string& tag);
+  void NoteVisit(const SConfigurationEntry& record);
+  void NoteText(const SConfigurationEntry& record);
+  void NoteOpen(const SConfigurationEntry& record);
 
  private:
   // null if the element is in no document, such as one that code has made
-  SRequestedElement* Find(const SConfigurationRecord& record);
+  SRequestedElement* Find(const SConfigurationEntry& record);
 
   SRequestedElement m_requests;
   std::string m_number;  // attribute whose type was noted last, if it is a number
