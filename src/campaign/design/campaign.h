@@ -60,7 +60,11 @@ struct SRunLimits {
 /** Runs at the same time. */
 constexpr UInt32 kMostJobs = 4096;
 
-enum class EIsolation { Process, Thread };
+/** What runs are executed in: "process" and "thread" in XML. */
+enum class EIsolation {
+  OwnProcess, /**< each run in a process */
+  SharedProcess /**< runs one after another in the process of a worker */
+};
 enum class EKeptFiles { None, Failed, All };
 
 /** A metric to be collected. */
@@ -115,7 +119,7 @@ struct SCampaign {
   SStopping Stopping;
   SRunLimits Limits;
   UInt32 Jobs = 0; /**< runs at the same time; 0: as many as there are processors */
-  EIsolation Isolation = EIsolation::Process;
+  EIsolation Isolation = EIsolation::OwnProcess;
   UInt32 Threads = 0; /**< of each run whose combination sets no other number */
   EKeptFiles Kept = EKeptFiles::Failed;
   std::vector<SCollectedMetric> Metrics; /**< empty: all that a run sets */

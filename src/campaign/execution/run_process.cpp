@@ -124,7 +124,7 @@ std::optional<SRunResult> CRunProcess::ExecuteOnce(const SRunRequest& request, E
   SRunResult result;
   end = Supervise(request.Id, result);
   // what a failed run leaves may harm others
-  const bool isReusable = end == EEnd::Result && m_setup.Isolation == EIsolation::Thread &&
+  const bool isReusable = end == EEnd::Result && m_setup.Isolation == EIsolation::SharedProcess &&
                           result.Status == ERunStatus::Done;
   if (!isReusable) {
     UInt64 peakMemory = 0;
@@ -205,7 +205,7 @@ void CRunProcess::Serve(const SRunRequest& first) {
   };
   execute(first);
   CMessageReader reader;
-  while (m_setup.Isolation == EIsolation::Thread) {
+  while (m_setup.Isolation == EIsolation::SharedProcess) {
     const std::optional<SMessage> message = reader.Take();
     if (message) {
       execute(DecodeRequest(message->Body));

@@ -16,10 +16,10 @@ namespace argos {
 /**
  * Executes runs in a forked process, under the limits of the setup.
  *
- * EIsolation::Process: each run has a process. EIsolation::Thread: one process executes them, one
- * after another, until a run fails or it dies; the run that was executed when it died is repeated
- * alone in a process of its own, and that is its result, because an earlier run may have broken the
- * memory.
+ * EIsolation::OwnProcess: each run has a process. EIsolation::SharedProcess: one process executes
+ * them, one after another, until a run fails or it dies; the run that was executed when it died is
+ * repeated alone in a process of its own, and that is its result, because an earlier run may have
+ * broken the memory.
  *
  * A process of runs is the leader of a process group, which is killed with it. It has the limit of
  * memory (RLIMIT_AS), writes no core files, and dies if this process does. Its standard streams

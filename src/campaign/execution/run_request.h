@@ -19,7 +19,7 @@ struct SRunSetup {
   std::optional<UInt32> Threads = 0;
   std::vector<SCollectedMetric> Metrics; /**< empty: all that a run sets */
   SRunLimits Limits;
-  EIsolation Isolation = EIsolation::Process;
+  EIsolation Isolation = EIsolation::OwnProcess;
   EKeptFiles Kept = EKeptFiles::None;
 };
 

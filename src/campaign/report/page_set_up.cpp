@@ -150,7 +150,7 @@ std::string MakeSetUp(const CReportData& data) {
   table.AddRow({"seeds", DescribeSeeds(campaign.Stopping)});
   table.AddRow({"limits of a run", DescribeLimits(campaign.Limits)});
   table.AddRow(
-      {"isolation of runs", campaign.Isolation == EIsolation::Process ? "process" : "thread"});
+      {"isolation of runs", campaign.Isolation == EIsolation::OwnProcess ? "process" : "thread"});
   table.AddRow({"runs at the same time",
                 campaign.Jobs > 0 ? std::to_string(campaign.Jobs) : "one for each processor"});
   table.AddRow({"threads of a run", std::to_string(campaign.Threads)});

@@ -114,7 +114,7 @@ void CheckIsDone(const SRunResult& result) {
 }  // namespace
 
 TEST_CASE("worker: a run equals that of the program", "[campaign][execution]") {
-  const EIsolation isolation = GENERATE(EIsolation::Process, EIsolation::Thread);
+  const EIsolation isolation = GENERATE(EIsolation::OwnProcess, EIsolation::SharedProcess);
   const CTestFolder folder;
   const SRunSetup setup = MakeSetup(folder, "", isolation);
   folder.Write("experiment.argos", setup.ExperimentText);
@@ -146,7 +146,7 @@ TEST_CASE("worker: a run equals that of the program", "[campaign][execution]") {
 
 TEST_CASE("worker: the run that fails is known, and no other one is touched",
           "[campaign][execution]") {
-  const EIsolation isolation = GENERATE(EIsolation::Process, EIsolation::Thread);
+  const EIsolation isolation = GENERATE(EIsolation::OwnProcess, EIsolation::SharedProcess);
   const auto [what, status, text] = GENERATE(table<std::string, ERunStatus, std::string>(
       {{"crash", ERunStatus::Crashed, "robot \"fb1\", controller \"c\": ControlStep() in tick 3"},
        {"hang", ERunStatus::TimedOut, "limit of wall time"},
@@ -176,7 +176,7 @@ TEST_CASE("worker: the run that fails is known, and no other one is touched",
 }
 
 TEST_CASE("worker: a run whose code forks has one result", "[campaign][execution]") {
-  const EIsolation isolation = GENERATE(EIsolation::Process, EIsolation::Thread);
+  const EIsolation isolation = GENERATE(EIsolation::OwnProcess, EIsolation::SharedProcess);
   CAPTURE(static_cast<int>(isolation));
   const CTestFolder folder;
   const std::vector<SRunResult> results =
@@ -193,7 +193,7 @@ TEST_CASE("worker: a run whose code forks has one result", "[campaign][execution
 
 TEST_CASE("worker: the death of a run is noticed, though a fork of it lives",
           "[campaign][execution]") {
-  const EIsolation isolation = GENERATE(EIsolation::Process, EIsolation::Thread);
+  const EIsolation isolation = GENERATE(EIsolation::OwnProcess, EIsolation::SharedProcess);
   const CTestFolder folder;
   const auto start = std::chrono::steady_clock::now();
   const std::vector<SRunResult> results =
@@ -211,7 +211,7 @@ TEST_CASE("worker: the peak of memory is that of the run", "[campaign][execution
     WARN("skipped: a sanitizer keeps memory that was freed");
     return;
   }
-  const EIsolation isolation = GENERATE(EIsolation::Process, EIsolation::Thread);
+  const EIsolation isolation = GENERATE(EIsolation::OwnProcess, EIsolation::SharedProcess);
   const CTestFolder folder;
   const std::vector<SRunResult> results =
       Execute(folder, MakeSetup(folder, "touch", isolation), {1, 2, 3});
@@ -223,7 +223,7 @@ TEST_CASE("worker: the peak of memory is that of the run", "[campaign][execution
 
 TEST_CASE("worker: helper threads and static objects see the run's simulator",
           "[campaign][execution]") {
-  const EIsolation isolation = GENERATE(EIsolation::Process, EIsolation::Thread);
+  const EIsolation isolation = GENERATE(EIsolation::OwnProcess, EIsolation::SharedProcess);
   const CTestFolder folder;
   SRunSetup setup = MakeSetup(folder, "", isolation);
   const std::string gain = "gain=\"1\"";
@@ -244,7 +244,7 @@ TEST_CASE("worker: helper threads and static objects see the run's simulator",
 
 TEST_CASE("worker: output is read to its end, and dropped beyond its limit",
           "[campaign][execution]") {
-  const EIsolation isolation = GENERATE(EIsolation::Process, EIsolation::Thread);
+  const EIsolation isolation = GENERATE(EIsolation::OwnProcess, EIsolation::SharedProcess);
   const CTestFolder folder;
   SRunSetup setup = MakeSetup(folder, "print", isolation);
   setup.Limits.Output = 1 << 20;
@@ -261,7 +261,7 @@ TEST_CASE("worker: output is read to its end, and dropped beyond its limit",
 TEST_CASE("worker: reductions, series and columns of files", "[campaign][execution]") {
   using enum SCollectedMetric::EReduction;
   const CTestFolder folder;
-  SRunSetup setup = MakeSetup(folder, "", EIsolation::Process);
+  SRunSetup setup = MakeSetup(folder, "", EIsolation::OwnProcess);
   for (const auto reduction : {Last, Mean, Sum, Min, Max}) {
     SCollectedMetric& metric = setup.Metrics.emplace_back();
     metric.Name = "ticks";
@@ -309,7 +309,7 @@ TEST_CASE("worker: results of PostExperiment() replace the values of the last ti
           "[campaign][execution]") {
   using enum SCollectedMetric::EReduction;
   const CTestFolder folder;
-  SRunSetup setup = MakeSetup(folder, "", EIsolation::Process);
+  SRunSetup setup = MakeSetup(folder, "", EIsolation::OwnProcess);
   const std::string gain = "gain=\"1\"";
   setup.ExperimentText.replace(setup.ExperimentText.find(gain), gain.size(), "result=\"1000\"");
   for (const auto reduction : {Last, Mean, Sum, Min, Max}) {
@@ -336,7 +336,7 @@ TEST_CASE("worker: reductions are those of the values at the ends of all ticks",
           "[campaign][execution]") {
   using enum SCollectedMetric::EReduction;
   const CTestFolder folder;
-  SRunSetup setup = MakeSetup(folder, "", EIsolation::Process);
+  SRunSetup setup = MakeSetup(folder, "", EIsolation::OwnProcess);
   // recorded in ticks 4 and 8 of 10, with their numbers: no value in ticks 1 to 3, which do not
   // count, 4 at the ends of ticks 4 to 7, 8 at those of 8 to 10
   const std::string gain = "gain=\"1\"";
@@ -370,7 +370,7 @@ TEST_CASE("worker: reductions are those of the values at the ends of all ticks",
 
 TEST_CASE("worker: a run may print gigabytes", "[campaign][execution]") {
   const CTestFolder folder;
-  SRunSetup setup = MakeSetup(folder, "flood", EIsolation::Process);
+  SRunSetup setup = MakeSetup(folder, "flood", EIsolation::OwnProcess);
   setup.Limits.Output = 1 << 20;
   const std::vector<SRunResult> results = Execute(folder, setup, {2});
   CheckIsDone(results[0]);
@@ -383,7 +383,7 @@ TEST_CASE("worker: a missing file or column fails the run", "[campaign][executio
       {{"absent.csv", "twice", "has written no file \"absent.csv\""},
        {"table.csv", "twise", "has no column \"twise\"; did you mean \"twice\"?"}}));
   const CTestFolder folder;
-  SRunSetup setup = MakeSetup(folder, "", EIsolation::Process);
+  SRunSetup setup = MakeSetup(folder, "", EIsolation::OwnProcess);
   SCollectedMetric column;
   column.Name = "column";
   column.Source = SCollectedMetric::ESource::File;
@@ -397,7 +397,7 @@ TEST_CASE("worker: a missing file or column fails the run", "[campaign][executio
 
 TEST_CASE("worker: files of runs are kept as asked for", "[campaign][execution]") {
   const CTestFolder folder;
-  SRunSetup setup = MakeSetup(folder, "throw", EIsolation::Process);
+  SRunSetup setup = MakeSetup(folder, "throw", EIsolation::OwnProcess);
   const auto [kept, good, failed] =
       GENERATE(table<EKeptFiles, bool, bool>({{EKeptFiles::None, false, false},
                                               {EKeptFiles::Failed, false, true},
@@ -410,7 +410,7 @@ TEST_CASE("worker: files of runs are kept as asked for", "[campaign][execution]"
 
 TEST_CASE("worker: a closed request pipe aborts the run", "[campaign][execution]") {
   const CTestFolder folder;
-  const SRunSetup setup = MakeSetup(folder, "hang", EIsolation::Process);
+  const SRunSetup setup = MakeSetup(folder, "hang", EIsolation::OwnProcess);
   const auto start = std::chrono::steady_clock::now();
   {
     CWorkerProcess worker(setup);

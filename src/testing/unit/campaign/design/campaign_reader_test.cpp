@@ -82,7 +82,7 @@ TEST_CASE("campaign file: everything in it is read", "[campaign][design]") {
   CHECK(campaign.Limits.WallTime == 60.5);
   CHECK(campaign.Limits.Memory == UInt64{2} << 30);
   CHECK(campaign.Limits.Output == 500000);
-  CHECK(campaign.Isolation == EIsolation::Thread);
+  CHECK(campaign.Isolation == EIsolation::SharedProcess);
   CHECK(campaign.Threads == 2);
   CHECK(campaign.Jobs == 3);
   CHECK(campaign.Kept == EKeptFiles::All);
@@ -109,7 +109,7 @@ TEST_CASE("campaign file: defaults", "[campaign][design]") {
   const CTemporaryFolder folder;
   const SCampaign campaign = ReadTestCampaign(folder, "<runs seeds=\"3\" first=\"7\"/>");
   CHECK(campaign.Stopping.Seeds == std::vector<UInt32>{7, 8, 9});
-  CHECK(campaign.Isolation == EIsolation::Process);
+  CHECK(campaign.Isolation == EIsolation::OwnProcess);
   CHECK(campaign.Kept == EKeptFiles::Failed);
   CHECK(campaign.Metrics.empty());
   CHECK(campaign.Jobs == 0);
