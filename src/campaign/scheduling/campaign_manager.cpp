@@ -150,7 +150,7 @@ void CCampaignManager::Loop() {
     if (m_numStops > 1) {
       return;
     }
-    GiveOut();
+    Dispatch();
     if (IsIdle()) {
       return;
     }
@@ -212,7 +212,7 @@ bool CCampaignManager::AreRunsShort() const {
   return m_numResults > 0 && m_totalTime / static_cast<Real>(m_numResults) < kShortRun;
 }
 
-void CCampaignManager::GiveOut() {
+void CCampaignManager::Dispatch() {
   if (m_numStops > 0) {
     return;
   }
@@ -220,7 +220,7 @@ void CCampaignManager::GiveOut() {
   // idle workers first
   for (size_t count = 0; count < most; ++count) {
     for (SWorker& worker : m_workers) {
-      if (worker.Runs.size() == count && !GiveOutOne(worker)) {
+      if (worker.Runs.size() == count && !DispatchOne(worker)) {
         return;
       }
     }
@@ -228,7 +228,7 @@ void CCampaignManager::GiveOut() {
 }
 
 // @return false if there is no run now
-bool CCampaignManager::GiveOutOne(SWorker& worker) {
+bool CCampaignManager::DispatchOne(SWorker& worker) {
   const std::optional<SPlannedRun> run = m_plan.Next();
   if (!run) {
     return false;

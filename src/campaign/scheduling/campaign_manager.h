@@ -71,8 +71,8 @@ class CCampaignManager {
   };
 
   void Loop();
-  void GiveOut();
-  bool GiveOutOne(SWorker& worker);
+  void Dispatch();
+  bool DispatchOne(SWorker& worker);
   void Wait();
   void Receive(SWorker& worker);
   void ReplaceDead(SWorker& worker);

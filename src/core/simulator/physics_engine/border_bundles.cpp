@@ -106,7 +106,7 @@ bool CBorderBundles::FindSeeds() {
   }
   m_reach = 0.0;
   for (CPhysicsEngine* engine : m_context.Engines) {
-    if (!engine->FeelsGhosts()) {
+    if (!engine->SeesGhosts()) {
       continue;
     }
     m_reach = std::max(m_reach, engine->GetGhostReach());
@@ -135,7 +135,7 @@ bool CBorderBundles::Find(UInt32 number, SMember& member) const {
   }
   auto* const engine =
       dynamic_cast<CDescribedBodyEngine*>(&body.GetPhysicsModel(size_t(0)).GetEngine());
-  if (engine == nullptr || !engine->FeelsGhosts() || engine->FindModel(body) == nullptr) {
+  if (engine == nullptr || !engine->SeesGhosts() || engine->FindModel(body) == nullptr) {
     return false;
   }
   member = {&body, engine};
@@ -276,7 +276,7 @@ CDescribedBodyEngine& CBorderBundles::FindEngineOfPlace(const SMember& member) {
   member.Engine->FindNextEngine(*member.Body, [&](CPhysicsEngine& next) {
     auto* const described = dynamic_cast<CDescribedBodyEngine*>(&next);
     const bool isFound =
-        described != nullptr && described->FeelsGhosts() && MayBeIn(*described, member);
+        described != nullptr && described->SeesGhosts() && MayBeIn(*described, member);
     found = isFound ? described : found;
     return isFound;
   });

@@ -143,7 +143,7 @@ class CPhysicsEngine : public CBaseConfigurableResource {
   /** Greatest distance beyond the border at which a ghost's solid matters within a tick, m. */
   virtual Real GetGhostReach() const { return 0.5; }
   /** @return true if there are borders to other engines and bodies behind them are obstacles. */
-  bool FeelsGhosts() const { return m_feelsGhosts && !m_borders.empty(); }
+  bool SeesGhosts() const { return m_feelsGhosts && !m_borders.empty(); }
   /** Finds the ghosts of the next tick. Called by the space while no body moves. */
   void CollectGhosts();
   /** Sorted by number in the space's index. */

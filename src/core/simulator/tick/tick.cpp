@@ -278,7 +278,7 @@ void CTick::Act() {
 void CTick::CollectGhosts() {
   const CPhysicsEngine::TVector& engines = m_context.Engines;
   if (std::none_of(engines.begin(), engines.end(),
-                   [](const CPhysicsEngine* engine) { return engine->FeelsGhosts(); })) {
+                   [](const CPhysicsEngine* engine) { return engine->SeesGhosts(); })) {
     return;
   }
   CollectGhostsOfEngines();
@@ -291,7 +291,7 @@ void CTick::CollectGhostsOfEngines() {
   const CPhysicsEngine::TVector& engines = m_context.Engines;
   m_context.Pool->ParallelFor(engines.size(), m_ghostCost, [&](size_t begin, size_t end, UInt32) {
     for (size_t i = begin; i < end; ++i) {
-      if (engines[i]->FeelsGhosts()) {
+      if (engines[i]->SeesGhosts()) {
         engines[i]->CollectGhosts();
       }
     }

@@ -220,7 +220,7 @@ void CDynamics2DEngine::UpdateWorld() {
     Build();
   }
   RepositionDisplaced();
-  if (FeelsGhosts()) {
+  if (SeesGhosts()) {
     m_world->SetGhosts(ListGhosts());
   }
   const bool isWorthThreads = UsesThreadPool() && m_world->GetNumDriven() >= kRobotsForThreads;

@@ -344,7 +344,7 @@ void CDynamics3DEngine::UpdateWorld() {
     Build();
   }
   RepositionDisplaced();
-  if (FeelsGhosts()) {
+  if (SeesGhosts()) {
     UpdateGhosts();
   }
   try {

@@ -156,7 +156,7 @@ void CKinematics2DEngine::Build() {
   for (const SWallSlab& wall : GetVolume().DescribeWalls()) {
     m_world->AddWall(*wall.Description, ToFrame(MakePlanarPose(wall.Position, wall.Orientation)));
   }
-  if (FeelsGhosts()) {
+  if (SeesGhosts()) {
     m_world->ReserveForGhosts(AddSpareCapacity(numDriven));
   }
 }
@@ -185,7 +185,7 @@ void CKinematics2DEngine::UpdateWorld() {
   if (m_world == nullptr) {
     Build();
   }
-  if (FeelsGhosts()) {
+  if (SeesGhosts()) {
     m_world->SetGhosts(ListGhosts(), m_cSimulator.GetTickLength(), GetIterations());
   }
   Advance();
