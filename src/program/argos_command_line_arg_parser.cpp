@@ -211,10 +211,10 @@ void ReadNumber(const CLI::App& app, const std::string& name, const std::string&
 }
 
 void CheckVideoSpeed(const CLI::App& app, const std::string& text, CProblems& problems) {
-  constexpr Real kLargestSpeed = 10000.0;
+  constexpr Real kMaxSpeed = 10000.0;
   std::optional<Real> speed;
-  ReadNumber(app, "--speed", text, kLargestSpeed, "a number from 0.0001 to 10000", speed, problems);
-  if (speed && *speed < 1.0 / kLargestSpeed) {
+  ReadNumber(app, "--speed", text, kMaxSpeed, "a number from 0.0001 to 10000", speed, problems);
+  if (speed && *speed < 1.0 / kMaxSpeed) {
     problems.Add("--speed " + text + ": expected a number from 0.0001 to 10000");
   }
   if (app.count("--speed") > 0 && app.count("--video") == 0) {
@@ -424,8 +424,8 @@ void CARGoSCommandLineArgParser::Parse(SInt32 argc, const char* const* argv) {
   CheckChoices(app, problems);
   m_options.LogLevel = ReadLogLevel(app, raw, problems);
   CheckGenerate(m_options, problems);
-  constexpr Real kLongestPeriod = 1e9;  // s
-  ReadNumber(app, "--progress", raw.Progress, kLongestPeriod, "a number of seconds, at least 0",
+  constexpr Real kMaxPeriod = 1e9;  // s
+  ReadNumber(app, "--progress", raw.Progress, kMaxPeriod, "a number of seconds, at least 0",
              m_options.ProgressPeriod, problems);
   ReadNumber(app, "--seed", raw.Seed, ~UInt32(0), "an integer from 0 to 4294967295", m_options.Seed,
              problems);

@@ -39,8 +39,8 @@ constexpr SCrashSignal kCrashSignals[] = {{SIGSEGV, "SIGSEGV: invalid memory acc
 constexpr unsigned int kPatience = 10;
 // s; for the other steps, which wait only for locks that nothing releases any more
 constexpr unsigned int kShortPatience = 1;
-constexpr int kMostFrames = 40;
-constexpr int kMostOwnFrames = 20;  // of the handler
+constexpr int kMaxFrames = 40;
+constexpr int kMaxOwnFrames = 20;  // of the handler
 // bytes beside the end of a stack that an overflow touches first
 constexpr std::uintptr_t kGuardReach = 64 * 1024;
 
@@ -90,7 +90,7 @@ void Print(const CSignalSafeText& text) {
 
 // the addresses of the calls, innermost first
 struct SStack {
-  std::uintptr_t Addresses[kMostFrames + kMostOwnFrames];
+  std::uintptr_t Addresses[kMaxFrames + kMaxOwnFrames];
   int Count = 0;
 };
 
@@ -109,7 +109,7 @@ int NoteAddress(void* data, std::uintptr_t address) {
   if (address != ~std::uintptr_t(0)) {
     stack.Addresses[stack.Count++] = address;
   }
-  return stack.Count == kMostFrames + kMostOwnFrames ? 1 : 0;
+  return stack.Count == kMaxFrames + kMaxOwnFrames ? 1 : 0;
 }
 
 void AppendFunction(const char* mangled, bool demangle, CSignalSafeText& text) {
@@ -183,7 +183,7 @@ void PrintStack(std::uintptr_t fault, bool demangle) {
     ++first;
   }
   first = first == stack.Count ? 0 : first;
-  for (int i = first; i < stack.Count && i < first + kMostFrames; ++i) {
+  for (int i = first; i < stack.Count && i < first + kMaxFrames; ++i) {
     SFrame frame{i - first, demangle};
     backtrace_pcinfo(g_symbols, stack.Addresses[i], &PrintFrame, &IgnoreError, &frame);
     if (!frame.IsPrinted) {

@@ -26,7 +26,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // bytes; of a larger file that is opened for writing, only the size is copied
-constexpr off_t kLargestCopy = off_t(1) << 28;
+constexpr off_t kMaxCopyBytes = off_t(1) << 28;
 
 struct SShield {
   std::atomic<bool> IsUp = false;
@@ -193,9 +193,9 @@ class CShieldedPath {
       return false;
     }
     const bool hasContent = !isEmptied && size > 0;
-    bool isDone = !hasContent || size <= kLargestCopy || ftruncate(file, size) == 0;
+    bool isDone = !hasContent || size <= kMaxCopyBytes || ftruncate(file, size) == 0;
     close(file);
-    if (isDone && hasContent && size <= kLargestCopy) {
+    if (isDone && hasContent && size <= kMaxCopyBytes) {
       fs::copy_file(m_absolute, m_copy, fs::copy_options::overwrite_existing, error);
       isDone = !error;
     }

@@ -58,7 +58,7 @@ struct SRunLimits {
 };
 
 /** Runs at the same time. */
-constexpr UInt32 kMostJobs = 4096;
+constexpr UInt32 kMaxJobs = 4096;
 
 /** What runs are executed in: "process" and "thread" in XML. */
 enum class EIsolation {

@@ -15,7 +15,7 @@ namespace argos {
 
 namespace {
 
-constexpr size_t kMostCombinations = 1000000;
+constexpr size_t kMaxCombinations = 1000000;
 
 // (combinations, factors) indices of levels
 typedef std::vector<std::vector<UInt32>> TSelections;
@@ -24,9 +24,9 @@ TSelections SelectAll(const SDesignSource& design) {
   size_t count = 1;
   for (const SFactorSource& source : design.Factors) {
     count *= source.Factor.Levels.size();
-    if (count > kMostCombinations) {
+    if (count > kMaxCombinations) {
       THROW_ARGOSEXCEPTION(design.Location
-                           << ": the factors have more than " << kMostCombinations
+                           << ": the factors have more than " << kMaxCombinations
                            << " combinations: design=\"latin_hypercube\" takes a sample of them");
     }
   }
@@ -105,8 +105,8 @@ TSelections SelectHypercube(SDesignSource& design) {
                                          << " combinations: design=\"full\" has them all");
   }
   // few levels may meet twice by chance
-  constexpr int kMostAttempts = 1000;
-  for (int attempt = 0; attempt < kMostAttempts; ++attempt) {
+  constexpr int kMaxAttempts = 1000;
+  for (int attempt = 0; attempt < kMaxAttempts; ++attempt) {
     TSelections selections(design.Samples, std::vector<UInt32>(design.Factors.size()));
     for (size_t f = 0; f < design.Factors.size(); ++f) {
       const UInt32 levels = static_cast<UInt32>(design.Factors[f].Factor.Levels.size());

@@ -148,10 +148,10 @@ UInt64 ReadSize(TConfigurationNode& node, const std::string& attribute, UInt64 d
   if (!NodeAttributeExists(node, attribute)) {
     return dflt;
   }
-  constexpr Real kMost = 1e18;
+  constexpr Real kMax = 1e18;
   const std::string text = ReadText(node, attribute);
   const Real size = std::floor(ParseSize(text));
-  if (!(size >= 1.0) || size > kMost) {
+  if (!(size >= 1.0) || size > kMax) {
     ThrowAt(node, "attribute \"" + attribute +
                       "\": expected a size, such as \"2 GiB\", \"500 MB\" or \"1048576\" (bytes), "
                       "found \"" +

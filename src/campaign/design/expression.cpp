@@ -17,15 +17,15 @@ namespace argos {
 
 namespace {
 
-constexpr UInt64 kMostInstructions = 1000000;
-constexpr UInt64 kMostMemory = UInt64{16} << 20;  // bytes
+constexpr UInt64 kMaxInstructions = 1000000;
+constexpr UInt64 kMaxMemory = UInt64{16} << 20;  // bytes
 
 constexpr const char* kChunkName = "=expression";
 
 SLuaLimits MakeLimits() {
   SLuaLimits limits;
-  limits.MaxInstructions = kMostInstructions;
-  limits.MaxMemory = kMostMemory;
+  limits.MaxInstructions = kMaxInstructions;
+  limits.MaxMemory = kMaxMemory;
   return limits;
 }
 

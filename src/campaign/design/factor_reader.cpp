@@ -12,7 +12,7 @@ namespace argos {
 
 namespace {
 
-constexpr UInt32 kMostLevels = 100000;
+constexpr UInt32 kMaxLevels = 100000;
 
 const std::vector<std::string> kReservedNames = {
     "and",      "break",  "do",     "else", "elseif", "end",   "false", "for",
@@ -40,9 +40,9 @@ void ReadRange(TConfigurationNode& node, SFactorRange& range) {
 UInt32 ReadLevelCount(TConfigurationNode& node, const std::string& attribute, UInt32 min) {
   UInt32 count = 0;
   GetNodeAttribute(node, attribute, count);
-  if (count < min || count > kMostLevels) {
+  if (count < min || count > kMaxLevels) {
     ThrowAt(node, "attribute \"" + attribute + "\": expected a whole number from " +
-                      std::to_string(min) + " to " + std::to_string(kMostLevels) + ", found " +
+                      std::to_string(min) + " to " + std::to_string(kMaxLevels) + ", found " +
                       std::to_string(count));
   }
   return count;

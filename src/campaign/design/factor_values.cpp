@@ -16,7 +16,7 @@ namespace argos {
 
 namespace {
 
-constexpr Real kMostValues = 100000.0;
+constexpr Real kMaxValues = 100000.0;
 
 // calls use(character, index) for the characters outside of expressions
 template <typename USE>
@@ -81,8 +81,8 @@ void AddRange(const std::string& text, const std::vector<Real>& numbers,
   // so that 0:1:0.1 has 11 numbers in spite of rounding
   constexpr Real kTolerance = 1e-9;
   const Real count = std::floor((last - first) / step * (1.0 + kTolerance) + kTolerance) + 1.0;
-  if (!(count <= kMostValues)) {
-    THROW_ARGOSEXCEPTION("\"" << text << "\": more than " << kMostValues << " numbers");
+  if (!(count <= kMaxValues)) {
+    THROW_ARGOSEXCEPTION("\"" << text << "\": more than " << kMaxValues << " numbers");
   }
   for (int i = 0; i < static_cast<int>(count); ++i) {
     values.push_back(FormatValue(first + i * step));

@@ -25,7 +25,7 @@ Real ReadPositive(TConfigurationNode& node, const std::string& attribute) {
 }
 
 void ReadSequentialRule(TConfigurationNode& node, SStopping& stopping) {
-  constexpr UInt32 kFewestRuns = 2;  // an interval needs two values
+  constexpr UInt32 kMinRuns = 2;  // an interval needs two values
   stopping.Metric = ReadName(node, "until");
   GetNodeAttributeOrDefault(node, "level", stopping.Level, stopping.Level);
   if (!(stopping.Level > 0.0 && stopping.Level < 1.0)) {
@@ -39,8 +39,8 @@ void ReadSequentialRule(TConfigurationNode& node, SStopping& stopping) {
             "until=\"...\" needs either relative=\"...\" (half the interval over the mean) or "
             "width=\"...\" (of the interval)");
   }
-  stopping.MinRuns = ReadCount(node, "min", kFewestRuns, stopping.MinRuns);
-  stopping.MaxRuns = ReadCount(node, "max", kFewestRuns, stopping.MaxRuns);
+  stopping.MinRuns = ReadCount(node, "min", kMinRuns, stopping.MinRuns);
+  stopping.MaxRuns = ReadCount(node, "max", kMinRuns, stopping.MaxRuns);
   if (stopping.MaxRuns < stopping.MinRuns) {
     ThrowAt(node, "expected min <= max, found min=\"" + std::to_string(stopping.MinRuns) +
                       "\" and max=\"" + std::to_string(stopping.MaxRuns) + '"');
@@ -52,10 +52,10 @@ void ReadSequentialRule(TConfigurationNode& node, SStopping& stopping) {
 }
 
 void ReadSeedCount(TConfigurationNode& node, UInt32 count, SStopping& stopping) {
-  constexpr UInt32 kMostSeeds = 1000000;
-  if (count < 1 || count > kMostSeeds) {
+  constexpr UInt32 kMaxSeeds = 1000000;
+  if (count < 1 || count > kMaxSeeds) {
     ThrowAt(node, "attribute \"seeds\": expected a number of seeds from 1 to " +
-                      std::to_string(kMostSeeds) + ", or a list, found " + std::to_string(count));
+                      std::to_string(kMaxSeeds) + ", or a list, found " + std::to_string(count));
   }
   stopping.FirstSeed = ReadCount(node, "first", 1, 1);
   if (stopping.FirstSeed > std::numeric_limits<UInt32>::max() - count) {
@@ -148,9 +148,9 @@ void ReadExecution(TConfigurationNode& node, SCampaign& campaign) {
   if (NodeAttributeExists(node, "jobs")) {
     campaign.Jobs = ReadCount(node, "jobs", 1, 1);
   }
-  if (campaign.Jobs > kMostJobs) {
+  if (campaign.Jobs > kMaxJobs) {
     ThrowAt(node, "attribute \"jobs\": expected a whole number from 1 to " +
-                      std::to_string(kMostJobs) + ", found " + std::to_string(campaign.Jobs));
+                      std::to_string(kMaxJobs) + ", found " + std::to_string(campaign.Jobs));
   }
   campaign.Isolation =
       static_cast<EIsolation>(ReadChoice(node, "isolation", {"process", "thread"}));

@@ -58,8 +58,8 @@ void ReadMetricRuns(const std::string& path, const SMetricRequest& request,
 }  // namespace
 
 SFigureDraft MakeMetricFigure(const SMetricRequest& request) {
-  if (request.Metrics.size() > kMostColors) {
-    THROW_ARGOSEXCEPTION("at most " << kMostColors << " metrics fit into one plot, found "
+  if (request.Metrics.size() > kMaxColors) {
+    THROW_ARGOSEXCEPTION("at most " << kMaxColors << " metrics fit into one plot, found "
                                     << request.Metrics.size());
   }
   std::vector<SMetricRuns> metrics(request.Metrics.size());

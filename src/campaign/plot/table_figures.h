@@ -28,7 +28,7 @@ struct STrajectoryRequest {
 
 /**
  * The paths of robots over the arena, with its walls and objects where they were at the start. Dots
- * are the starts, circles the ends. Up to kMostColors robots have entries in a key, more have
+ * are the starts, circles the ends. Up to kMaxColors robots have entries in a key, more have
  * colours of a scale.
  * @param look  set: the height shows the arena in its proportions.
  * @throws CARGoSException if the table is none, or has no such rows.

@@ -33,9 +33,9 @@ bool IsIn(const std::vector<std::string>& list, const std::string& word) {
 }
 
 [[noreturn]] void ThrowNoRobot(const std::string& robot, const std::vector<std::string>& others) {
-  constexpr size_t kMostNames = 20;
+  constexpr size_t kMaxNames = 20;
   std::string names;
-  for (size_t i = 0; i < std::min(others.size(), kMostNames); ++i) {
+  for (size_t i = 0; i < std::min(others.size(), kMaxNames); ++i) {
     names += (i == 0 ? "" : ", ") + others[i];
   }
   THROW_ARGOSEXCEPTION("there are no rows of the robot \"" << robot << "\"; others: " << names);
@@ -111,7 +111,7 @@ UInt32 ComputeShade(Real t) {
 // few robots have colours that are easily distinguished, others a scale from blue to green
 UInt32 GetPathColor(size_t index, size_t count) {
   constexpr Real kScalePart = 0.85;
-  return count <= kMostColors
+  return count <= kMaxColors
              ? static_cast<UInt32>(std::strtoul(GetColor(index) + 1, nullptr, 16))
              : ComputeShade(kScalePart * static_cast<Real>(index) / static_cast<Real>(count - 1));
 }
@@ -161,8 +161,8 @@ std::string MakeObjects(const CTableFile& table) {
 }
 
 std::string MakePathPlot(const std::vector<SPath>& paths) {
-  constexpr size_t kMostThickPaths = 60;
-  const bool isThick = paths.size() <= kMostThickPaths;
+  constexpr size_t kMaxThickPaths = 60;
+  const bool isThick = paths.size() <= kMaxThickPaths;
   const Real size = isThick ? 0.9 : 0.3;
   std::string plot = fmt::format(
       "plot {0} index 0 using 1:2:3 with lines linewidth {1} linecolor rgb variable notitle, \\\n"
@@ -171,7 +171,7 @@ std::string MakePathPlot(const std::vector<SPath>& paths) {
       "  {0} index 2 using 1:2:3 with points pointtype 6 pointsize {3} linewidth 1.5 linecolor rgb "
       "variable notitle",
       kDataName, isThick ? 1.3 : 0.4, 0.6 * size, size);
-  for (size_t i = 0; i < paths.size() && paths.size() <= kMostColors; ++i) {
+  for (size_t i = 0; i < paths.size() && paths.size() <= kMaxColors; ++i) {
     plot += fmt::format(", \\\n  keyentry with lines linewidth 2 linecolor rgb '{}' title {}",
                         GetColor(i), QuoteForGnuplot(paths[i].Robot));
   }
@@ -186,7 +186,7 @@ SFigureDraft MakeTrajectoryFigure(const STrajectoryRequest& request, SFigureLook
   const SPlotArea area = ComputeArea(table, paths);
   const Real width = area.HighX - area.LowX;
   const Real height = area.HighY - area.LowY;
-  const bool hasKey = paths.size() <= kMostColors;
+  const bool hasKey = paths.size() <= kMaxColors;
 
   // the arena fills the width beside the labels; tall ones are limited
   const Real ratio = width > 0.0 ? height / width : 1.0;

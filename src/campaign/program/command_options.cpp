@@ -40,7 +40,7 @@ void AddExecutionOptions(CLI::App& command, SExecutionOptions& options) {
       .add_option("-j,--jobs", options.Jobs,
                   "runs at the same time; default: what the file says, or the number of processors")
       ->type_name("N")
-      ->check(CLI::Range(1U, kMostJobs));
+      ->check(CLI::Range(1U, kMaxJobs));
   command.add_flag("--quiet", options.IsQuiet, "print no progress");
 }
 

@@ -170,7 +170,7 @@ std::string MakeScript(const CReportData& data, const SFigureRequest& request, s
 }  // namespace
 
 SFigureDraft MakeBoxplot(const CReportData& data, const SFigureRequest& request) {
-  constexpr size_t kMostPoints = 100;  // of a box; more hide it
+  constexpr size_t kMaxPoints = 100;  // of a box; more hide it
   RequireName(request, "y", request.Y);
   RequireName(request, "x", request.X);
   const size_t factor = data.FindFactor(request.X);
@@ -196,7 +196,7 @@ SFigureDraft MakeBoxplot(const CReportData& data, const SFigureRequest& request)
       if (!values.empty()) {
         counts.push_back(values.size());
       }
-      hasPoints = hasPoints && values.size() <= kMostPoints;
+      hasPoints = hasPoints && values.size() <= kMaxPoints;
     }
   }
   draft.Script = MakeScript(data, request, factor, groups, samples, width, hasPoints);

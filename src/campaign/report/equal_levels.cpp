@@ -11,8 +11,8 @@ namespace argos {
 
 namespace {
 
-constexpr size_t kMostComparedLevels = 1000;  // of a factor: all pairs are compared
-constexpr size_t kMostNamedLevels = 5;  // in a warning
+constexpr size_t kMaxComparedLevels = 1000;  // of a factor: all pairs are compared
+constexpr size_t kMaxNamedLevels = 5;  // in a warning
 
 /** The runs of a level: what they have in common with one of another level, and the digests. */
 struct SLevelRuns {
@@ -126,7 +126,7 @@ std::string NameLevels(const SEqualLevels& equal, size_t numLevels) {
     return fmt::format("all {} levels", numLevels);
   }
   std::string names;
-  const size_t named = std::min(equal.Levels.size(), kMostNamedLevels);
+  const size_t named = std::min(equal.Levels.size(), kMaxNamedLevels);
   for (size_t i = 0; i < named; ++i) {
     const bool isLast = i + 1 == equal.Levels.size();
     names += (i == 0 ? "" : isLast ? " and " : ", ") + equal.Levels[i]->Value;
@@ -146,7 +146,7 @@ std::vector<std::string> WarnOfEqualLevels(const CReportData& data) {
     }
     const std::vector<SLevelRuns> levels = CollectLevels(data, factor);
     const SEqualLevels equal =
-        levels.size() > kMostComparedLevels ? SEqualLevels() : FindEqualLevels(levels);
+        levels.size() > kMaxComparedLevels ? SEqualLevels() : FindEqualLevels(levels);
     if (equal.Levels.empty()) {
       continue;
     }

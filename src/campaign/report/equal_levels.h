@@ -14,7 +14,7 @@ namespace argos {
  * Two levels are equal if all runs of the newest generation that are done, and that differ in the
  * level only, not in the seed or in the level of another factor, have equal digests; there must be
  * one pair at least. Factors that set the number of threads are left out, since results do not
- * depend on it, and so are those with more than kMostComparedLevels levels.
+ * depend on it, and so are those with more than kMaxComparedLevels levels.
  *
  * @return a warning for each such factor.
  */

@@ -13,16 +13,15 @@ namespace argos {
 
 namespace {
 
-constexpr UInt32 kSmallestSide = 100;
-constexpr UInt32 kLargestSide = 4000;
+constexpr UInt32 kMinSide = 100;
+constexpr UInt32 kMaxSide = 4000;
 
 UInt32 ParseSide(const std::string& name, const std::string& text) {
   UInt32 side = 0;
-  if (ParseNumber(text, side) != ENumberParsing::Ok || side < kSmallestSide ||
-      side > kLargestSide) {
+  if (ParseNumber(text, side) != ENumberParsing::Ok || side < kMinSide || side > kMaxSide) {
     THROW_ARGOSEXCEPTION("attribute \"" << name << "\": \"" << text
-                                        << "\" is no number of pixels from " << kSmallestSide
-                                        << " to " << kLargestSide);
+                                        << "\" is no number of pixels from " << kMinSide << " to "
+                                        << kMaxSide);
   }
   return side;
 }
@@ -140,7 +139,7 @@ std::vector<SFigureRequest> ListFigureRequests(const CReportData& data) {
   }
   const auto findGroup = [&](size_t index) -> std::string {
     return index < varied.size() &&
-                   data.GetLevels(data.FindFactor(varied[index])).size() <= kMostColors
+                   data.GetLevels(data.FindFactor(varied[index])).size() <= kMaxColors
                ? varied[index]
                : "";
   };

@@ -19,9 +19,9 @@ CFigureGroups::CFigureGroups(const CReportData& data, const std::string& factor)
     return;
   }
   m_factor = data.FindFactor(factor);
-  if (GetCount() > kMostColors) {
+  if (GetCount() > kMaxColors) {
     THROW_ARGOSEXCEPTION("group=\"" << factor << "\": the factor has " << GetCount()
-                                    << " levels; the colours of at most " << kMostColors
+                                    << " levels; the colours of at most " << kMaxColors
                                     << " groups can be told apart");
   }
 }
@@ -127,8 +127,8 @@ std::string MakeFigureName(const SFigureRequest& request) {
       name += part->empty() ? "" : '_' + *part;
     }
   }
-  constexpr size_t kLongest = 100;
-  name.resize(std::min(name.size(), kLongest));
+  constexpr size_t kMaxLength = 100;
+  name.resize(std::min(name.size(), kMaxLength));
   for (char& c : name) {
     const bool isPlain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
                          (c >= '0' && c <= '9') || c == '_' || c == '-';

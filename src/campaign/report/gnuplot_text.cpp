@@ -13,9 +13,9 @@ namespace argos {
 namespace {
 
 // P. Tol, "Colour Schemes" (2021), scheme "muted"; neighbours differ in lightness
-constexpr std::array<const char*, kMostColors> kColors = {"#332288", "#CC6677", "#44AA99",
-                                                          "#DDCC77", "#882255", "#117733",
-                                                          "#88CCEE", "#999933", "#AA4499"};
+constexpr std::array<const char*, kMaxColors> kColors = {"#332288", "#CC6677", "#44AA99",
+                                                         "#DDCC77", "#882255", "#117733",
+                                                         "#88CCEE", "#999933", "#AA4499"};
 
 // letters of labels of an axis that fit side by side into 640 pixels
 constexpr size_t kLettersOfAxis = 60;

@@ -12,9 +12,9 @@
 namespace argos {
 
 /** Groups that differ in colour. */
-constexpr size_t kMostColors = 9;
+constexpr size_t kMaxColors = 9;
 
-/** "#332288", ...: distinguishable with colour blindness. @param index  below kMostColors. */
+/** "#332288", ...: distinguishable with colour blindness. @param index  below kMaxColors. */
 const char* GetColor(size_t index);
 
 /** Users' text as a string of gnuplot, which expands nothing in it. */

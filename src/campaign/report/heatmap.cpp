@@ -14,7 +14,7 @@ namespace argos {
 
 namespace {
 
-constexpr size_t kMostNumbers = 100;  // cells whose numbers can be read
+constexpr size_t kMaxNumbers = 100;  // cells whose numbers can be read
 
 struct SCells {
   std::vector<std::vector<Real>> Means;  // (levels of x, levels of y); NaN without values
@@ -104,7 +104,7 @@ std::string MakeScript(const CReportData& data, const SFigureRequest& request, c
       "plot {} using 1:2:(0.49):(0.49):3 with boxxyerror fillstyle solid 1.0 noborder linecolor "
       "palette notitle",
       kDataName);
-  if (cells.Counts.size() <= kMostNumbers) {
+  if (cells.Counts.size() <= kMaxNumbers) {
     script += fmt::format(
         ", \\\n  {} using 1:2:(valid(3) ? sprintf('%.3g', $3) : ''):4 with labels noenhanced "
         "textcolor rgb variable notitle",

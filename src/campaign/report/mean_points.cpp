@@ -243,7 +243,7 @@ std::string SMeans::MakeData(const SFigureRequest& request, const CFigureGroups&
 
 // tics of x are the levels themselves if they are few
 std::string SMeans::MakeFrame(const CReportData& data, const SFigureRequest& request) const {
-  constexpr size_t kMostLabels = 9;
+  constexpr size_t kMaxLabels = 9;
   std::map<Real, std::string> levels;
   Real low = request.Reference.value_or(std::numeric_limits<Real>::infinity());
   Real high = request.Reference.value_or(-std::numeric_limits<Real>::infinity());
@@ -261,7 +261,7 @@ std::string SMeans::MakeFrame(const CReportData& data, const SFigureRequest& req
   low = isNegative ? low : std::max(low, 0.0);
   const std::string xLabel =
       IsXMetric ? MakeMetricLabel(data, request.X, false, "") : MakeLabel(request.X, "");
-  const bool hasLevels = !IsXMetric && levels.size() <= kMostLabels;
+  const bool hasLevels = !IsXMetric && levels.size() <= kMaxLabels;
   return MakeStyle(request.Title, request.XLabel.empty() ? xLabel : request.XLabel,
                    MakeMetricLabel(data, request.Y, false, request.YLabel)) +
          (request.IsXLogarithmic

@@ -22,13 +22,13 @@ std::string DescribeAxes(const SFigureRequest& request) {
 
 // beside the curves, one below the other, unless that would leave little room for these
 std::string PlaceKey(const SFigureRequest& request, const CFigureGroups& groups) {
-  constexpr size_t kLongest = 14;
+  constexpr size_t kMaxLength = 14;
   size_t longest = request.ReferenceLabel.size();
   for (size_t group = 0; group < groups.GetCount(); ++group) {
     longest = std::max(longest, groups.GetTitle(group).size());
   }
-  return longest > kLongest ? "set key outside top center horizontal\n"
-                            : "set key outside right center vertical\n";
+  return longest > kMaxLength ? "set key outside top center horizontal\n"
+                              : "set key outside right center vertical\n";
 }
 
 // lines, points above them, and the reference below both

@@ -167,20 +167,20 @@ std::string MakeComparisonSection(const std::vector<SComparisonTable>& tables) {
 }
 
 std::string MakeFailedRuns(const CReportData& data) {
-  constexpr size_t kMostRuns = 50;
+  constexpr size_t kMaxRuns = 50;
   std::string text;
   size_t count = 0;
   for (const SStoredRun& run : data.GetRuns()) {
-    if (run.Result.Status != ERunStatus::Done && ++count <= kMostRuns) {
+    if (run.Result.Status != ERunStatus::Done && ++count <= kMaxRuns) {
       text += MakeFailedRun(data, run);
     }
   }
   if (count == 0) {
     return "";
   }
-  if (count > kMostRuns) {
+  if (count > kMaxRuns) {
     text +=
-        fmt::format("<p>And {} more; argos3-campaign export lists all.</p>\n", count - kMostRuns);
+        fmt::format("<p>And {} more; argos3-campaign export lists all.</p>\n", count - kMaxRuns);
   }
   return "<h2>Failed runs</h2>\n" + text;
 }

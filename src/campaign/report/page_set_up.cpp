@@ -74,13 +74,13 @@ std::string ListPaths(const SFactor& factor) {
 }
 
 std::string JoinLevels(const std::vector<std::string>& levels) {
-  constexpr size_t kMostLevels = 40;
+  constexpr size_t kMaxLevels = 40;
   std::string text;
-  for (size_t i = 0; i < std::min(levels.size(), kMostLevels); ++i) {
+  for (size_t i = 0; i < std::min(levels.size(), kMaxLevels); ++i) {
     text += (i == 0 ? "" : ", ") + levels[i];
   }
-  return levels.size() <= kMostLevels ? text
-                                      : fmt::format("{}, ... ({} in all)", text, levels.size());
+  return levels.size() <= kMaxLevels ? text
+                                     : fmt::format("{}, ... ({} in all)", text, levels.size());
 }
 
 }  // namespace

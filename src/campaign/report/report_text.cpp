@@ -56,8 +56,8 @@ std::string FormatRange(Real lower, Real upper) {
 }
 
 std::string FormatPValue(Real value) {
-  constexpr Real kSmallest = 0.001;
-  return value < kSmallest ? "p < 0.001" : fmt::format("p = {:.2g}", value);
+  constexpr Real kMin = 0.001;
+  return value < kMin ? "p < 0.001" : fmt::format("p = {:.2g}", value);
 }
 
 std::string FormatDuration(Real seconds) {

@@ -18,7 +18,7 @@ namespace argos {
 namespace {
 
 constexpr Real kNoValue = std::numeric_limits<Real>::quiet_NaN();
-constexpr size_t kMostPoints = 600;  // of a line in a figure; the data file has all
+constexpr size_t kMaxPoints = 600;  // of a line in a figure; the data file has all
 
 // means with t intervals at each time, which have width 0 if there is one run only
 SSeriesBands ComputeIntervals(const std::vector<std::vector<Real>>& runs) {
@@ -119,7 +119,7 @@ std::string MakeBandPlot(const std::vector<SBand>& all, bool showsCounts) {
     const SBand& band = all[index];
     const size_t count = band.Bands.Median.size();
     const std::string source = fmt::format("{} index {} every {}", kDataName, index,
-                                           (count + kMostPoints - 1) / kMostPoints + (count == 0));
+                                           (count + kMaxPoints - 1) / kMaxPoints + (count == 0));
     const char* const color = GetColor(index);
     if (band.Group.Runs.size() > 1) {
       bands += fmt::format(

@@ -27,9 +27,9 @@ namespace {
 // a worker whose runs are shorter gets the next one before it has finished the last: it does not
 // wait for this process
 constexpr Real kShortRun = 0.1;  // s
-constexpr size_t kMostRunsOfWorker = 2;
-constexpr UInt32 kMostDeaths = 5;  // of workers, without any result in between
-constexpr UInt32 kMostDeathsOfRun = 2;
+constexpr size_t kMaxRunsOfWorker = 2;
+constexpr UInt32 kMaxDeaths = 5;  // of workers, without any result in between
+constexpr UInt32 kMaxDeathsOfRun = 2;
 
 std::string GetMachine() {
   std::array<char, 256> name{};
@@ -216,7 +216,7 @@ void CCampaignManager::Dispatch() {
   if (m_numStops > 0) {
     return;
   }
-  const size_t most = AreRunsShort() ? kMostRunsOfWorker : 1;
+  const size_t most = AreRunsShort() ? kMaxRunsOfWorker : 1;
   // idle workers first
   for (size_t count = 0; count < most; ++count) {
     for (SWorker& worker : m_workers) {
@@ -295,7 +295,7 @@ void CCampaignManager::ReplaceDead(SWorker& worker) {
   std::deque<std::pair<UInt64, SPlannedRun>> runs;
   runs.swap(worker.Runs);
   m_line->Print("[WARNING] a worker process has died: " + death + "; another one replaces it");
-  if (++m_numDeaths >= kMostDeaths) {
+  if (++m_numDeaths >= kMaxDeaths) {
     THROW_ARGOSEXCEPTION(m_numDeaths << " worker processes have died one after another, the last "
                                         "one by "
                                      << death
@@ -310,7 +310,7 @@ void CCampaignManager::ReplaceDead(SWorker& worker) {
     return;
   }
   const SPlannedRun run = runs.front().second;
-  if (++m_deathsOf[{run.Combination, run.Seed}] < kMostDeathsOfRun) {
+  if (++m_deathsOf[{run.Combination, run.Seed}] < kMaxDeathsOfRun) {
     m_plan.Return(run);
     return;
   }
@@ -319,7 +319,7 @@ void CCampaignManager::ReplaceDead(SWorker& worker) {
   result.Log = fmt::format(
       "[FATAL] {} worker processes died while they executed this run, the "
       "last one by {}\n",
-      kMostDeathsOfRun, death);
+      kMaxDeathsOfRun, death);
   result.LogBytes = result.Log.size();
   Finish(run, std::move(result));
 }

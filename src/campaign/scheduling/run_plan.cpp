@@ -12,10 +12,10 @@ namespace {
 constexpr Real kMissing = std::numeric_limits<Real>::quiet_NaN();
 
 // the rule would refuse values that are not measures of anything
-constexpr Real kGreatestMeasure = 1e100;
+constexpr Real kMaxMeasure = 1e100;
 
 Real ToMeasure(Real value) {
-  return std::abs(value) <= kGreatestMeasure ? value : kMissing;
+  return std::abs(value) <= kMaxMeasure ? value : kMissing;
 }
 
 }  // namespace

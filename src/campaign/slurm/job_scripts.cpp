@@ -19,9 +19,9 @@ namespace argos {
 
 namespace {
 
-constexpr Real kLeastStoppingTime = 60.0;  // s; Slurm may be that early
-constexpr Real kGreatestStoppingTime = 65535.0;  // s; of sbatch --signal
-constexpr Real kGreatestStoppingShare = 0.25;  // of the time limit
+constexpr Real kMinStoppingTime = 60.0;  // s; Slurm may be that early
+constexpr Real kMaxStoppingTime = 65535.0;  // s; of sbatch --signal
+constexpr Real kMaxStoppingShare = 0.25;  // of the time limit
 // of a task besides its runs: manager and a worker for each job, with the libraries
 constexpr UInt64 kMemoryOfManager = 256ULL << 20;
 constexpr UInt64 kMebi = 1 << 20;
@@ -103,9 +103,9 @@ Real ParseTimeLimit(const std::string& text) {
 // most of the task's time is for runs
 Real GetStoppingTime(const SCampaign& campaign) {
   const Real wanted =
-      std::clamp(std::ceil(campaign.Limits.WallTime), kLeastStoppingTime, kGreatestStoppingTime);
+      std::clamp(std::ceil(campaign.Limits.WallTime), kMinStoppingTime, kMaxStoppingTime);
   const Real limit = ParseTimeLimit(campaign.Slurm.TimeLimit);
-  return limit > 0.0 ? std::min(wanted, std::floor(limit * kGreatestStoppingShare)) : wanted;
+  return limit > 0.0 ? std::min(wanted, std::floor(limit * kMaxStoppingShare)) : wanted;
 }
 
 // of a task; empty: what the partition gives

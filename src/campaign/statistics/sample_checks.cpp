@@ -18,9 +18,9 @@ void RequireSample(std::span<const Real> values, size_t minCount, std::string_vi
       THROW_ARGOSEXCEPTION(name << ": value " << i + 1 << " of " << values.size()
                                 << " is not a number; remove missing values first");
     }
-    if (std::abs(value) > kGreatestValue) {
+    if (std::abs(value) > kMaxValue) {
       THROW_ARGOSEXCEPTION(name << ": value " << i + 1 << " of " << values.size() << " is " << value
-                                << "; finite values up to " << kGreatestValue << " are allowed");
+                                << "; finite values up to " << kMaxValue << " are allowed");
     }
   }
 }

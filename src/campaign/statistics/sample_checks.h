@@ -10,14 +10,14 @@
 namespace argos {
 
 /** Greatest magnitude of a value that the statistics accept: squares of values stay finite. */
-constexpr Real kGreatestValue = 1e150;
+constexpr Real kMaxValue = 1e150;
 
 /**
  * Checks a sample before anything is computed from it.
  *
  * @param name  what messages call the sample, "the sample" or "x".
  * @throws CARGoSException if there are fewer than minCount values, or if one is NaN, infinite or
- * of a magnitude above kGreatestValue; the text names its place, counted from 1.
+ * of a magnitude above kMaxValue; the text names its place, counted from 1.
  */
 void RequireSample(std::span<const Real> values, size_t minCount, std::string_view name);
 

@@ -26,7 +26,7 @@ struct SSampleSummary {
 /**
  * Missing values (NaN) are counted apart. Without any value, all statistics are NaN.
  *
- * @throws CARGoSException for infinite values and those beyond kGreatestValue.
+ * @throws CARGoSException for infinite values and those beyond kMaxValue.
  *
  * R: mean, sd, and quantile(x, c(0, .25, .5, .75, 1)), with na.rm = TRUE.
  */

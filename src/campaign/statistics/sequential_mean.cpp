@@ -14,7 +14,7 @@ CSequentialMean::CSequentialMean(const SStoppingRule& rule) : m_rule(rule) {
   RequireLevel(rule.Level);
   const bool isRelative = rule.Precision == EMeanPrecision::Relative;
   // also false for NaN
-  if (!(rule.HalfWidth > 0.0 && rule.HalfWidth < (isRelative ? 1.0 : kGreatestValue))) {
+  if (!(rule.HalfWidth > 0.0 && rule.HalfWidth < (isRelative ? 1.0 : kMaxValue))) {
     THROW_ARGOSEXCEPTION("stopping rule: half width "
                          << rule.HalfWidth << "; it must be positive"
                          << (isRelative ? ", and below 1 as a share of the mean" : ", and finite"));

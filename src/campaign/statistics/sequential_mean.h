@@ -58,7 +58,7 @@ class CSequentialMean {
    * @param position  less than MaxPositions; at or beyond the end of the decision without effect.
    * @param value     NaN if missing.
    * @throws CARGoSException if the position has a value or is out of range, or the value is
-   * infinite or beyond kGreatestValue.
+   * infinite or beyond kMaxValue.
    */
   void Insert(size_t position, Real value);
 

@@ -22,10 +22,9 @@ void CollectTick(std::span<const std::vector<Real>> series, size_t tick,
       continue;
     }
     const Real value = series[i][tick];
-    if (std::abs(value) > kGreatestValue) {
+    if (std::abs(value) > kMaxValue) {
       THROW_ARGOSEXCEPTION("series " << i + 1 << ", tick " << tick + 1 << ": value " << value
-                                     << "; finite values up to " << kGreatestValue
-                                     << " are allowed");
+                                     << "; finite values up to " << kMaxValue << " are allowed");
     }
     values.push_back(value);
   }

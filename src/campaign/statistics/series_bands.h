@@ -37,7 +37,7 @@ struct SSeriesBands {
  * @param lower,upper  probabilities in [0,1] of the band, lower <= upper; by default quartiles, see
  * ComputeQuantile().
  * @throws CARGoSException for no series, probabilities out of range, infinite values, and those
- * beyond kGreatestValue; the text names series and tick.
+ * beyond kMaxValue; the text names series and tick.
  *
  * R: apply(matrix, 1, quantile, c(lower, .5, upper), na.rm = TRUE), one column a series.
  */

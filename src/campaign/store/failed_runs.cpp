@@ -9,7 +9,7 @@ namespace argos {
 
 namespace {
 
-constexpr size_t kLongestMessage = 300;
+constexpr size_t kMaxMessageLength = 300;
 
 bool IsPlain(const std::string& word) {
   constexpr char kPlain[] =
@@ -60,7 +60,7 @@ std::string FindErrorMessage(const std::string& log) {
   if (end != std::string::npos && log.compare(end + 1, 7, "[FATAL]") == 0) {
     end = log.find('\n', end + 1);
   }
-  std::string message = log.substr(place, std::min(end - place, kLongestMessage));
+  std::string message = log.substr(place, std::min(end - place, kMaxMessageLength));
   std::replace(message.begin(), message.end(), '\n', ' ');
   return message;
 }

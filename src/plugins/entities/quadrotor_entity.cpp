@@ -12,7 +12,7 @@ namespace argos {
 namespace {
 
 // m, m/s, rad, rad/s; larger than any arena, and its square times any gain is finite
-constexpr Real kFarthest = 1e9;
+constexpr Real kMaxDistance = 1e9;
 
 void Add(CDigest& digest, const CVector3& vector, const CRadians& angle) {
   for (UInt32 axis = 0; axis < 3; ++axis) {
@@ -74,9 +74,9 @@ void CQuadRotorEntity::Check(const char* what, const CVector3& vector,
   // written so that NaN fails too
   const Real largest = std::abs(vector.GetX()) + std::abs(vector.GetY()) + std::abs(vector.GetZ()) +
                        angle.GetAbsoluteValue();
-  if (!(largest <= kFarthest)) {
+  if (!(largest <= kMaxDistance)) {
     THROW_ARGOSEXCEPTION("quadrotor \"" << GetContext() << GetId() << "\": a target " << what
-                                        << " must be finite and below " << kFarthest << ", got ("
+                                        << " must be finite and below " << kMaxDistance << ", got ("
                                         << vector << ") and " << angle.GetValue() << " rad");
   }
 }

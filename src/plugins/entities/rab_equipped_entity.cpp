@@ -41,7 +41,7 @@ void CRABEquippedEntity::Init(TConfigurationNode& tree) {
   GetNodeAttribute(tree, "anchor", anchor);
   m_psAnchor = &m_pcEntityBody->GetAnchor(anchor);
   GetNodeAttribute(tree, "msg_size", m_unMsgSize);
-  RequireCount(m_unMsgSize, 0, kMostData, OwnerOf(tree), "attribute \"msg_size\" (bytes)");
+  RequireCount(m_unMsgSize, 0, kMaxData, OwnerOf(tree), "attribute \"msg_size\" (bytes)");
   m_cData = CByteArray(m_unMsgSize);
   Real range = 0.0;
   GetNodeAttribute(tree, "range", range);

@@ -60,7 +60,7 @@ class CRABEquippedEntity : public CMediumMember<CRABEquippedEntity, CRABMedium> 
   const SAnchor& GetAnchor() const { return *m_psAnchor; }
 
   /** Greatest size of a message, bytes. */
-  static constexpr size_t kMostData = 65535;
+  static constexpr size_t kMaxData = 65535;
   size_t GetMsgSize() const { return m_unMsgSize; }
   /** The message, GetMsgSize() bytes. */
   CByteArray& GetData() { return m_cData; }

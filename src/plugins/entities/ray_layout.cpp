@@ -10,7 +10,7 @@ namespace argos {
 namespace {
 
 // m^2; a shorter ray may have a square length that loses bits when it is rotated
-constexpr Real kLeastSquareLength = 1e-200;
+constexpr Real kMinSquareLength = 1e-200;
 
 }  // namespace
 
@@ -31,7 +31,7 @@ void SRayBounds::Include(const SSensorRay& ray, bool isFirst) {
   const Real z = ray.Offset.GetZ();
   MinZ = isFirst ? z : std::min(MinZ, z);
   MaxZ = isFirst ? z : std::max(MaxZ, z);
-  HaveLengths = HaveLengths && ray.Direction.SquareLength() > kLeastSquareLength;
+  HaveLengths = HaveLengths && ray.Direction.SquareLength() > kMinSquareLength;
 }
 
 void SRayLayout::AddSensor(const CVector3& offset, const CVector3& direction, Real range,

@@ -16,7 +16,7 @@ namespace argos {
 namespace {
 
 constexpr UInt32 kDefaultMemory = 16;  // bytes
-constexpr UInt32 kMostMemory = 1 << 20;  // bytes; a larger value is assumed to be a mistake
+constexpr UInt32 kMaxMemory = 1 << 20;  // bytes; a larger value is assumed to be a mistake
 // for drawing only
 constexpr Real kDiameter = 0.03;  // m
 constexpr Real kThickness = 0.002;  // m
@@ -34,9 +34,9 @@ const SAppearance& LyingTag() {
 CByteArray ReadData(TConfigurationNode& tree) {
   UInt32 memory = kDefaultMemory;
   GetNodeAttributeOrDefault(tree, "memory", memory, memory);
-  if (memory > kMostMemory) {
+  if (memory > kMaxMemory) {
     THROW_ARGOSEXCEPTION(OwnerOf(tree) << ": attribute \"memory\" (bytes) must be at most "
-                                       << kMostMemory << ", got " << memory);
+                                       << kMaxMemory << ", got " << memory);
   }
   CByteArray data(memory);
   std::string text;

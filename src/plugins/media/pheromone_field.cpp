@@ -10,11 +10,11 @@ namespace argos {
 namespace {
 
 // limit of rX + rY in an explicit step: half of the stability limit, which keeps spots round
-constexpr Real kMostPerStep = 0.25;
-constexpr Real kMostSteps = 4.0;  // explicit steps; more of them cost more than an implicit one
+constexpr Real kMaxPerStep = 0.25;
+constexpr Real kMaxSteps = 4.0;  // explicit steps; more of them cost more than an implicit one
 // smaller values are set to 0: denormal numbers would slow the processor down
 constexpr Real kNothing = 1e-200;
-constexpr Real kLeastScale = 1e-30;
+constexpr Real kMinScale = 1e-30;
 
 constexpr size_t kRowGrain = 16;
 constexpr size_t kColumnGrain = 64;
@@ -183,8 +183,8 @@ void CPheromoneField::PrepareSteps(Real seconds) {
   m_seconds = seconds;
   m_rX = m_diffusion * seconds / (m_grid.CellX * m_grid.CellX);
   m_rY = m_diffusion * seconds / (m_grid.CellY * m_grid.CellY);
-  const Real numSteps = std::ceil((m_rX + m_rY) / kMostPerStep);
-  if (numSteps <= kMostSteps) {
+  const Real numSteps = std::ceil((m_rX + m_rY) / kMaxPerStep);
+  if (numSteps <= kMaxSteps) {
     m_numExplicit = std::max(1U, static_cast<UInt32>(numSteps));
     m_rX /= m_numExplicit;
     m_rY /= m_numExplicit;
@@ -214,7 +214,7 @@ void CPheromoneField::Advance(CThreadPool& pool, Real seconds) {
     }
   }
   m_scale *= std::exp(-m_evaporation * seconds);
-  if (m_scale < kLeastScale) {
+  if (m_scale < kMinScale) {
     Renormalize(pool);
   }
 }

@@ -14,7 +14,7 @@ namespace argos {
 
 namespace {
 
-constexpr Real kMostCells = 1 << 26;  // per layer: half a gigabyte
+constexpr Real kMaxLayerCells = 1 << 26;  // per layer: half a gigabyte
 
 }  // namespace
 
@@ -100,10 +100,10 @@ void CPheromoneMedium::MakeFields() {
   };
   const Real numX = count(size.GetX());
   const Real numY = count(size.GetY());
-  if (!(numX * numY <= kMostCells)) {
+  if (!(numX * numY <= kMaxLayerCells)) {
     THROW_ARGOSEXCEPTION(m_owner << ": cells of " << m_cellSize << " m are too small for "
                                  << size.GetX() << " m x " << size.GetY() << " m; at most "
-                                 << kMostCells << " cells are possible");
+                                 << kMaxLayerCells << " cells are possible");
   }
   CPheromoneField::SGrid grid;
   grid.MinX = center.GetX() - 0.5 * size.GetX();

@@ -106,9 +106,9 @@ struct SOptions {
 };
 
 UInt32 ChooseTicks(UInt32 asked, UInt32 robotTicks, UInt32 robots) {
-  constexpr UInt32 kFewest = 3;
-  constexpr UInt32 kMost = 600;
-  return asked > 0 ? asked : std::clamp(robotTicks / robots, kFewest, kMost);
+  constexpr UInt32 kMin = 3;
+  constexpr UInt32 kMax = 600;
+  return asked > 0 ? asked : std::clamp(robotTicks / robots, kMin, kMax);
 }
 
 // prints the measured ticks, their cost, and the overlaps

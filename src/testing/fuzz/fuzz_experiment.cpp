@@ -14,7 +14,7 @@ using namespace argos;
 namespace {
 
 // an experiment with such a number may take long or much memory: as many robots, as many pixels
-constexpr int kMostDigits = 3;
+constexpr int kMaxDigits = 3;
 
 bool HasLongNumber(std::string_view text) {
   int digits = 0;
@@ -22,7 +22,7 @@ bool HasLongNumber(std::string_view text) {
     const bool isDigit = std::isdigit(static_cast<unsigned char>(text[i])) != 0;
     const bool isExponent = digits > 0 && (text[i] == 'e' || text[i] == 'E');
     digits = isDigit ? digits + 1 : 0;
-    if (digits > kMostDigits || isExponent) {
+    if (digits > kMaxDigits || isExponent) {
       return true;
     }
   }

@@ -11,7 +11,7 @@ namespace argos {
 namespace {
 
 // more lines hide those printed first
-constexpr size_t kMostMessages = 50;
+constexpr size_t kMaxMessages = 50;
 
 // the text to which exceptions that wrap a std::bad_alloc turn it
 constexpr char kLackOfMemory[] = "not enough memory";
@@ -62,9 +62,9 @@ bool CLoadErrors::Add(const std::string& context, const std::exception& error) {
 
 void CLoadErrors::FindFurther(const std::function<void()>& read) {
   // attributes of an element
-  constexpr int kMostAttempts = 20;
+  constexpr int kMaxAttempts = 20;
   CAttributeRepairs repairs;
-  for (int attempt = 0; attempt < kMostAttempts && !m_lacksMemory; ++attempt) {
+  for (int attempt = 0; attempt < kMaxAttempts && !m_lacksMemory; ++attempt) {
     try {
       read();
       return;
@@ -89,7 +89,7 @@ void CLoadErrors::ThrowIfAny(const std::string& title) const {
     throw CARGoSException(ReplaceLineBreaks(m_messages.front(), std::string("\n") + kFatal));
   }
   std::string text = std::to_string(m_messages.size()) + ' ' + title + ':';
-  const size_t printed = std::min(m_messages.size(), kMostMessages);
+  const size_t printed = std::min(m_messages.size(), kMaxMessages);
   for (size_t i = 0; i < printed; ++i) {
     const std::string number = std::to_string(i + 1) + ". ";
     text += std::string("\n") + kFatal + number +

@@ -15,7 +15,7 @@ constexpr char kFatalMark[] = "[FATAL] ";
 // in errors of Lua scripts
 constexpr char kTraceback[] = "stack traceback:";
 // named in the summary; more of them are only counted
-constexpr size_t kMostNames = 10;
+constexpr size_t kMaxNames = 10;
 
 bool IsPartOfName(char character) {
   return std::isalnum(static_cast<unsigned char>(character)) != 0 || character == '_';
@@ -67,11 +67,11 @@ std::string Shorten(const std::string& text) {
 
 std::string ListRobots(const std::vector<std::string>& robots) {
   std::string list;
-  for (size_t i = 0; i < std::min(robots.size(), kMostNames); ++i) {
+  for (size_t i = 0; i < std::min(robots.size(), kMaxNames); ++i) {
     list += (i > 0 ? ", \"" : "\"") + robots[i] + '"';
   }
-  if (robots.size() > kMostNames) {
-    list += " and " + std::to_string(robots.size() - kMostNames) + " more";
+  if (robots.size() > kMaxNames) {
+    list += " and " + std::to_string(robots.size() - kMaxNames) + " more";
   }
   return list;
 }

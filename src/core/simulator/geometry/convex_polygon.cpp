@@ -12,8 +12,8 @@ namespace argos {
 
 namespace {
 
-constexpr Real kLeastSide = 1e-6;  // m
-constexpr Real kLeastWidth = 1e-5;  // m
+constexpr Real kMinSide = 1e-6;  // m
+constexpr Real kMinWidth = 1e-5;  // m
 // m; farther than this inside the line through its neighbours, a point is a dent
 constexpr Real kStraight = 1e-9;
 
@@ -31,7 +31,7 @@ Real ComputeSignedArea(const TPolygon& polygon) {
 
 void RemoveDoublePoints(TPolygon& polygon) {
   for (size_t i = polygon.size(); i-- > 0 && polygon.size() > 1;) {
-    if ((polygon[i] - CornerBefore(polygon, i)).Length() < kLeastSide) {
+    if ((polygon[i] - CornerBefore(polygon, i)).Length() < kMinSide) {
       polygon.erase(polygon.begin() + static_cast<std::ptrdiff_t>(i));
     }
   }
@@ -86,7 +86,7 @@ TPolygon MakeConvexPolygon(TPolygon points) {
   RemoveDoublePoints(points);
   if (points.size() < 3) {
     THROW_ARGOSEXCEPTION("a polygon needs at least 3 corners that are "
-                         << kLeastSide << " m apart, found " << points.size());
+                         << kMinSide << " m apart, found " << points.size());
   }
   if (ComputeSignedArea(points) < 0.0) {
     std::reverse(points.begin(), points.end());
@@ -94,16 +94,16 @@ TPolygon MakeConvexPolygon(TPolygon points) {
   RemoveStraightCorners(points);
   const CVector2 diagonal = points[0] - points[1];
   const bool isFlat = std::all_of(points.begin(), points.end(), [&](const CVector2& point) {
-    return std::abs(diagonal.CrossProduct(point - points[1])) <= kLeastWidth * diagonal.Length();
+    return std::abs(diagonal.CrossProduct(point - points[1])) <= kMinWidth * diagonal.Length();
   });
   if (isFlat) {
     THROW_ARGOSEXCEPTION("the corners of the polygon are in a line");
   }
   CheckConvex(points);
   const Real width = ComputeLeastWidth(points);
-  if (width < kLeastWidth) {
+  if (width < kMinWidth) {
     THROW_ARGOSEXCEPTION("the polygon is too narrow: its width must be at least "
-                         << kLeastWidth << " m, found " << width);
+                         << kMinWidth << " m, found " << width);
   }
   return points;
 }

@@ -8,9 +8,9 @@ CQuaternion RepairPose(const std::string& owner, const CVector3& position,
                        const CQuaternion& orientation) {
   constexpr Real kFewDigits = 0.05;  // such as 0.7 for sin(45 degrees)
   for (UInt32 axis = 0; axis < 3; ++axis) {
-    if (!(std::abs(position[axis]) <= kMostDistant)) {
-      THROW_ARGOSEXCEPTION(owner << ": the position must be three numbers from " << -kMostDistant
-                                 << " to " << kMostDistant << " m, found (" << position << ")");
+    if (!(std::abs(position[axis]) <= kMaxCoordinate)) {
+      THROW_ARGOSEXCEPTION(owner << ": the position must be three numbers from " << -kMaxCoordinate
+                                 << " to " << kMaxCoordinate << " m, found (" << position << ")");
     }
   }
   const Real length = orientation.Length();

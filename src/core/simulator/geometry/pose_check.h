@@ -14,7 +14,7 @@ namespace argos {
  * Greatest coordinate of a pose, m: the products of such numbers are far from overflow. Engines
  * accept less, such as 1e5 m in the plane.
  */
-constexpr Real kMostDistant = kMostReal;
+constexpr Real kMaxCoordinate = kMaxReal;
 
 /** @return true if no number of the pose is NaN or infinite. */
 inline bool IsFinitePose(const CVector3& position, const CQuaternion& orientation) {
@@ -35,7 +35,7 @@ CQuaternion RepairPose(const std::string& owner, const CVector3& position,
  * @param getOwner  returns the owner of the pose, for the message.
  * @return the orientation. If its length differs from 1 by no more than 0.05, as that of numbers
  *   with few digits does, it is scaled to length 1.
- * @throws CARGoSException if a number is not finite, a coordinate exceeds kMostDistant, or the
+ * @throws CARGoSException if a number is not finite, a coordinate exceeds kMaxCoordinate, or the
  *   orientation has another length.
  */
 template <typename GET_OWNER>
@@ -43,9 +43,9 @@ CQuaternion CheckPose(const GET_OWNER& getOwner, const CVector3& position,
                       const CQuaternion& orientation) {
   constexpr Real kRounding = 1e-9;  // of products of unit quaternions
   // comparisons with NaN are false
-  const bool isGood = std::abs(position.GetX()) <= kMostDistant &&
-                      std::abs(position.GetY()) <= kMostDistant &&
-                      std::abs(position.GetZ()) <= kMostDistant &&
+  const bool isGood = std::abs(position.GetX()) <= kMaxCoordinate &&
+                      std::abs(position.GetY()) <= kMaxCoordinate &&
+                      std::abs(position.GetZ()) <= kMaxCoordinate &&
                       std::abs(orientation.SquareLength() - 1.0) <= kRounding;
   return isGood ? orientation : detail::RepairPose(getOwner(), position, orientation);
 }

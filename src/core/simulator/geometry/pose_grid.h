@@ -17,13 +17,13 @@ namespace argos {
 constexpr Real kPoseGrid = 1.0 / (1 << 20);  // m; of the components of quaternions: 1
 
 /** Numbers beyond it, in units of the grid, are not rounded: 4,000 km. */
-constexpr Real kLargestOnPoseGrid = 0x1p42;
+constexpr Real kMaxOnPoseGrid = 0x1p42;
 
 /** The nearest number of the grid; ties to the even one; 0 is not negative. NaN and large numbers
  * are unchanged. */
 inline Real SnapToPoseGrid(Real value) {
   const Real units = value / kPoseGrid;
-  return std::abs(units) < kLargestOnPoseGrid ? (std::nearbyint(units) + 0.0) * kPoseGrid : value;
+  return std::abs(units) < kMaxOnPoseGrid ? (std::nearbyint(units) + 0.0) * kPoseGrid : value;
 }
 
 inline CVector3 SnapToPoseGrid(const CVector3& v) {

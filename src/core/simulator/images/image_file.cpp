@@ -50,9 +50,9 @@ void CheckSize(FREE_IMAGE_FORMAT format, FIMEMORY& memory, const std::string& fi
   if (header) {
     const size_t width = FreeImage_GetWidth(header.get());
     const size_t height = FreeImage_GetHeight(header.get());
-    if (width * height > kMostImagePixels) {
+    if (width * height > kMaxImagePixels) {
       THROW_ARGOSEXCEPTION("the " << what << " " << DescribePath(fileName) << " has " << width
-                                  << " x " << height << " pixels; at most " << kMostImagePixels
+                                  << " x " << height << " pixels; at most " << kMaxImagePixels
                                   << " are possible, such as 16384 x 16384");
     }
   }

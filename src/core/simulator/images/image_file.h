@@ -19,8 +19,8 @@ struct SImage {
   std::vector<UInt8> Pixels; /**< red, green, blue, sRGB (Height, Width, 3); lowest row first */
 };
 
-/** Of an image that is read; they take 0.8 GB in a floor. */
-constexpr size_t kMostImagePixels = size_t(1) << 28;
+/** Limit of an image that is read; so many take 0.8 GB in a floor. */
+constexpr size_t kMaxImagePixels = size_t(1) << 28;
 
 /** The path in quotes, with what it resolves to if that differs; for messages. */
 std::string DescribePath(const std::string& path);
@@ -29,7 +29,7 @@ std::string DescribePath(const std::string& path);
  * Reads an image file of any format that FreeImage knows.
  * @param what  for errors, such as "floor image".
  * @throws CARGoSException if the file cannot be opened, is no image, or has more than
- *   kMostImagePixels, which is found before they are read.
+ *   kMaxImagePixels, which is found before they are read.
  */
 SImage ReadImage(const std::string& path, const std::string& what);
 

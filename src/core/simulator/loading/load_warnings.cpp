@@ -18,7 +18,7 @@ namespace argos {
 namespace {
 
 // more lines hide what was printed before them
-constexpr size_t kMostWarnings = 20;
+constexpr size_t kMaxWarnings = 20;
 
 // for roundings of poses and of the arena's limits
 constexpr Real kArenaTolerance = 1e-6;  // m
@@ -177,7 +177,7 @@ std::vector<std::string> FindLoadWarnings(CConfigurationDocument& document,
 
 void PrintWarnings(const std::vector<std::string>& lines) {
   const size_t printed =
-      CLoadingCheck::IsActive() ? lines.size() : std::min(lines.size(), kMostWarnings);
+      CLoadingCheck::IsActive() ? lines.size() : std::min(lines.size(), kMaxWarnings);
   for (size_t i = 0; i < printed; ++i) {
     LOGERR << "[WARNING] " << lines[i] << std::endl;
   }

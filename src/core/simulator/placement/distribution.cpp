@@ -90,9 +90,9 @@ class CMemoryAhead {
 };
 
 // more would not fit into the memory of any computer
-constexpr UInt64 kMostEntities = 10000000;
-// of one entity; without a free place they take some 10 s
-constexpr UInt64 kMostTrials = 10000000;
+constexpr UInt64 kMaxEntities = 10000000;
+// limit for one entity; without a free place they take some 10 s
+constexpr UInt64 kMaxTrials = 10000000;
 
 // the area of the base of an upright solid, m^2; 0 for solids without a flat base
 Real ComputeBase(const SShapeDescription& solid) {
@@ -131,8 +131,8 @@ CDistribution::CDistribution(CSpace& space, TConfigurationNode& node, CLoadError
       }
     });
   };
-  readCount("quantity", kMostEntities, m_quantity);
-  readCount("max_trials", kMostTrials, m_maxTrials);
+  readCount("quantity", kMaxEntities, m_quantity);
+  readCount("max_trials", kMaxTrials, m_maxTrials);
   read([&] { ReadEntity(); });
 }
 

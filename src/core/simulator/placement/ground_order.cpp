@@ -28,9 +28,9 @@ std::vector<UInt32> OrderOnGround(const std::vector<CVector3>& positions, Real t
     min.Set(std::min(min.GetX(), position.GetX()), std::min(min.GetY(), position.GetY()), 0.0);
     max.Set(std::max(max.GetX(), position.GetX()), std::max(max.GetY(), position.GetY()), 0.0);
   }
-  constexpr Real kMostTiles = 1e9;  // along one axis: less than 2^32
+  constexpr Real kMaxTiles = 1e9;  // along one axis: less than 2^32
   const Real extent = std::max(max.GetX() - min.GetX(), max.GetY() - min.GetY());
-  const Real side = std::max(tile, extent / kMostTiles);
+  const Real side = std::max(tile, extent / kMaxTiles);
   const auto tileOf = [side](Real distance) {
     return side > 0.0 ? static_cast<UInt32>(distance / side) : 0;
   };

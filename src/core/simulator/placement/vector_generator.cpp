@@ -17,7 +17,7 @@ std::string Text(const CVector3& vector) {
 }
 
 // places of a grid along an axis
-constexpr UInt64 kMostOnAxis = 1000000;
+constexpr UInt64 kMaxOnAxis = 1000000;
 
 class CUniformGenerator : public CVectorGenerator {
  public:
@@ -156,12 +156,12 @@ class CGridGenerator : public CVectorGenerator {
     for (size_t axis = 0; good && axis < 3; ++axis) {
       // the product of three is a number of 64 bits
       good = ParseNumber(fields[axis], m_layout[axis]) == ENumberParsing::Ok &&
-             m_layout[axis] > 0 && m_layout[axis] <= kMostOnAxis;
+             m_layout[axis] > 0 && m_layout[axis] <= kMaxOnAxis;
     }
     if (!good) {
       THROW_ARGOSEXCEPTION(node.GetLocation()
                            << ": <" << node.Value() << ">: \"layout\" must be three whole numbers "
-                           << "above 0, at most " << kMostOnAxis << ", such as \"5,4,1\"; found \""
+                           << "above 0, at most " << kMaxOnAxis << ", such as \"5,4,1\"; found \""
                            << layout << "\"");
     }
   }

@@ -102,15 +102,15 @@ void CSpace::Init(TConfigurationNode& tree) {
   for (UInt32 axis = 0; axis < 3; ++axis) {
     // files for robots on the ground have arenas without a height
     const bool isFlat = axis == 2 && arena.Size.GetZ() == 0.0;
-    if (!isFlat && !(arena.Size[axis] > 0.0 && arena.Size[axis] <= kMostDistant)) {
+    if (!isFlat && !(arena.Size[axis] > 0.0 && arena.Size[axis] <= kMaxCoordinate)) {
       THROW_ARGOSEXCEPTION(tree.GetLocation()
                            << ": <arena>: \"size\" must be positive along both axes of the ground, "
                               "not negative along Z, and at most "
-                           << kMostDistant << " m, found \"" << arena.Size << "\"");
+                           << kMaxCoordinate << " m, found \"" << arena.Size << "\"");
     }
-    if (!(std::abs(arena.Center[axis]) <= kMostDistant)) {
+    if (!(std::abs(arena.Center[axis]) <= kMaxCoordinate)) {
       THROW_ARGOSEXCEPTION(tree.GetLocation()
-                           << ": <arena>: \"center\" must be at most " << kMostDistant
+                           << ": <arena>: \"center\" must be at most " << kMaxCoordinate
                            << " m from the origin, found \"" << arena.Center << "\"");
     }
   }
@@ -370,8 +370,8 @@ void CSpace::Destroy() {
   m_context.Run.CheckIsNotInPhase("CSpace::Destroy()",
                                   "CSimulator::Terminate() ends the run after this tick");
   const CRunState::CScope scope(m_context.Run, CRunState::EActivity::Destroying);
-  // of one root; a removal that has failed this often never succeeds
-  constexpr size_t kMostFailures = 1000;
+  // limit for one root; a removal that has failed this often never succeeds
+  constexpr size_t kMaxFailures = 1000;
   std::exception_ptr failure;
   size_t numFailures = 0;
   size_t numMore = 0;
@@ -387,7 +387,7 @@ void CSpace::Destroy() {
       numMore += failure == nullptr ? 0 : 1;
       failure = failure == nullptr ? std::current_exception() : failure;
       numFailures = m_roots.size() == before ? numFailures + 1 : 0;
-      if (numFailures == kMostFailures) {
+      if (numFailures == kMaxFailures) {
         throw;
       }
     }

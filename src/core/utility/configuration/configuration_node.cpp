@@ -195,7 +195,7 @@ void CConfigurationNode::ThrowUnparsable(const std::string& what, const char* te
 void CConfigurationNode::ThrowIfHuge(const std::string& name, const char* text) const {
   if (HasHugeNumber(text) && !IsOfUser(*Entry().Element)) {
     CTextOutput expected;
-    expected << "real numbers from " << -kMostReal << " to " << kMostReal;
+    expected << "real numbers from " << -kMaxReal << " to " << kMaxReal;
     ThrowUnparsable("attribute \"" + name + '"', text, expected.str(), "", false);
   }
 }

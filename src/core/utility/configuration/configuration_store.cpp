@@ -174,9 +174,9 @@ std::string Trimmed(const char* text) {
 }
 
 std::string Shortened(const std::string& text) {
-  constexpr std::size_t kLongest = 60;
-  std::string start = text.substr(0, kLongest);
-  if (text.size() > kLongest) {
+  constexpr std::size_t kMaxLength = 60;
+  std::string start = text.substr(0, kMaxLength);
+  if (text.size() > kMaxLength) {
     start += "...";
   }
   return start;
@@ -339,7 +339,7 @@ bool HasHugeNumber(const char* text) {
     const std::size_t end = whole.find_first_of(kSeparators, begin);
     Real value = 0.0;
     if (ParseNumber(whole.substr(begin, end - begin), value) == ENumberParsing::Ok &&
-        std::abs(value) > kMostReal) {
+        std::abs(value) > kMaxReal) {
       return true;
     }
     begin = whole.find_first_not_of(kSeparators, std::min(end, whole.size()));

@@ -126,7 +126,7 @@ inline bool IsAttributeRead(const SConfigurationEntry& entry, std::size_t index)
   return index >= kTrackedAttributes || ((entry.ReadAttributes >> index) & 1) != 0;
 }
 
-/** @return true if one of the numbers in a text exceeds kMostReal. */
+/** @return true if one of the numbers in a text exceeds kMaxReal. */
 bool HasHugeNumber(const char* text);
 
 /** @return true if users' code reads the element and its contents. */

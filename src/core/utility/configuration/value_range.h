@@ -18,8 +18,8 @@ struct SValueRange {
   const char* Unit = ""; /**< empty for numbers without unit and for those of several units */
 };
 
-/** Every real number of an element that the program itself reads lies in [-kMostReal,kMostReal]. */
-constexpr Real kMostReal = 1e12;
+/** Every real number of an element that the program itself reads lies in [-kMaxReal,kMaxReal]. */
+constexpr Real kMaxReal = 1e12;
 
 /** Numbers of any unit that must be greater than zero, unless another range is stated. */
 constexpr SValueRange kPositive = {1e-9, 1e9};

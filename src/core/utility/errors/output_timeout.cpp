@@ -9,14 +9,14 @@ namespace argos {
 std::chrono::milliseconds GetOutputTimeout() {
   constexpr double kDefault = 30.0;  // s
   constexpr double kShortest = 0.1;
-  constexpr double kLongest = 1e6;
+  constexpr double kMaxLength = 1e6;
   double seconds = kDefault;
   const char* const set = std::getenv("ARGOS_OUTPUT_TIMEOUT");
   if (set != nullptr) {
     const std::string_view text(set);
     double number = 0.0;
     const auto result = std::from_chars(text.data(), text.data() + text.size(), number);
-    if (result.ec == std::errc() && number >= kShortest && number <= kLongest) {
+    if (result.ec == std::errc() && number >= kShortest && number <= kMaxLength) {
       seconds = number;
     }
   }

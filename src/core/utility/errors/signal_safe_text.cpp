@@ -20,14 +20,14 @@ CSignalSafeText& CSignalSafeText::Append(const char* text) {
 }
 
 CSignalSafeText& CSignalSafeText::AppendDigits(std::uint64_t number, unsigned int base) {
-  constexpr std::size_t kMostDigits = 20;  // of a number of 64 bits
-  char digits[kMostDigits];
-  std::size_t start = kMostDigits;
+  constexpr std::size_t kMaxDigits = 20;  // of a number of 64 bits
+  char digits[kMaxDigits];
+  std::size_t start = kMaxDigits;
   do {
     digits[--start] = "0123456789abcdef"[number % base];
     number /= base;
   } while (number != 0);
-  return Append(digits + start, kMostDigits - start);
+  return Append(digits + start, kMaxDigits - start);
 }
 
 void CSignalSafeText::WriteTo(int file) const {

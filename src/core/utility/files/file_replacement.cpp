@@ -60,10 +60,10 @@ std::string WriteDirectly(const std::string& path, std::string_view content) {
 }  // namespace
 
 std::string FollowLinks(const std::string& path) {
-  constexpr int kMostLinks = 40;  // as the system follows
+  constexpr int kMaxLinks = 40;  // as the system follows
   fs::path target = path;
   std::error_code error;
-  for (int links = 0; links < kMostLinks && fs::is_symlink(target, error); ++links) {
+  for (int links = 0; links < kMaxLinks && fs::is_symlink(target, error); ++links) {
     const fs::path next = fs::read_symlink(target, error);
     if (error) {
       return path;

@@ -23,7 +23,7 @@ namespace argos {
 namespace {
 
 constexpr std::size_t kBufferSize = 1 << 15;  // bytes
-constexpr std::size_t kLongestLine = 1 << 20;  // bytes; longer lines are written in parts
+constexpr std::size_t kMaxLineBytes = 1 << 20;  // bytes; longer lines are written in parts
 
 struct SOutputFailures {
   std::mutex Mutex;
@@ -180,7 +180,7 @@ class COutputFile::CBuffer : public std::streambuf {
     const std::size_t lastBreak = m_pending.rfind('\n');
     if (lastBreak != std::string::npos) {
       Write(lastBreak + 1);
-    } else if (m_pending.size() >= kLongestLine) {
+    } else if (m_pending.size() >= kMaxLineBytes) {
       Write(m_pending.size());
     }
   }

@@ -20,17 +20,17 @@ namespace argos {
 
 namespace {
 
-constexpr Real kLargestDraw = 4294967295.0;  // 2^32 - 1
+constexpr Real kMaxDraw = 4294967295.0;  // 2^32 - 1
 
 // up to this mean the terms of a Poisson distribution can be summed from 0 without underflow of
 // exp(-mean)
-constexpr Real kLargestMeanSummed = 500.0;
+constexpr Real kMaxMeanSummed = 500.0;
 
 // up to this mean GSL's cumulative distribution is accurate; from 1e7 on it reports errors
-constexpr Real kLargestMeanBisected = 1e6;
+constexpr Real kMaxMeanBisected = 1e6;
 
 // larger means would exceed UInt32
-constexpr Real kLargestPoissonMean = 4e9;
+constexpr Real kMaxPoissonMean = 4e9;
 
 // smallest k with P(X <= k) >= probability, by summation
 UInt32 InvertPoissonBySumming(Real probability, Real mean) {
@@ -69,7 +69,7 @@ UInt32 InvertPoissonByBisection(Real probability, Real mean) {
 // 1e-6 standard deviations. Abramowitz and Stegun, Handbook of Mathematical Functions, 26.2.49,
 // with the cumulants of the Poisson distribution
 UInt32 InvertPoissonByExpansion(Real probability, Real mean) {
-  const Real halfStep = 0.5 / kLargestDraw;
+  const Real halfStep = 0.5 / kMaxDraw;
   const Real z = ComputeNormalQuantile(std::clamp(probability, halfStep, 1.0 - halfStep) - 0.5);
   const Real deviation = std::sqrt(mean);
   const Real w = z + (z * z - 1.0) / (6.0 * deviation) + (z - z * z * z) / (72.0 * mean);
@@ -77,11 +77,11 @@ UInt32 InvertPoissonByExpansion(Real probability, Real mean) {
 }
 
 UInt32 InvertPoisson(Real probability, Real mean) {
-  if (mean <= kLargestMeanSummed) {
+  if (mean <= kMaxMeanSummed) {
     return InvertPoissonBySumming(probability, mean);
   }
-  return mean <= kLargestMeanBisected ? InvertPoissonByBisection(probability, mean)
-                                      : InvertPoissonByExpansion(probability, mean);
+  return mean <= kMaxMeanBisected ? InvertPoissonByBisection(probability, mean)
+                                  : InvertPoissonByExpansion(probability, mean);
 }
 
 thread_local CRandom::CRegistry* currentRegistry = nullptr;
@@ -147,11 +147,11 @@ UInt32 CRandom::CRNG::Draw() {
 }
 
 Real CRandom::CRNG::DrawUnit() {
-  return static_cast<Real>(Draw()) / kLargestDraw;
+  return static_cast<Real>(Draw()) / kMaxDraw;
 }
 
 bool CRandom::CRNG::Bernoulli(Real probability) {
-  return static_cast<Real>(Draw()) < probability * kLargestDraw;
+  return static_cast<Real>(Draw()) < probability * kMaxDraw;
 }
 
 CRadians CRandom::CRNG::Uniform(const CRange<CRadians>& range) {
@@ -175,13 +175,13 @@ UInt32 CRandom::CRNG::Uniform(const CRange<UInt32>& range) {
 
 Real CRandom::CRNG::Exponential(Real mean) {
   const UInt32 draw = Draw();
-  return -std::log((draw == 0 ? 0.5 : static_cast<Real>(draw)) / kLargestDraw) * mean;
+  return -std::log((draw == 0 ? 0.5 : static_cast<Real>(draw)) / kMaxDraw) * mean;
 }
 
 UInt32 CRandom::CRNG::Poisson(Real mean) {
-  if (!(mean >= 0.0 && mean <= kLargestPoissonMean)) {
+  if (!(mean >= 0.0 && mean <= kMaxPoissonMean)) {
     THROW_ARGOSEXCEPTION("The mean of a Poisson distribution is " << mean << "; it must be in [0,"
-                                                                  << kLargestPoissonMean << "].");
+                                                                  << kMaxPoissonMean << "].");
   }
   return InvertPoisson(DrawUnit(), mean);
 }

@@ -58,17 +58,17 @@ bool ReadPlainList(const char* begin, const char* end, Real* numbers, UInt32 cou
 // The same for a stream whose buffer contains the rest of its text: those with strict parsing.
 // @return false if nothing was read.
 bool ReadPlainList(std::istream& is, Real* numbers, UInt32 count) {
-  constexpr UInt32 kMostPlain = 4;
+  constexpr UInt32 kMaxPlainValues = 4;
   std::array<char, 128> text;
   std::streambuf& buffer = *is.rdbuf();
   const std::streamsize length = buffer.in_avail();
-  if (count > kMostPlain || !IsStrictParsing(is) || length <= 0 ||
+  if (count > kMaxPlainValues || !IsStrictParsing(is) || length <= 0 ||
       length > std::streamsize(text.size()) || !is.good() ||
       is.getloc() != std::locale::classic()) {
     return false;
   }
   buffer.sgetn(text.data(), length);
-  std::array<Real, kMostPlain> read;
+  std::array<Real, kMaxPlainValues> read;
   if (ReadPlainList(text.data(), text.data() + length, read.data(), count)) {
     std::copy_n(read.begin(), count, numbers);
     return true;

@@ -26,7 +26,7 @@ constexpr bool kUseSlabs = true;
 
 // sizes differ by this many bytes
 constexpr std::size_t kAlignment = 8;
-constexpr std::size_t kNumSizes = CObjectSlabs::kLargestObject / kAlignment + 1;
+constexpr std::size_t kNumSizes = CObjectSlabs::kMaxObjectBytes / kAlignment + 1;
 // bytes; a slab holds objects of one size. Slabs are aligned to their size, so the address of an
 // object gives that of its slab
 constexpr std::size_t kSlab = std::size_t(64) << 10;
@@ -176,7 +176,7 @@ void CObjectSlabs::SAbandon::operator()(CObjectSlabs* slabs) const {
 }
 
 void* CObjectSlabs::Allocate(std::size_t bytes) {
-  if (!kUseSlabs || bytes > kLargestObject) {
+  if (!kUseSlabs || bytes > kMaxObjectBytes) {
     return ::operator new(bytes);
   }
   const std::size_t number = (bytes + kAlignment - 1) / kAlignment;
@@ -203,7 +203,7 @@ void* CObjectSlabs::Allocate(std::size_t bytes) {
 }
 
 void CObjectSlabs::Free(void* object, std::size_t bytes) noexcept {
-  if (!kUseSlabs || bytes > kLargestObject) {
+  if (!kUseSlabs || bytes > kMaxObjectBytes) {
     ::operator delete(object);
     return;
   }

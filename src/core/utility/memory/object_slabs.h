@@ -40,7 +40,7 @@ class CObjectSlabs {
   /** Frees what Allocate() of any slabs returned for that number of bytes. */
   static void Free(void* object, std::size_t bytes) noexcept;
 
-  /** Number of objects that have not been freed; those larger than kLargestObject do not count. */
+  /** Number of objects that have not been freed; those larger than kMaxObjectBytes do not count. */
   std::size_t GetNumObjects() const;
   /** Of these objects. */
   std::size_t GetNumBytes() const;
@@ -63,7 +63,7 @@ class CObjectSlabs {
   static CObjectSlabs* SetCurrent(CObjectSlabs* slabs);
 
   /** Bytes; larger objects are left to the global operator new. */
-  static constexpr std::size_t kLargestObject = 8192;
+  static constexpr std::size_t kMaxObjectBytes = 8192;
 
  private:
   struct SState;

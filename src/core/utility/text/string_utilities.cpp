@@ -347,7 +347,7 @@ bool IsNear(const std::string& a, const std::string& b, std::size_t distance) {
 }
 
 // characters; names are shorter
-constexpr std::size_t kLongestCompared = 200;
+constexpr std::size_t kMaxComparedLength = 200;
 
 std::vector<std::string> FindNearest(const std::string& given,
                                      const std::vector<std::string>& candidates, std::size_t most) {
@@ -356,7 +356,7 @@ std::vector<std::string> FindNearest(const std::string& given,
   for (const std::string& candidate : candidates) {
     const std::string name = StringToLowerCase(candidate);
     // the edit distance takes time in proportion to the product of the lengths
-    if (std::max(wanted.size(), name.size()) > kLongestCompared) {
+    if (std::max(wanted.size(), name.size()) > kMaxComparedLength) {
       continue;
     }
     const std::size_t distance = EditDistance(wanted, name);

@@ -10,7 +10,7 @@ namespace {
 constexpr Real kWeightOfFaster = 0.5;
 constexpr Real kWeightOfSlower = 0.125;
 // a measurement that is slower by more than this factor counts as one of this factor
-constexpr Real kMostSlower = 4.0;
+constexpr Real kMaxSlowdown = 4.0;
 
 }  // namespace
 
@@ -27,7 +27,7 @@ size_t CPhaseCost::ChooseGrain(size_t items, UInt32 threads) const {
   if (m_secondsPerItem == 0.0) {
     return even;
   }
-  if (m_secondsPerItem * static_cast<Real>(items) < kLeastSeconds) {
+  if (m_secondsPerItem * static_cast<Real>(items) < kMinSeconds) {
     return std::max<size_t>(1, items);
   }
   const Real worthwhile = kRunSeconds / m_secondsPerItem;
@@ -47,7 +47,7 @@ void CPhaseCost::Add(size_t items, Real seconds) {
     m_secondsPerItem += kWeightOfFaster * (measured - m_secondsPerItem);
   } else {
     m_secondsPerItem +=
-        kWeightOfSlower * (std::min(measured, kMostSlower * m_secondsPerItem) - m_secondsPerItem);
+        kWeightOfSlower * (std::min(measured, kMaxSlowdown * m_secondsPerItem) - m_secondsPerItem);
   }
 }
 

@@ -18,7 +18,7 @@ class CPhaseCost {
    * it, takes 5 to 20 us, and far longer on a machine that is busy with something else; half of
    * the work must exceed that by a good margin.
    */
-  static constexpr Real kLeastSeconds = 100e-6;
+  static constexpr Real kMinSeconds = 100e-6;
   /** Runs per thread, at least, so that threads that finish early can take over others' runs. */
   static constexpr size_t kRunsPerThread = 4;
 

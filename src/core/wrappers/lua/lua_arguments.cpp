@@ -15,9 +15,9 @@ namespace {
 
 // in the registry: nil, or the owner of the script, or true after the warning
 constexpr const char* kFractions = "argos.fractions";
-constexpr Real kLargestFraction = 4503599627370496.0;  // 2^52: larger numbers are whole
+constexpr Real kMaxFraction = 4503599627370496.0;  // 2^52: larger numbers are whole
 
-constexpr std::size_t kLongestTextShown = 40;
+constexpr std::size_t kMaxShownLength = 40;
 
 /** Describes a value for a message: 300, string "10", nil. */
 std::string Describe(lua_State* state, int index) {
@@ -27,8 +27,8 @@ std::string Describe(lua_State* state, int index) {
   std::string type = GetLuaTypeName(state, index);
   if (lua_type(state, index) == LUA_TSTRING) {
     const std::string text = lua_tostring(state, index);
-    type += " \"" + text.substr(0, kLongestTextShown) +
-            (text.size() > kLongestTextShown ? "...\"" : "\"");
+    type +=
+        " \"" + text.substr(0, kMaxShownLength) + (text.size() > kMaxShownLength ? "...\"" : "\"");
   }
   return type;
 }
@@ -120,7 +120,7 @@ bool CLuaArguments::ToWhole(int index, SInt64& value) const {
   }
   const Real number = lua_tonumber(m_state, index);
   const int type = lua_getfield(m_state, LUA_REGISTRYINDEX, kFractions);
-  const bool isTruncated = type != LUA_TNIL && std::abs(number) < kLargestFraction;
+  const bool isTruncated = type != LUA_TNIL && std::abs(number) < kMaxFraction;
   if (isTruncated) {
     value = static_cast<SInt64>(number);
     if (type == LUA_TSTRING) {

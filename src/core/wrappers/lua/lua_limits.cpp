@@ -6,7 +6,7 @@ namespace argos {
 
 namespace {
 
-constexpr UInt64 kMostMebi = UInt64{1} << 20;  // 1 TiB
+constexpr UInt64 kMaxMebibytes = UInt64{1} << 20;  // 1 TiB
 
 }  // namespace
 
@@ -17,10 +17,10 @@ SLuaLimits SLuaLimits::Read(TConfigurationNode& params, const SLuaLimits& defaul
   GetNodeAttributeOrDefault(params, "unsafe", limits.IsUnsafe, defaults.IsUnsafe);
   UInt64 mebi = 0;
   GetNodeAttributeOrDefault(params, "max_memory", mebi, defaults.MaxMemory / kMebi);
-  if (mebi > kMostMebi) {
+  if (mebi > kMaxMebibytes) {
     THROW_ARGOSEXCEPTION(params.GetLocation()
-                         << ": <params>: \"max_memory\" must be from 0 (no limit) to " << kMostMebi
-                         << " MiB, got " << mebi);
+                         << ": <params>: \"max_memory\" must be from 0 (no limit) to "
+                         << kMaxMebibytes << " MiB, got " << mebi);
   }
   limits.MaxMemory = mebi * kMebi;
   return limits;

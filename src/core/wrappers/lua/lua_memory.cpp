@@ -21,7 +21,7 @@ void* CLuaMemory::Reallocate(void* block, std::size_t oldSize, std::size_t newSi
     Free(block, oldSize);
     return nullptr;
   }
-  if (oldSize <= kLargestSmall && newSize <= kLargestSmall &&
+  if (oldSize <= kMaxSmallBytes && newSize <= kMaxSmallBytes &&
       ClassOf(oldSize) == ClassOf(newSize)) {
     m_used += newSize - oldSize;  // wraps around if the block shrinks
     return block;
@@ -55,7 +55,7 @@ void* CLuaMemory::Allocate(std::size_t size) {
   if (!MayUse(size)) {
     return nullptr;
   }
-  void* const block = size > kLargestSmall ? AllocateLarge(size) : AllocateSmall(ClassOf(size));
+  void* const block = size > kMaxSmallBytes ? AllocateLarge(size) : AllocateSmall(ClassOf(size));
   if (block != nullptr) {
     m_used += size;
   }
@@ -64,7 +64,7 @@ void* CLuaMemory::Allocate(std::size_t size) {
 
 void CLuaMemory::Free(void* block, std::size_t size) {
   m_used -= size;
-  if (size > kLargestSmall) {
+  if (size > kMaxSmallBytes) {
     ::operator delete(block);
     m_taken -= size;
     return;

@@ -55,7 +55,7 @@ class CLuaMemory {
  private:
   // sizes are rounded up to multiples of this, the alignment that Lua requires
   static constexpr std::size_t kGrain = 8;
-  static constexpr std::size_t kLargestSmall = 256;
+  static constexpr std::size_t kMaxSmallBytes = 256;
   static constexpr std::size_t kChunkSize = 4096;
 
   struct SRange {
@@ -76,7 +76,7 @@ class CLuaMemory {
   bool MayUse(std::size_t size) const { return size <= m_limit && m_used <= m_limit - size; }
   bool MayTake(std::size_t size) const { return m_taken / 2 + size / 2 <= m_limit; }
 
-  std::array<SFree*, kLargestSmall / kGrain> m_free = {};  // by class
+  std::array<SFree*, kMaxSmallBytes / kGrain> m_free = {};  // by class
   std::vector<std::unique_ptr<std::byte[]>> m_chunks;
   std::byte* m_next = nullptr;  // unused part of the last chunk
   std::size_t m_left = 0;  // its size, bytes

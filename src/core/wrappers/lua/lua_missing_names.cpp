@@ -16,8 +16,8 @@ namespace argos {
 namespace {
 
 constexpr const char* kRobot = "robot";
-// of a table, in a message
-constexpr std::size_t kMostNames = 20;
+// limit of the names of a table in a message
+constexpr std::size_t kMaxNames = 20;
 
 /** Names joined by dots, and perhaps a last colon: robot.wheels.set_velocity */
 struct SChain {
@@ -166,10 +166,10 @@ std::string FindName(const std::string& message, const std::string& kind) {
 
 std::string JoinNames(const std::vector<std::string>& names) {
   std::string text;
-  for (std::size_t i = 0; i < std::min(names.size(), kMostNames); ++i) {
+  for (std::size_t i = 0; i < std::min(names.size(), kMaxNames); ++i) {
     text += (i == 0 ? "" : ", ") + names[i];
   }
-  return text + (names.size() > kMostNames ? ", ..." : "");
+  return text + (names.size() > kMaxNames ? ", ..." : "");
 }
 
 std::string Explain(const SChain& chain, const SMissing& missing) {

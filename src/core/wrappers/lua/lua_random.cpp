@@ -12,7 +12,7 @@ namespace argos {
 namespace {
 
 // all whole numbers up to this one are exact in a float
-constexpr SInt64 kLargestWhole = SInt64{1} << 53;
+constexpr SInt64 kMaxWhole = SInt64{1} << 53;
 
 template <auto METHOD>
 void AddMethod(lua_State* state, const std::string& path, const char* name, CLuaRandom& random) {
@@ -95,10 +95,10 @@ Real CLuaRandom::Uniform(CLuaArguments& arguments) {
 
 Real CLuaRandom::UniformInt(CLuaArguments& arguments) {
   SInt64 min = 0;
-  SInt64 max = arguments.NextInteger(-kLargestWhole, kLargestWhole);
+  SInt64 max = arguments.NextInteger(-kMaxWhole, kMaxWhole);
   if (arguments.HasNext()) {
     min = max;
-    max = arguments.NextInteger(-kLargestWhole, kLargestWhole);
+    max = arguments.NextInteger(-kMaxWhole, kMaxWhole);
   }
   arguments.Finish();
   CheckOrder(min, max);

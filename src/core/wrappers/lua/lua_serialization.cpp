@@ -18,7 +18,7 @@ constexpr int kDeepestNesting = 32;
 
 // a table that is in several places is written several times: without a limit, a small graph of
 // tables could fill the memory
-constexpr std::size_t kMostBytes = std::size_t{16} << 20;
+constexpr std::size_t kMaxBytes = std::size_t{16} << 20;
 
 // slots of Lua's stack for each level of nesting: the ordered keys, a key, its value, and those
 // that a test for a type needs
@@ -132,8 +132,8 @@ void AppendTable(lua_State* state, int index, CByteArray& data, int depth) {
       AppendValue(state, keys + 1, data, depth);
       AppendValue(state, keys + 2, data, depth);
     }
-    if (data.Size() > kMostBytes) {
-      THROW_ARGOSEXCEPTION("a table to be sent may take " << kMostBytes
+    if (data.Size() > kMaxBytes) {
+      THROW_ARGOSEXCEPTION("a table to be sent may take " << kMaxBytes
                                                           << " bytes; does it share parts?");
     }
     lua_settop(state, keys);

@@ -11,7 +11,7 @@ namespace argos {
 namespace {
 
 constexpr int kStackNeeded = 8;  // slots, by one open table and what is written into it
-constexpr int kSmallestTable = 2;  // fields
+constexpr int kMinTableSize = 2;  // fields
 
 }  // namespace
 
@@ -60,7 +60,7 @@ CLuaTable CLuaTable::GetTable(const char* key) {
   const bool isNew = lua_getfield(m_state, m_index, key) != LUA_TTABLE;
   if (isNew) {
     lua_pop(m_state, 1);
-    lua_createtable(m_state, 0, kSmallestTable);
+    lua_createtable(m_state, 0, kMinTableSize);
     lua_pushvalue(m_state, -1);
     SetField(key);
   }
@@ -72,7 +72,7 @@ CLuaTable CLuaTable::GetTable(std::size_t index) {
     return CLuaTable(m_state, false, m_isReused, std::string());
   }
   lua_pop(m_state, 1);
-  return MakeTable(index, kSmallestTable);
+  return MakeTable(index, kMinTableSize);
 }
 
 CLuaTable CLuaTable::MakeTable(const char* key, std::size_t numItems, std::size_t numFields) {

@@ -150,9 +150,9 @@ std::unique_ptr<CEntity> CReplayedEntity::Make(const std::string& id) {
     case SRecordedType::EKind::Light:
       return keep(std::make_unique<CLightEntity>(id, CVector3(), CColor(), 0.0), m_light);
     case SRecordedType::EKind::Floor: {
-      constexpr UInt64 kMostPixelsPerMeter = 1000000;
+      constexpr UInt64 kMaxPixelsPerMeter = 1000000;
       const UInt64 height = m_type->Parameter >> SRecordedType::kHeightShift;
-      const UInt64 pixels = std::clamp<UInt64>(m_type->Parameter, 1, kMostPixelsPerMeter);
+      const UInt64 pixels = std::clamp<UInt64>(m_type->Parameter, 1, kMaxPixelsPerMeter);
       auto floor = std::make_unique<CFloorEntity>(id, static_cast<UInt32>(pixels));
       if (height > 0) {
         floor->SetImageSize(static_cast<UInt32>(m_type->Parameter), static_cast<UInt32>(height));

@@ -163,7 +163,7 @@ class CCSVFormat : public CTableFormat {
   }
 
   void WriteRows(const SRowBlock& block, const SRowBlock::STick& tick, std::size_t first) {
-    char start[4 * kLongestNumber];
+    char start[4 * kMaxNumberLength];
     char* end = WriteNumber(start, tick.Run, 0);
     *end++ = ',';
     end = WriteNumber(end, tick.Tick, 0);
@@ -175,7 +175,7 @@ class CCSVFormat : public CTableFormat {
       const std::string_view robot =
           m_schema.HasRobots ? std::string_view(m_robots[block.Robots[row]]) : std::string_view();
       const std::size_t longest =
-          prefix.size() + robot.size() + (m_schema.Columns.size() + 1) * (kLongestNumber + 1);
+          prefix.size() + robot.size() + (m_schema.Columns.size() + 1) * (kMaxNumberLength + 1);
       char* to = m_text.Reserve(longest);
       std::memcpy(to, prefix.data(), prefix.size());
       to += prefix.size();
@@ -194,7 +194,7 @@ class CCSVFormat : public CTableFormat {
       if (m_schema.Columns[i].Kind == EColumnKind::Text) {
         m_text.SetEnd(to);
         m_text.Append(Quote(block.Texts.Get(number)));
-        to = m_text.Reserve((m_schema.Columns.size() - i + 1) * (kLongestNumber + 1));
+        to = m_text.Reserve((m_schema.Columns.size() - i + 1) * (kMaxNumberLength + 1));
       } else {
         to = WriteNumber(to, number, m_schema.Digits);
       }

@@ -353,10 +353,10 @@ class CHDF5Format : public CTableFormat {
         known->second += '\n' + value;
       }
     }
-    constexpr std::size_t kLongestAttribute = 60000;  // the library's limit is 64 KiB
+    constexpr std::size_t kMaxAttributeBytes = 60000;  // the library's limit is 64 KiB
     for (auto& [key, value] : merged) {
-      if (value.size() > kLongestAttribute) {
-        value.resize(value.rfind('\n', kLongestAttribute));
+      if (value.size() > kMaxAttributeBytes) {
+        value.resize(value.rfind('\n', kMaxAttributeBytes));
       }
       WriteTextAttribute(file, key.c_str(), value);
     }

@@ -15,7 +15,7 @@ namespace argos {
 
 namespace {
 
-constexpr int kMostDigits = 17;
+constexpr int kMaxDigits = 17;
 
 bool EndsWith(const std::string& text, const std::string& end) {
   return text.size() > end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
@@ -68,8 +68,8 @@ void CTableBase::Init(TConfigurationNode& tree) {
   }
   if (NodeAttributeExists(tree, "digits")) {
     GetNodeAttribute(tree, "digits", m_digits);
-    if (m_digits < 1 || m_digits > kMostDigits) {
-      THROW_ARGOSEXCEPTION(m_location << ": \"digits\" must be from 1 to " << kMostDigits
+    if (m_digits < 1 || m_digits > kMaxDigits) {
+      THROW_ARGOSEXCEPTION(m_location << ": \"digits\" must be from 1 to " << kMaxDigits
                                       << "; without it, numbers have as many as they need; found "
                                       << m_digits);
     }

@@ -11,8 +11,8 @@ CTableWriter::CTableWriter(std::string path, std::unique_ptr<CTableFormat> forma
       m_format(std::move(format)),
       m_current(std::make_unique<SRowBlock>()) {
   // one is written, one takes rows
-  m_waiting.reserve(kMostWaiting);
-  m_free.reserve(kMostWaiting + 2);
+  m_waiting.reserve(kMaxWaiting);
+  m_free.reserve(kMaxWaiting + 2);
 }
 
 CTableWriter::~CTableWriter() {
@@ -53,7 +53,7 @@ void CTableWriter::EndTick() {
 void CTableWriter::Push() {
   m_lastPush = std::chrono::steady_clock::now();
   std::unique_lock<std::mutex> lock(m_mutex);
-  m_changed.wait(lock, [this] { return m_waiting.size() < kMostWaiting; });
+  m_changed.wait(lock, [this] { return m_waiting.size() < kMaxWaiting; });
   m_waiting.push_back(std::move(m_current));
   if (m_free.empty()) {
     m_current = std::make_unique<SRowBlock>();

@@ -19,7 +19,7 @@ namespace argos {
 /**
  * Formats and writes the rows of one file on a thread of its own.
  *
- * If rows come faster than they can be written, the caller waits: at most kMostWaiting blocks are
+ * If rows come faster than they can be written, the caller waits: at most kMaxWaiting blocks are
  * stored.
  */
 class CTableWriter {
@@ -52,7 +52,7 @@ class CTableWriter {
  private:
   using TBlock = std::unique_ptr<SRowBlock>;
 
-  static constexpr std::size_t kMostWaiting = 4;  // blocks
+  static constexpr std::size_t kMaxWaiting = 4;  // blocks
   static constexpr std::size_t kFullRows = 8192;
   static constexpr std::chrono::seconds kOldest{1};  // that rows wait for others
 

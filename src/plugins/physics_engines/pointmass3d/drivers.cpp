@@ -59,11 +59,11 @@ void CDrivers::Advance(Real tick) {
   for (size_t i = 0; i < m_poses.size(); ++i) {
     const SArc arc = FollowArc(m_poses[i], m_drives[i].Read(), tick);
     // written so that NaN fails too
-    if (!(std::abs(arc.End.X) + std::abs(arc.End.Y) + std::abs(arc.End.HalfCos) <= kFarthest)) {
+    if (!(std::abs(arc.End.X) + std::abs(arc.End.Y) + std::abs(arc.End.HalfCos) <= kMaxDistance)) {
       THROW_ARGOSEXCEPTION(
-          "robot \"" << m_owners[i]->GetEmbodiedEntity().GetRootEntity().GetId()
-                     << "\": " << (m_drives[i].HasWheels() ? "wheel speeds" : "drive commands")
-                     << " of " << m_drives[i].Describe() << " lead beyond " << kFarthest << " m");
+          "robot \"" << m_owners[i]->GetEmbodiedEntity().GetRootEntity().GetId() << "\": "
+                     << (m_drives[i].HasWheels() ? "wheel speeds" : "drive commands") << " of "
+                     << m_drives[i].Describe() << " lead beyond " << kMaxDistance << " m");
     }
     m_poses[i] = arc.End;
   }

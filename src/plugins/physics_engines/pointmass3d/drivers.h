@@ -12,7 +12,7 @@ namespace argos {
 class CPointMass3DBody;
 
 /** m; no body may be farther from the world's origin: positions are accurate to 1e-7 m there. */
-constexpr Real kFarthest = 1e9;
+constexpr Real kMaxDistance = 1e9;
 
 /**
  * The bodies of an engine that have a drive, and their motion: the exact arc of its command, at the
@@ -45,7 +45,7 @@ class CDrivers : public CPointMassHandles {
   /**
    * Moves all bodies by a tick.
    * @param tick  s.
-   * @throws CARGoSException that names the robot if its command leads beyond kFarthest.
+   * @throws CARGoSException that names the robot if its command leads beyond kMaxDistance.
    */
   void Advance(Real tick);
 

@@ -53,8 +53,8 @@ void CheckDescription(const CEmbodiedEntity& body, EKind kind) {
   const CVector3& position = body.GetOriginAnchor().Position;
   // written so that NaN fails too
   if (!(std::abs(position.GetX()) + std::abs(position.GetY()) + std::abs(position.GetZ()) <=
-        kFarthest)) {
-    THROW_ARGOSEXCEPTION(owner << " at (" << position << ") is farther than " << kFarthest
+        kMaxDistance)) {
+    THROW_ARGOSEXCEPTION(owner << " at (" << position << ") is farther than " << kMaxDistance
                                << " m from the origin: positions would no longer be accurate");
   }
   const SBodyDescription& description = *body.GetBodyDescription();

@@ -16,7 +16,7 @@ namespace argos {
 namespace {
 
 constexpr std::int64_t kSpeedSteps = 10000;  // per unit
-constexpr std::int64_t kLargestTerm = 1000000;  // ffmpeg rounds ratios of larger numbers
+constexpr std::int64_t kMaxTerm = 1000000;  // ffmpeg rounds ratios of larger numbers
 
 constexpr double kLowestRate = 1.0;  // players stumble over less
 constexpr double kHighestRate = 60.0;  // of most displays
@@ -30,8 +30,8 @@ constexpr int kDefaultX264 = 20;
 constexpr double kWorstVp9 = 55.0;
 constexpr double kBestVp9 = 15.0;
 constexpr int kDefaultVp9 = 30;
-constexpr int kFewestColors = 16;
-constexpr int kMostColors = 256;
+constexpr int kMinColors = 16;
+constexpr int kMaxColors = 256;
 
 int Between(double worst, double best, int quality) {
   return static_cast<int>(std::lround(worst + (best - worst) * quality / 100.0));
@@ -50,7 +50,7 @@ std::string MakeFilters(const SFilmSettings& settings, const SFrameRate& rate) {
     return resampling + kToVideo;
   }
   const int colors =
-      settings.Quality < 0 ? kMostColors : Between(kFewestColors, kMostColors, settings.Quality);
+      settings.Quality < 0 ? kMaxColors : Between(kMinColors, kMaxColors, settings.Quality);
   // a palette for each frame: one for the whole film would need all frames in memory
   return resampling + fmt::format(
                           "split[a][b];[a]palettegen=max_colors={}:reserve_transparent=0:"
@@ -105,7 +105,7 @@ SFrameRate Reduce(std::int64_t numerator, std::int64_t denominator) {
   numerator /= divisor;
   denominator /= divisor;
   // off by at most a millionth
-  const std::int64_t excess = (std::max(numerator, denominator) - 1) / kLargestTerm + 1;
+  const std::int64_t excess = (std::max(numerator, denominator) - 1) / kMaxTerm + 1;
   if (excess > 1) {
     numerator = std::max<std::int64_t>((numerator + excess / 2) / excess, 1);
     denominator = std::max<std::int64_t>((denominator + excess / 2) / excess, 1);

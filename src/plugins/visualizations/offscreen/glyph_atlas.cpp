@@ -16,8 +16,8 @@ namespace argos {
 namespace {
 
 constexpr double kContourReach = 1.6;  // width of the contour, pixels, at scale 1
-constexpr int kSmallestText = 4;  // pixels
-constexpr int kLargestText = 512;  // pixels
+constexpr int kMinText = 4;  // pixels
+constexpr int kMaxText = 512;  // pixels
 constexpr double kLineDistance = 1.2;  // em
 constexpr int kGap = 1;  // pixels between bitmaps
 constexpr char32_t kInvalid = 0xFFFD;  // the replacement character
@@ -245,8 +245,8 @@ void CGlyphAtlas::Append(const SLabel& label, double x, double y, double scale,
                          std::vector<SGlyphInstance>& instances) {
   const STextStyle& style = label.Style;
   const std::size_t font = ChooseFont(style);
-  const int size = static_cast<int>(
-      std::clamp<double>(std::lround(style.Size * scale), kSmallestText, kLargestText));
+  const int size =
+      static_cast<int>(std::clamp<double>(std::lround(style.Size * scale), kMinText, kMaxText));
   const SRgba contourColor = ChooseContour(label.Color);
   std::vector<SGlyphInstance> letters;
   double baseLine = std::round(y);

@@ -8,10 +8,10 @@ namespace argos {
 namespace {
 
 // diameters on the picture, in pixels
-constexpr double kSmallestDrawn = 0.8;  // smaller ones hardly change a pixel
-constexpr double kSmallestDetail = 3.5;
-constexpr double kSmallestCaster = 1.5;
-constexpr double kSmallestTranslucent = 8.0;
+constexpr double kMinDrawnSize = 0.8;  // smaller ones hardly change a pixel
+constexpr double kMinDetailSize = 3.5;
+constexpr double kMinCasterSize = 1.5;
+constexpr double kMinTranslucentSize = 8.0;
 // larger ones take the next finer level: an edge of the coarser polygon would be a third of a pixel
 // or more, d / 2 (1 - cos(pi / n)), away from its circle
 constexpr std::array<double, kNumLevels - 1> kLevelBounds = {6.0, 18.0, 70.0};
@@ -126,7 +126,7 @@ void CInstanceBatches::Add(EMeshKind kind, const SMeshInstance& instance) {
   }
   const double pixels =
       2.0 * sphere.Radius * m_pixelsPerUnit / (isParallel ? 1.0 : std::max(depth, sphere.Radius));
-  if (pixels < (instance.IsDetail > 0.0f ? kSmallestDetail : kSmallestDrawn)) {
+  if (pixels < (instance.IsDetail > 0.0f ? kMinDetailSize : kMinDrawnSize)) {
     return;
   }
   const std::size_t kindIndex = static_cast<std::size_t>(kind);
@@ -134,8 +134,8 @@ void CInstanceBatches::Add(EMeshKind kind, const SMeshInstance& instance) {
   const Eigen::Vector3d extent = Eigen::Vector3d::Constant(sphere.Radius);
   m_casterBounds.extend(inSun - extent);
   m_casterBounds.extend(inSun + extent);
-  const bool opaque = instance.Color.A == 255 || pixels < kSmallestTranslucent;
-  if (opaque && pixels >= kSmallestCaster) {
+  const bool opaque = instance.Color.A == 255 || pixels < kMinTranslucentSize;
+  if (opaque && pixels >= kMinCasterSize) {
     // one level coarser than on the picture: shadows have soft borders
     const std::size_t level = ChooseLevel(0.5 * pixels);
     m_casters[kindIndex][level].push_back(instance);

@@ -19,9 +19,9 @@ constexpr GLint kFloorUnit = 1;
 constexpr size_t kTranslucentLevel = 2;
 // diameters of the discs that stand for robots too small to be seen, in pixels of the picture
 constexpr double kMarkerPixels = 5.0;  // if the picture is 960 pixels high
-constexpr double kSmallestMarkerPixels = 2.0;
+constexpr double kMinMarkerPixels = 2.0;
 constexpr double kMarkerShare = 0.05;  // of the picture that all discs cover at most
-constexpr double kSmallestNear = 0.002;  // m
+constexpr double kMinNearDistance = 0.002;  // m
 constexpr double kNearOverFar = 2e-5;  // a 32-bit depth buffer still separates millimetres
 constexpr GLfloat kDepthSlope = 1.5f;  // shadow bias, in depth steps per unit of slope
 constexpr GLfloat kDepthUnits = 4.0f;
@@ -201,7 +201,7 @@ void CRenderer::ComputeMatrices(const SScene& scene, const CCamera& camera) {
   }
   const double farPlane = std::max(depths.max().x() * 1.01, 1.0);
   const double nearPlane =
-      std::max({depths.min().x() * 0.99, kSmallestNear, kNearOverFar * farPlane});
+      std::max({depths.min().x() * 0.99, kMinNearDistance, kNearOverFar * farPlane});
   const Eigen::Matrix4d view = camera.ComputeViewMatrix();
   const Eigen::Matrix4d projection = camera.ComputeProjectionMatrix(nearPlane, farPlane);
   m_near = static_cast<float>(nearPlane);
@@ -423,8 +423,7 @@ void CRenderer::AddMarkers(const SScene& scene) {
   const double area = static_cast<double>(m_settings.Width) * m_settings.Height;
   const double crowded = std::sqrt(kMarkerShare * area / std::max<double>(1, scene.Markers.size()));
   const double largest = kMarkerPixels * m_settings.Height / 960.0;
-  const auto pixels =
-      static_cast<float>(std::max(std::min(crowded, largest), kSmallestMarkerPixels));
+  const auto pixels = static_cast<float>(std::max(std::min(crowded, largest), kMinMarkerPixels));
   for (const SMarker& marker : scene.Markers) {
     const Eigen::Vector3f position(marker.Position.data());
     const float w = (m_viewProjection * position.homogeneous()).w();

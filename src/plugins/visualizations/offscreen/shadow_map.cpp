@@ -10,17 +10,17 @@ namespace argos {
 
 namespace {
 
-constexpr int kLeastMapSide = 512;  // texels
-constexpr int kLargestMapSide = 2048;
+constexpr int kMinMapSide = 512;  // texels
+constexpr int kMaxMapSide = 2048;
 // smaller texels would only sharpen the shadows, whose borders are about three texels wide
-constexpr double kSmallestTexel = 0.0018;  // m
+constexpr double kMinTexel = 0.0018;  // m
 constexpr double kBorderTexels = 4.0;  // the filter reads a few texels around a point
-constexpr double kSmallestExtent = 0.05;  // m
+constexpr double kMinExtent = 0.05;  // m
 
 }  // namespace
 
 CShadowMap::CShadowMap(const SGlFunctions& gl, int pictureSide)
-    : m_gl(gl), m_side(std::clamp(3 * pictureSide / 2, kLeastMapSide, kLargestMapSide)) {
+    : m_gl(gl), m_side(std::clamp(3 * pictureSide / 2, kMinMapSide, kMaxMapSide)) {
   gl.GenTextures(1, &m_texture);
   gl.BindTexture(GL_TEXTURE_2D, m_texture);
   gl.TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT32F, m_side, m_side, 0, GL_DEPTH_COMPONENT,
@@ -52,9 +52,9 @@ void CShadowMap::Fit(const Eigen::Matrix3d& sunFrame, const Eigen::AlignedBox3d&
   }
   // the ground below receives shadows beyond the casters' far side: depths past it are clamped
   const Eigen::Vector2d size =
-      box.sizes().head<2>().cwiseMax(kSmallestExtent) * (1.0 + 2.0 * kBorderTexels / m_side);
-  const double depth = std::max(box.sizes().z(), kSmallestExtent);
-  const double wantedSide = std::ceil(size.maxCoeff() / kSmallestTexel);
+      box.sizes().head<2>().cwiseMax(kMinExtent) * (1.0 + 2.0 * kBorderTexels / m_side);
+  const double depth = std::max(box.sizes().z(), kMinExtent);
+  const double wantedSide = std::ceil(size.maxCoeff() / kMinTexel);
   m_usedSide = static_cast<int>(std::min<double>(wantedSide, m_side));
   m_texelSize = static_cast<float>(size.maxCoeff() / m_usedSide);
 

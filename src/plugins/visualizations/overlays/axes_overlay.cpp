@@ -22,7 +22,7 @@ class CAxesOverlay : public COverlay {
   void Draw(CSimulator& simulator, CDrawing& drawing) override {
     const CRange<CVector3>& arena = simulator.GetSpace().GetArenaLimits();
     const CVector3 size = arena.GetMax() - arena.GetMin();
-    const Real step = RoundLengthDown(std::max(size.GetX(), size.GetY()) / kMostNumbers);
+    const Real step = RoundLengthDown(std::max(size.GetX(), size.GetY()) / kMaxNumbers);
     const CVector3 corner(arena.GetMin().GetX(), arena.GetMin().GetY(), 0.0);
     const Real tick = kTick * std::min(size.GetX(), size.GetY());
     DrawAxis({corner, CVector3::X, -CVector3::Y, size.GetX(), corner.GetX(), step, tick, "x"},
@@ -62,7 +62,7 @@ class CAxesOverlay : public COverlay {
                      style);
   }
 
-  static constexpr Real kMostNumbers = 8.0;
+  static constexpr Real kMaxNumbers = 8.0;
   static constexpr Real kTick = 0.015;  // of the arena
   static constexpr Real kNumber = 3.0;  // distance of numbers, in marks
   static constexpr Real kName = 6.0;  // distance of the name, in marks

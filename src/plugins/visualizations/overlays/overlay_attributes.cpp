@@ -14,7 +14,7 @@ namespace {
 
 // of texts without a size, in heights of the picture
 constexpr Real kTextHeight = 0.025;
-constexpr Real kLeastTextSize = 12.0;  // pixels
+constexpr Real kMinTextSize = 12.0;  // pixels
 // distance of texts from the edges of the picture and of each other's base lines, in their sizes
 constexpr Real kEdge = 0.8;
 constexpr Real kLineHeight = 1.35;
@@ -31,7 +31,7 @@ void SOverlayText::Read(TConfigurationNode& node) {
 STextStyle SOverlayText::MakeStyle(const CDrawing& drawing,
                                    STextStyle::EAlignment alignment) const {
   STextStyle style;
-  style.Size = Size > 0.0 ? Size : std::max(kLeastTextSize, kTextHeight * drawing.GetHeight());
+  style.Size = Size > 0.0 ? Size : std::max(kMinTextSize, kTextHeight * drawing.GetHeight());
   style.IsBold = IsBold;
   style.Alignment = alignment;
   return style;

@@ -10,7 +10,7 @@ namespace argos {
 
 namespace {
 
-constexpr double kLeastCell = 14.0;  // pixels; finer grids are left out
+constexpr double kMinCellSize = 14.0;  // pixels; finer grids are left out
 constexpr double kGridPixels = 1.3;  // width of its lines
 constexpr double kBoundaryPixels = 2.6;
 constexpr double kReach = 2.5;  // of the ground around the arena, diagonals of it
@@ -42,7 +42,7 @@ std::string MakeGrid(const SSceneText& file, double pixel, double leastStep) {
   std::string text;
   if (file.Scene.ShowGrid) {
     for (const SGridLevel& level : kGrid) {
-      if (level.Step >= std::max(kLeastCell * pixel, leastStep)) {
+      if (level.Step >= std::max(kMinCellSize * pixel, leastStep)) {
         for (const char axis : {'x', 'y'}) {
           text += MakeStripes(file.Settings.Look.GridLine, level, kGridPixels * pixel, axis);
         }

@@ -19,8 +19,8 @@ constexpr double kSunDistance = 3.0;  // diagonals of the arena
 constexpr double kSunSize = 0.16;  // of its distance: width of the area that emits
 constexpr double kGlowFade = 0.03;  // m at which an LED's light is as bright as its colour
 constexpr double kBulbFilter = 0.95;
-constexpr double kLeastSignal = 4.4 / 960.0;  // diameter over the picture's height, as off-screen
-constexpr double kLeastRobot = 5.0 / 960.0;
+constexpr double kMinSignalSize = 4.4 / 960.0;  // diameter over the picture's height, as off-screen
+constexpr double kMinRobotSize = 5.0 / 960.0;
 
 // intensities, in linear light
 struct SLighting {
@@ -177,7 +177,7 @@ double ComputeRadius(const SGlow& glow, const SSceneText& file) {
   if (glow.Pixels > 0.0f) {
     return 0.5 * glow.Pixels * pixel;
   }
-  const double least = glow.IsSignal > 0.0f ? 0.5 * kLeastSignal * file.Settings.Height : 0.75;
+  const double least = glow.IsSignal > 0.0f ? 0.5 * kMinSignalSize * file.Settings.Height : 0.75;
   return std::max<double>(glow.Radius, least * pixel);
 }
 
@@ -203,7 +203,7 @@ void AddMarkers(SSceneText& file) {
       continue;  // counted with the robot's solids
     }
     const double least =
-        0.5 * kLeastRobot * file.Settings.Height * file.ComputePixelSizeAt(marker.Position);
+        0.5 * kMinRobotSize * file.Settings.Height * file.ComputePixelSizeAt(marker.Position);
     if (marker.Radius < least) {
       file.Text += fmt::format("sphere {{ {}, {} Argos_Flat({}) }}\n", ToSdl(marker.Position),
                                least, ToSdl(file.Settings.Look.Marker));

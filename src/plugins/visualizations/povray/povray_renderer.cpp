@@ -103,7 +103,7 @@ CPovrayRenderer::~CPovrayRenderer() {
 
 void CPovrayRenderer::Submit(const std::string& scene) {
   std::unique_lock<std::mutex> lock(m_mutex);
-  m_changed.wait(lock, [this] { return m_waiting.size() < kMostWaiting || m_error != nullptr; });
+  m_changed.wait(lock, [this] { return m_waiting.size() < kMaxWaiting || m_error != nullptr; });
   ThrowError();
   m_waiting.push_back(scene);
   m_changed.notify_all();

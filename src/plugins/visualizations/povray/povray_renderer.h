@@ -46,12 +46,12 @@ std::string FindPovrayErrors(const std::string& messages);
 /**
  * Renders scene files with POV-Ray on a thread of its own, one at a time and in order.
  *
- * At most kMostWaiting files wait; Submit() blocks meanwhile. A picture has its name only when it
+ * At most kMaxWaiting files wait; Submit() blocks meanwhile. A picture has its name only when it
  * is complete.
  */
 class CPovrayRenderer {
  public:
-  static constexpr std::size_t kMostWaiting = 2;
+  static constexpr std::size_t kMaxWaiting = 2;
 
   explicit CPovrayRenderer(const SPovrayJob& job);
   /** Waits for the picture under way; discards those that wait. */

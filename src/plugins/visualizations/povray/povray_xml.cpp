@@ -11,8 +11,8 @@ namespace argos {
 
 namespace {
 
-constexpr UInt32 kMostLights = 1000;
-constexpr UInt32 kMostThreads = 512;  // POV-Ray's limit
+constexpr UInt32 kMaxLights = 1000;
+constexpr UInt32 kMaxThreads = 512;  // POV-Ray's limit
 
 template <typename VALUE, std::size_t SIZE>
 void ReadChoice(TConfigurationNode& node, const std::string& attribute,
@@ -69,8 +69,8 @@ SPovrayFrameSettings ReadPovraySettings(TConfigurationNode& node) {
              settings.Render);
   ReadChoice(node, "look", std::array<TLook, 2>{{{"dark", true}, {"light", false}}}, scene.IsDark);
   scene.Look = SLook::FromName(scene.IsDark ? "dark" : "light");
-  ReadUpTo(node, "max_lights", kMostLights, scene.MostLights);
-  ReadUpTo(node, "threads", kMostThreads, settings.Threads);
+  ReadUpTo(node, "max_lights", kMaxLights, scene.MostLights);
+  ReadUpTo(node, "threads", kMaxThreads, settings.Threads);
   settings.Ground = ReadGroundTexture(node);
   GetNodeAttributeOrDefault(node, "show_grid", settings.ShowGrid, true);
   GetNodeAttributeOrDefault(node, "show_boundary", settings.ShowBoundary, true);

@@ -11,11 +11,11 @@ namespace argos {
 
 namespace {
 
-constexpr double kLargestByte = 255.0;
+constexpr double kMaxByte = 255.0;
 
 // four digits tell apart all 256 levels
 std::string ToLevel(double value) {
-  return fmt::format("{:.4g}", value / kLargestByte);
+  return fmt::format("{:.4g}", value / kMaxByte);
 }
 
 }  // namespace
@@ -40,7 +40,7 @@ std::string ToSdl(const SRgba& color) {
   const std::string rgb =
       fmt::format("{},{},{}", ToLevel(color.R), ToLevel(color.G), ToLevel(color.B));
   return color.A == 255 ? fmt::format("srgb <{}>", rgb)
-                        : fmt::format("srgbt <{},{}>", rgb, ToLevel(kLargestByte - color.A));
+                        : fmt::format("srgbt <{},{}>", rgb, ToLevel(kMaxByte - color.A));
 }
 
 std::string ToSdlFilter(const SRgba& color, double share) {

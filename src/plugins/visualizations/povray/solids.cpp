@@ -13,9 +13,9 @@ namespace {
 
 typedef std::array<std::array<float, 4>, 3> TRows;
 
-constexpr double kLargestEdge = 0.002;  // radius of rounded edges, m
+constexpr double kMaxEdge = 0.002;  // radius of rounded edges, m
 constexpr double kEdgeShare = 0.12;  // of a solid's smallest size
-constexpr float kLeastSize = 1e-6f;  // m
+constexpr float kMinSize = 1e-6f;  // m
 constexpr double kGlassFilter = 0.93;  // share of the light that crosses a surface of glass
 constexpr float kGlassShare = 0.998f;  // of its length, so that it does not touch what holds it
 
@@ -84,7 +84,7 @@ void AddSolid(EMeshKind kind, const SMeshInstance& instance, SSceneText& file) {
     return;
   }
   Eigen::Vector3f size = TakeSizes(rows);
-  if (!(size.minCoeff() > kLeastSize)) {
+  if (!(size.minCoeff() > kMinSize)) {
     return;
   }
   const bool isGlass = instance.Material == EMaterial::Glass;
@@ -96,7 +96,7 @@ void AddSolid(EMeshKind kind, const SMeshInstance& instance, SSceneText& file) {
     size.z() *= kGlassShare;
   }
   const double edge = HasRoundEdges(kind, instance, file.Settings)
-                          ? std::min<double>(kLargestEdge, kEdgeShare * size.minCoeff())
+                          ? std::min<double>(kMaxEdge, kEdgeShare * size.minCoeff())
                           : 0.0;
   file.Text += fmt::format(
       "{} {}({}) {} }}\n", MakeShape(kind, size, instance.Param, edge),

@@ -14,7 +14,7 @@ namespace argos {
 namespace {
 
 constexpr double kObliqueElevation = 52.0;  // degrees above the horizon
-constexpr double kLeastHalfSize = 0.05;  // m, of what a picture shows
+constexpr double kMinHalfSize = 0.05;  // m, of what a picture shows
 constexpr int kCentringSteps = 20;
 
 const std::vector<std::string>& GetViewNames() {
@@ -102,7 +102,7 @@ double CCameraFraming::ComputeAcross(const SSide& high, const SSide& low, double
     double lowest = -highest;
     for (const SSide* side : {&high, &low}) {
       for (const Eigen::Vector3d& point : side->Points) {
-        const double ahead = std::max(m_forward.dot(point) - depth, kLeastHalfSize);
+        const double ahead = std::max(m_forward.dot(point) - depth, kMinHalfSize);
         const double tangent = (high.Outward.dot(point) - across) / ahead;
         highest = std::max(highest, tangent);
         lowest = std::min(lowest, tangent);
@@ -118,8 +118,7 @@ double CCameraFraming::ComputeAcross(const SSide& high, const SSide& low, double
 SCameraPlacement CCameraFraming::ComputePlacement() const {
   if (m_isEmpty) {
     CCameraFraming cube(m_view, m_aspectRatio, m_margin);
-    cube.Extend(Eigen::Vector3d::Constant(-kLeastHalfSize),
-                Eigen::Vector3d::Constant(kLeastHalfSize));
+    cube.Extend(Eigen::Vector3d::Constant(-kMinHalfSize), Eigen::Vector3d::Constant(kMinHalfSize));
     return cube.ComputePlacement();
   }
   SCameraPlacement placement;
@@ -131,7 +130,7 @@ SCameraPlacement CCameraFraming::ComputePlacement() const {
   const double depth =
       std::min({-0.5 * (m_sides[0].Supports[0] + m_sides[1].Supports[0]) / m_sides[0].Slope,
                 -0.5 * (m_sides[2].Supports[0] + m_sides[3].Supports[0]) / m_sides[2].Slope,
-                m_least - kLeastHalfSize});
+                m_least - kMinHalfSize});
   placement.Position = ComputeAcross(m_sides[0], m_sides[1], depth) * m_sides[0].Outward +
                        ComputeAcross(m_sides[2], m_sides[3], depth) * m_sides[2].Outward +
                        depth * m_forward;
@@ -141,7 +140,7 @@ SCameraPlacement CCameraFraming::ComputePlacement() const {
 
 SCameraPlacement CCameraFraming::ComputeParallel(SCameraPlacement placement) const {
   const auto size = [this](std::size_t side) {
-    return std::max(m_sides[side].Supports[0] + m_sides[side + 1].Supports[0], kLeastHalfSize);
+    return std::max(m_sides[side].Supports[0] + m_sides[side + 1].Supports[0], kMinHalfSize);
   };
   const auto middle = [this](std::size_t side) {
     return 0.5 * (m_sides[side].Supports[0] - m_sides[side + 1].Supports[0]);

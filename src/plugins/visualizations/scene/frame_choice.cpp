@@ -8,15 +8,15 @@ namespace argos {
 
 namespace {
 
-constexpr UInt32 kSmallestSide = 16;  // pixels
-constexpr UInt32 kLargestSide = 16384;  // pixels; the limit of current drivers
+constexpr UInt32 kMinSide = 16;  // pixels
+constexpr UInt32 kMaxSide = 16384;  // pixels; the limit of current drivers
 
 int CheckSide(const TConfigurationNode& node, const std::string& attribute, UInt32 pixels) {
-  if (pixels < kSmallestSide || pixels > kLargestSide) {
+  if (pixels < kMinSide || pixels > kMaxSide) {
     THROW_ARGOSEXCEPTION(node.GetLocation()
                          << ": <" << node.Value() << ">: attribute \"" << attribute
                          << "\": " << pixels << " pixels are out of range; a side must have from "
-                         << kSmallestSide << " to " << kLargestSide << " pixels");
+                         << kMinSide << " to " << kMaxSide << " pixels");
   }
   return static_cast<int>(pixels);
 }

@@ -29,12 +29,12 @@ namespace {
 constexpr double kHighestFoot = 0.045;  // m; parts that begin above it hardly darken the ground
 constexpr double kDetailShare = 0.35;  // of the volume of an entity's largest part
 constexpr double kUpright = 0.999;  // cosine of the angle between a part's axis and the vertical
-constexpr int kLeastGray = 160;  // of robots in quarantine
+constexpr int kMinGray = 160;  // of robots in quarantine
 
 // of the solids of robots in quarantine: differences of brightness are left, but none of colour
 CColor PaleGray(const CColor& color) {
   const int brightness = (color.GetRed() + color.GetGreen() + color.GetBlue()) / 3;
-  const auto gray = static_cast<UInt8>(kLeastGray + brightness / 4);
+  const auto gray = static_cast<UInt8>(kMinGray + brightness / 4);
   return CColor(gray, gray, gray, color.GetAlpha());
 }
 

@@ -20,7 +20,7 @@ using Catch::Matchers::WithinAbs;
 namespace {
 
 constexpr Real kGravity = -9.81;  // m/s^2
-constexpr Real kGreatest = 1000.0;  // N and N m
+constexpr Real kMax = 1000.0;  // N and N m
 
 /** One axis of an eye-bot under the law of ARGoS 3. */
 struct SOldAxis {
@@ -46,7 +46,7 @@ struct SOldAxis {
     const Real proportional = onPlace ? PlaceGain : SpeedGain;
     const Real derivative = onPlace ? PlaceDerivative : SpeedDerivative;
     const Real wanted = proportional * error + derivative * (error - LastError) / dt - Weight;
-    Force = std::clamp(wanted, -kGreatest, kGreatest) + Weight;
+    Force = std::clamp(wanted, -kMax, kMax) + Weight;
     LastError = error;
   }
 };

@@ -509,7 +509,7 @@ TEST_CASE("kinematics: a robot inside two walls may move by its depth in the dee
 TEST_CASE("kinematics: an object deep inside another leaves it by a share of its size in a tick",
           "[contract][engine][kinematics]") {
   // a quarter of half of the narrowest side
-  constexpr Real kMost = 0.25 * 0.1;  // m
+  constexpr Real kMax = 0.25 * 0.1;  // m
   const bool isWall = GENERATE(true, false);
   CAPTURE(isWall);
   CDriveWorld world(kEngine, (isWall ? WallXml("wall", "0.4,0.4,0.5", 0, 0)
@@ -521,7 +521,7 @@ TEST_CASE("kinematics: an object deep inside another leaves it by a share of its
     CAPTURE(tick);
     const Real now = world.Position("box").GetX() - world.Position("wall").GetX();
     // 0.1 m deep at the start; friction gives way by 1e-3
-    CHECK_THAT(now - last, WithinAbs(tick <= 4 ? kMost : 0.0, tick < 4 ? 1e-3 : 2e-3));
+    CHECK_THAT(now - last, WithinAbs(tick <= 4 ? kMax : 0.0, tick < 4 ? 1e-3 : 2e-3));
     last = now;
   }
   CHECK(last >= 0.3 - 1e-5);

@@ -28,7 +28,7 @@ namespace {
 // Limits of SPictureDifference. The same build gives 0; other versions of Mesa round otherwise
 // along edges. "a picture in which little has changed" below shows that these notice one LED.
 constexpr double kMean = 0.3;
-constexpr double kMost = 6.0;
+constexpr double kMax = 6.0;
 
 // the controllers that an arena refers to
 std::string MakeControllers(const std::string& arena) {
@@ -108,7 +108,7 @@ SPicture Draw(const SSubject& subject, const std::string& offscreen, const std::
 void CheckLike(const std::string& name, const SPicture& picture) {
   const SPictureDifference difference = ComputeDifference(picture, ReadPicture(GoldenFile(name)));
   CHECK(difference.Mean <= kMean);
-  CHECK(difference.Most <= kMost);
+  CHECK(difference.Most <= kMax);
 }
 
 std::string Robot(const std::string& type, const std::string& id, const std::string& attributes,
@@ -191,9 +191,9 @@ TEST_CASE("golden pictures: a picture in which little has changed is noticed",
   const SPictureDifference same = ComputeDifference(picture, draw("red", "0,0,0"));
   CHECK(same.Mean == 0.0);
   CHECK(same.Most == 0.0);
-  CHECK(ComputeDifference(picture, draw("magenta", "0,0,0")).Most > 2.0 * kMost);
+  CHECK(ComputeDifference(picture, draw("magenta", "0,0,0")).Most > 2.0 * kMax);
   // by a pixel and a half
-  CHECK(ComputeDifference(picture, draw("red", "0.015,0,0")).Most > kMost);
+  CHECK(ComputeDifference(picture, draw("red", "0.015,0,0")).Most > kMax);
 }
 
 }  // namespace golden_pictures_test

@@ -79,8 +79,8 @@ SCaseResult RunCase(const std::string& xml) {
 
 void WriteLine(int pipe, std::string line) {
   std::replace(line.begin(), line.end(), '\n', '|');
-  constexpr std::size_t kLongest = 600;
-  line = line.substr(0, kLongest) + '\n';
+  constexpr std::size_t kMaxLength = 600;
+  line = line.substr(0, kMaxLength) + '\n';
   if (write(pipe, line.data(), line.size()) < 0) {
     _exit(3);
   }

@@ -77,12 +77,12 @@ std::vector<std::string> ReferenceFiles() {
 
 // small swarms, so that a case takes a few milliseconds
 std::string WithFewRobots(const std::string& xml) {
-  constexpr int kMostRobots = 6;
+  constexpr int kMaxRobots = 6;
   const std::unique_ptr<SXmlElement> root = ParseXml(xml);
   for (const SXmlPlace& place : ListElements(*root)) {
     for (auto& [name, value] : place.Element->Attributes) {
-      if (name == "quantity" && std::atoi(value.c_str()) > kMostRobots) {
-        value = std::to_string(kMostRobots);
+      if (name == "quantity" && std::atoi(value.c_str()) > kMaxRobots) {
+        value = std::to_string(kMaxRobots);
       }
     }
   }

@@ -10,8 +10,8 @@ namespace argos {
 namespace {
 
 // more than any simulation has: a damaged file must not use up the memory
-constexpr size_t kMostPoses = size_t(1) << 23;
-constexpr size_t kMostWords = size_t(1) << 26;
+constexpr size_t kMaxPoses = size_t(1) << 23;
+constexpr size_t kMaxWords = size_t(1) << 26;
 
 void WriteChangedTable(bool isRestart, const std::vector<SRecordedType>& types,
                        const std::vector<UInt32>& removed,
@@ -126,7 +126,7 @@ void CEntityTable::Add(std::vector<SRecordedEntity>&& added, SChange& change) {
     change.NumAddedWords += type.GetNumWords();
     m_numPoses += type.GetNumPoses();
     m_numWords += type.GetNumWords();
-    if (m_numPoses > kMostPoses || m_numWords > kMostWords) {
+    if (m_numPoses > kMaxPoses || m_numWords > kMaxWords) {
       THROW_ARGOSEXCEPTION("it has more entities than can be replayed");
     }
     m_entities.push_back(std::move(entity));

@@ -21,9 +21,9 @@ enum ESection : int {
   SECTION_METRICS = 8
 };
 
-constexpr UInt32 kMostPixels = 1 << 14;  // along one side of the floor
+constexpr UInt32 kMaxPixels = 1 << 14;  // along one side of the floor
 constexpr size_t kBytesPerPixel = 3;
-constexpr size_t kMostValues = size_t(1) << 24;  // of all columns
+constexpr size_t kMaxValues = size_t(1) << 24;  // of all columns
 
 void WriteMetrics(const std::vector<SRecordedMetric>& metrics, CByteWriter& out) {
   out.WriteNumber(metrics.size());
@@ -298,7 +298,7 @@ void CNamedColumns::Encode(const std::vector<SRecordedColumn>& columns, CByteWri
 
 void CNamedColumns::Decode(std::vector<SRecordedColumn>& columns, size_t numEntities,
                            CByteReader& in) {
-  const size_t count = in.ReadNumberUpTo(kMostValues / (numEntities + 1), "number of columns");
+  const size_t count = in.ReadNumberUpTo(kMaxValues / (numEntities + 1), "number of columns");
   for (size_t i = 0; i < count; ++i) {
     SRecordedColumn& column = columns.emplace_back();
     column.Field = in.ReadText();
@@ -364,8 +364,8 @@ void WriteFloor(const SRecordedFloor& floor, CByteWriter& out) {
 
 std::shared_ptr<const SRecordedFloor> ReadFloor(CByteReader& in) {
   auto floor = std::make_shared<SRecordedFloor>();
-  floor->Width = static_cast<UInt32>(in.ReadNumberUpTo(kMostPixels, "width of the floor"));
-  floor->Height = static_cast<UInt32>(in.ReadNumberUpTo(kMostPixels, "height of the floor"));
+  floor->Width = static_cast<UInt32>(in.ReadNumberUpTo(kMaxPixels, "width of the floor"));
+  floor->Height = static_cast<UInt32>(in.ReadNumberUpTo(kMaxPixels, "height of the floor"));
   floor->Pixels = in.ReadText();
   if (floor->Pixels.size() != size_t(floor->Width) * floor->Height * kBytesPerPixel) {
     THROW_ARGOSEXCEPTION("the size of its floor is wrong");

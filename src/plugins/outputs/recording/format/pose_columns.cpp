@@ -28,7 +28,7 @@ SInt64 ToRecorded(Real value, EPrecision precision) {
     return TurnNegative(std::bit_cast<SInt64>(value));
   }
   const Real units = value / kPoseGrid;
-  if (!(std::abs(units) < kLargestOnPoseGrid)) {
+  if (!(std::abs(units) < kMaxOnPoseGrid)) {
     return kNoNumber;
   }
   return std::bit_cast<SInt64>(units + kRounder) - std::bit_cast<SInt64>(kRounder);

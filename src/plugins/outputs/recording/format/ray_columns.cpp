@@ -6,7 +6,7 @@ namespace argos {
 
 namespace {
 
-constexpr size_t kMostRays = size_t(1) << 22;
+constexpr size_t kMaxRays = size_t(1) << 22;
 
 void Append(const CVector3& vector, EPrecision precision, std::vector<SInt64>& values) {
   values.push_back(ToRecorded(vector.GetX(), precision));
@@ -58,7 +58,7 @@ void CRayColumns::Encode(const std::vector<SRecordedRay>& rays, CByteWriter& out
 
 void CRayColumns::Decode(std::vector<SRecordedRay>& rays, size_t numEntities, CByteReader& in) {
   rays.clear();
-  rays.resize(in.ReadNumberUpTo(kMostRays, "number of rays"));
+  rays.resize(in.ReadNumberUpTo(kMaxRays, "number of rays"));
   CSparseReader sparse(in);
   UInt64 robot = 0;
   size_t points = 0;

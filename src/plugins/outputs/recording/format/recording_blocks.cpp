@@ -75,9 +75,9 @@ CBlockPacker::~CBlockPacker() {
 }
 
 std::string_view CBlockPacker::Pack(const SBlockHeader& header, std::string_view content) {
-  if (content.size() > kLargestBlock) {
+  if (content.size() > kMaxBlockBytes) {
     THROW_ARGOSEXCEPTION("the state of one tick takes "
-                         << content.size() << " bytes, more than the possible " << kLargestBlock);
+                         << content.size() << " bytes, more than the possible " << kMaxBlockBytes);
   }
   m_block.resize(kBlockHeaderSize + ZSTD_compressBound(content.size()));
   const size_t size =
@@ -112,7 +112,7 @@ std::optional<SBlockHeader> ReadBlockHeader(std::string_view bytes) {
   header.Checksum = in.ReadFixed64();
   const bool isWhole =
       in.ReadFixed32() == static_cast<UInt32>(ComputeChecksum(bytes.substr(0, kCheckedSize)));
-  if (!isWhole || header.Size > kLargestBlock || header.FirstTick > header.LastTick) {
+  if (!isWhole || header.Size > kMaxBlockBytes || header.FirstTick > header.LastTick) {
     return std::nullopt;
   }
   return header;

@@ -31,7 +31,7 @@ constexpr size_t kFileHeaderSize = 16;  // bytes
 constexpr size_t kFileFooterSize = 16;  // bytes
 constexpr size_t kBlockHeaderSize = 44;  // bytes
 /** Of a block before compression, bytes; readers refuse more. */
-constexpr size_t kLargestBlock = size_t(1) << 29;
+constexpr size_t kMaxBlockBytes = size_t(1) << 29;
 
 /** Kinds of blocks; numbers are never used again for something else. */
 enum class EBlock : UInt32 {
@@ -69,7 +69,7 @@ class CBlockPacker {
   /**
    * @param header  its sizes and checksum are ignored.
    * @return header and compressed content, valid until the next call.
-   * @throws CARGoSException if it is larger than kLargestBlock, or if there is no memory.
+   * @throws CARGoSException if it is larger than kMaxBlockBytes, or if there is no memory.
    */
   std::string_view Pack(const SBlockHeader& header, std::string_view content);
 

@@ -16,11 +16,11 @@ namespace {
 // compromises between the size of the file (key frames) and what a killed run loses
 constexpr UInt32 kFramesPerBlock = 100;
 constexpr size_t kBytesPerBlock = size_t(1) << 22;
-constexpr std::chrono::seconds kLongestWait(1);
+constexpr std::chrono::seconds kMaxWait(1);
 
-constexpr size_t kMostQueuedBytes = size_t(1) << 26;
-constexpr size_t kMostFreeUpdates = 8;
-// of zstd: the difference to 3 is 4 % of the size for twice the time, in the rooms
+constexpr size_t kMaxQueuedBytes = size_t(1) << 26;
+constexpr size_t kMaxFreeUpdates = 8;
+// level of zstd: in the rooms, 3 would save 4 % of the size for twice the time
 constexpr int kLevel = 1;
 
 }  // namespace
@@ -163,7 +163,7 @@ SFrameUpdate CRecordingWriter::TakeUpdate() {
 
 void CRecordingWriter::Add(SFrameUpdate&& update) {
   std::unique_lock<std::mutex> lock(m_mutex);
-  m_isChanged.wait(lock, [this] { return m_queuedBytes < kMostQueuedBytes || !m_failure.empty(); });
+  m_isChanged.wait(lock, [this] { return m_queuedBytes < kMaxQueuedBytes || !m_failure.empty(); });
   if (!m_failure.empty()) {
     lock.unlock();
     ThrowIfFailed();
@@ -222,7 +222,7 @@ void CRecordingWriter::Run() {
       const auto hasWork = [this] { return !m_queue.empty() || m_isClosing; };
       if (m_blocks->IsEmpty()) {
         m_isChanged.wait(lock, hasWork);
-      } else if (!m_isChanged.wait_for(lock, kLongestWait, hasWork)) {
+      } else if (!m_isChanged.wait_for(lock, kMaxWait, hasWork)) {
         lock.unlock();
         m_blocks->Flush();
         lock.lock();
@@ -239,7 +239,7 @@ void CRecordingWriter::Run() {
       m_blocks->Add(update);
       update.Clear();
       lock.lock();
-      if (m_free.size() < kMostFreeUpdates) {
+      if (m_free.size() < kMaxFreeUpdates) {
         m_free.push_back(std::move(update));
       }
     }

@@ -8,7 +8,7 @@ namespace argos {
 
 namespace {
 
-constexpr UInt32 kMostLEDs = 1 << 16;  // of an entity
+constexpr UInt32 kMaxLEDs = 1 << 16;  // of an entity
 
 enum ETypeFlags : UInt8 { IS_ROBOT = 1, IS_MOVABLE = 2, FLIES = 4, HAS_APPEARANCE = 8 };
 
@@ -37,7 +37,7 @@ SVisualPart ReadPart(CByteReader& in) {
   part.Size = ReadVector(in);
   part.Color = UnpackColor(in.ReadFixed32());
   part.Anchor = in.ReadText();
-  const auto number = static_cast<UInt32>(in.ReadNumberUpTo(kMostLEDs, "number of an LED"));
+  const auto number = static_cast<UInt32>(in.ReadNumberUpTo(kMaxLEDs, "number of an LED"));
   if (part.Kind == SVisualPart::EKind::LED) {
     part.LED = number;
   } else if (number < static_cast<UInt32>(EMaterial::Count)) {
@@ -153,7 +153,7 @@ SRecordedType ReadType(CByteReader& in) {
   type.Flies = (flags & FLIES) != 0;
   type.HasAppearance = (flags & HAS_APPEARANCE) != 0;
   type.Parameter = in.ReadNumber();
-  type.NumLEDs = static_cast<UInt32>(in.ReadNumberUpTo(kMostLEDs, "number of LEDs"));
+  type.NumLEDs = static_cast<UInt32>(in.ReadNumberUpTo(kMaxLEDs, "number of LEDs"));
   type.Box.MinCorner = ReadVector(in);
   type.Box.MaxCorner = ReadVector(in);
   for (size_t parts = in.ReadCount("number of parts"); parts > 0; --parts) {

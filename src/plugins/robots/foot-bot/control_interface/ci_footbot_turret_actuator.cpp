@@ -32,8 +32,8 @@ void CCI_FootBotTurretActuator::CreateLuaState(lua_State* state) {
   CLuaTable turret(state, *this, "turret");
   turret.AddMethod<&CCI_FootBotTurretActuator::SetRotation>("set_rotation", *this);
   turret.AddFunction("set_rotation_speed", *this, [](CCI_FootBotTurretActuator& self, Real rpm) {
-    constexpr Real kMost = std::numeric_limits<SInt32>::max();
-    if (!(std::abs(rpm) <= kMost)) {
+    constexpr Real kMax = std::numeric_limits<SInt32>::max();
+    if (!(std::abs(rpm) <= kMax)) {
       THROW_ARGOSEXCEPTION("the speed (turns per minute) must be a number, got " << rpm);
     }
     self.SetRotationSpeed(static_cast<SInt32>(rpm));

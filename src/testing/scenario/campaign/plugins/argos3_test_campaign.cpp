@@ -28,12 +28,12 @@ namespace {
 
 // larger than the limit of any test
 constexpr size_t kBlock = 16 << 20;
-constexpr size_t kMostBlocks = 1024;
+constexpr size_t kMaxBlocks = 1024;
 
 // each page is touched
 void EatMemory() {
   std::vector<std::unique_ptr<std::vector<char>>> blocks;
-  for (size_t i = 0; i < kMostBlocks; ++i) {
+  for (size_t i = 0; i < kMaxBlocks; ++i) {
     blocks.push_back(std::make_unique<std::vector<char>>(kBlock, 'x'));
   }
 }

@@ -24,7 +24,7 @@ std::vector<CVector3> ReadPoints(TConfigurationNode& node) {
 }
 
 // LEDs or sensors
-constexpr UInt64 kMostInRing = 10000;
+constexpr UInt64 kMaxInRing = 10000;
 
 SShapeDescription MakeSolid(TConfigurationNode& node, const std::string& geometry) {
   if (geometry == "box") {
@@ -70,7 +70,7 @@ SDescribedRing::SDescribedRing(TConfigurationNode& node, const char* number) {
   GetNodeAttributeOrDefault(node, "start_angle", start, start);
   Start = ToRadians(start);
   GetNodeAttribute(node, number, Number);
-  RequireCount(Number, 1, kMostInRing, OwnerOf(node), std::string("attribute \"") + number + "\"");
+  RequireCount(Number, 1, kMaxInRing, OwnerOf(node), std::string("attribute \"") + number + "\"");
 }
 
 void ReadRays(TConfigurationNode& node,

@@ -22,14 +22,14 @@ void SRABParameters::Read(TConfigurationNode& robot) {
   GetNodeAttributeOrDefault(robot, "rab_range", Range, Range);
   GetNodeAttributeOrDefault(robot, "rab_data_size", DataSize, DataSize);
   // the text is made for each robot only if it is needed
-  if (!IsIn(kNotNegative, Range) || DataSize > CRABEquippedEntity::kMostData) {
+  if (!IsIn(kNotNegative, Range) || DataSize > CRABEquippedEntity::kMaxData) {
     Check(OwnerOf(robot));
   }
 }
 
 void SRABParameters::Check(const std::string& owner) const {
   RequireNotNegative(Range, owner, "rab_range (m)");
-  RequireCount(DataSize, 0, CRABEquippedEntity::kMostData, owner, "rab_data_size (bytes)");
+  RequireCount(DataSize, 0, CRABEquippedEntity::kMaxData, owner, "rab_data_size (bytes)");
 }
 
 void SOmnidirectionalCameraParameters::Read(TConfigurationNode& robot) {

@@ -21,7 +21,7 @@ using namespace argos;
 
 namespace {
 
-constexpr Real kLargestDraw = 4294967295.0;
+constexpr Real kMaxDraw = 4294967295.0;
 const CRange<Real> kUnit(0.0, 1.0);
 
 std::vector<Real> DrawSome(CRandom::CRNG& rng) {
@@ -59,7 +59,7 @@ TEST_CASE("random numbers: the stream is that of the standard Mersenne Twister",
   CHECK(rng.GetSeed() == seed);
   for (int i = 0; i < 2000; ++i) {
     // u / (2^32 - 1) is different for every u
-    REQUIRE(rng.Uniform(kUnit) == static_cast<Real>(reference()) / kLargestDraw);
+    REQUIRE(rng.Uniform(kUnit) == static_cast<Real>(reference()) / kMaxDraw);
   }
 }
 
@@ -70,7 +70,7 @@ TEST_CASE("random numbers: the 10000th number of the default seed equals the sta
   for (int i = 1; i < 10000; ++i) {
     rng.Uniform(kUnit);
   }
-  CHECK(rng.Uniform(kUnit) == 4123659995.0 / kLargestDraw);
+  CHECK(rng.Uniform(kUnit) == 4123659995.0 / kMaxDraw);
 }
 
 TEST_CASE("random numbers: copies give the same numbers, a new seed takes effect at the reset",
@@ -99,18 +99,18 @@ TEST_CASE("random numbers: uniform numbers are min + u / (2^32 - 1) * span", "[c
   std::mt19937 reference(99);
   for (int i = 0; i < 500; ++i) {
     REQUIRE(rng.Uniform(CRange<Real>(-3.0, 5.0)) ==
-            -3.0 + static_cast<Real>(reference()) / kLargestDraw * 8.0);
+            -3.0 + static_cast<Real>(reference()) / kMaxDraw * 8.0);
     REQUIRE(rng.Uniform(CRange<CRadians>(CRadians(1.0), CRadians(3.0))).GetValue() ==
-            1.0 + static_cast<Real>(reference()) / kLargestDraw * 2.0);
+            1.0 + static_cast<Real>(reference()) / kMaxDraw * 2.0);
     REQUIRE(rng.Uniform(CRange<UInt32>(10, 20)) ==
-            static_cast<UInt32>(10.0 + static_cast<Real>(reference()) / kLargestDraw * 10.0));
+            static_cast<UInt32>(10.0 + static_cast<Real>(reference()) / kMaxDraw * 10.0));
     // conversion truncates towards zero
     REQUIRE(rng.Uniform(CRange<SInt32>(-5, 5)) ==
-            static_cast<SInt32>(-5.0 + static_cast<Real>(reference()) / kLargestDraw * 10.0));
+            static_cast<SInt32>(-5.0 + static_cast<Real>(reference()) / kMaxDraw * 10.0));
   }
   const CRange<SInt32> all(std::numeric_limits<SInt32>::min(), std::numeric_limits<SInt32>::max());
-  CHECK(rng.Uniform(all) == static_cast<SInt32>(all.GetMin() + static_cast<Real>(reference()) /
-                                                                   kLargestDraw * kLargestDraw));
+  CHECK(rng.Uniform(all) ==
+        static_cast<SInt32>(all.GetMin() + static_cast<Real>(reference()) / kMaxDraw * kMaxDraw));
   CHECK(rng.Uniform(CRange<UInt32>(7, 7)) == 7u);
 }
 
@@ -118,10 +118,10 @@ TEST_CASE("random numbers: Bernoulli, exponential and Poisson draw once, Gaussia
           "[core][math]") {
   CRandom::CRNG rng(5);
   std::mt19937 reference(5);
-  const auto unit = [&reference] { return static_cast<Real>(reference()) / kLargestDraw; };
+  const auto unit = [&reference] { return static_cast<Real>(reference()) / kMaxDraw; };
   for (int i = 0; i < 200; ++i) {
-    REQUIRE(rng.Bernoulli(0.3) == (static_cast<Real>(reference()) < 0.3 * kLargestDraw));
-    REQUIRE(rng.Bernoulli() == (static_cast<Real>(reference()) < 0.5 * kLargestDraw));
+    REQUIRE(rng.Bernoulli(0.3) == (static_cast<Real>(reference()) < 0.3 * kMaxDraw));
+    REQUIRE(rng.Bernoulli() == (static_cast<Real>(reference()) < 0.5 * kMaxDraw));
     REQUIRE(rng.Exponential(2.0) == -std::log(unit()) * 2.0);
     REQUIRE(rng.Rayleigh(3.0) == 3.0 * std::sqrt(-2.0 * std::log(unit())));
 
@@ -246,9 +246,8 @@ TEST_CASE("random numbers: shuffling follows the documented draws", "[core][math
   rng.Shuffle(elements);
   for (UInt32 i = 0; i + 1 < expected.size(); ++i) {
     const Real span = static_cast<Real>(expected.size() - i);
-    std::swap(
-        expected[i],
-        expected[i + static_cast<UInt32>(static_cast<Real>(reference()) / kLargestDraw * span)]);
+    std::swap(expected[i],
+              expected[i + static_cast<UInt32>(static_cast<Real>(reference()) / kMaxDraw * span)]);
   }
   CHECK(elements == expected);
   std::sort(elements.begin(), elements.end());
@@ -310,8 +309,7 @@ TEST_CASE("random categories: generators are seeded in the order of creation", "
   CRandom::CRNG* second = CRandom::GetCategory("argos").CreateRNG();
   std::mt19937 seeder(42);
   const auto nextSeed = [&seeder] {
-    return static_cast<UInt32>(1.0 +
-                               static_cast<Real>(seeder()) / kLargestDraw * (kLargestDraw - 1.0));
+    return static_cast<UInt32>(1.0 + static_cast<Real>(seeder()) / kMaxDraw * (kMaxDraw - 1.0));
   };
   CHECK(first->GetSeed() == nextSeed());
   CHECK(second->GetSeed() == nextSeed());

@@ -119,7 +119,7 @@ TEST_CASE("object slabs: places are aligned, apart from each other, and used aga
         freed.insert(places[i]);
         CObjectSlabs::Free(places[i], bytes);
       }
-      const bool isInSlab = kAreSlabsUsed && bytes <= CObjectSlabs::kLargestObject;
+      const bool isInSlab = kAreSlabsUsed && bytes <= CObjectSlabs::kMaxObjectBytes;
       for (int i = 1; i < kObjects; i += 2) {
         places[i] = static_cast<unsigned char*>(slabs->Allocate(bytes));
         if (isInSlab) {

@@ -115,14 +115,14 @@ TEST_CASE("rigid world: fast bodies get substeps of half their narrowest side, u
   SRigidSettings settings;
   settings.Substeps = GENERATE(2U, 20U);
   CAPTURE(settings.Substeps);
-  constexpr UInt32 kMost = 1000;
+  constexpr UInt32 kMax = 1000;
   struct SCase {
     Real Speed;  // m/s
     UInt32 Expected;
   };
   // a cube of 0.1 m in ticks of 0.1 s: a stride of 0.05 m
   for (const SCase& c : {SCase{0.0, settings.Substeps}, SCase{0.9, settings.Substeps},
-                         SCase{20.9, 42}, SCase{1000.0, kMost}}) {
+                         SCase{20.9, 42}, SCase{1000.0, kMax}}) {
     CAPTURE(c.Speed);
     SBodyDescription description;
     description.Shapes.push_back(SShapeDescription::Box(CVector3(0.1, 0.1, 0.1)));
