@@ -4,7 +4,6 @@ target_sources(argos3campaign PRIVATE
   execution/experiment_paths.cpp
   execution/metric_collection.cpp
   execution/output_tail.cpp
-  execution/run_check.cpp
   execution/run_execution.cpp
   execution/run_messages.cpp
   execution/run_process.cpp

@@ -1,4 +1,204 @@
-#include <argos3/campaign/plot/plot_program.h>
+#include <argos3/campaign/plot/table_figures.h>
+#include <argos3/campaign/report/figure_request.h>
+#include <argos3/core/utility/errors/argos_exception.h>
+#include <argos3/core/utility/errors/exception_text.h>
+#include <argos3/core/utility/text/string_utilities.h>
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace argos {
+
+namespace {
+
+constexpr char kUsage[] =
+    R"(Usage: argos3-plot trajectories FILE -o PICTURE [--robots ID,ID,...] [--run N] [--from S] [--to S]
+       argos3-plot metrics NAME[,NAME...] FILE... -o PICTURE [--label TEXT] [--from S] [--to S] [--ended RULE]
+
+trajectories  the paths of the robots over the arena, with its walls and objects where they were at the
+              start, from a table with the columns x and y. Circles are the ends, dots the starts.
+metrics       columns of tables against time: the median over all files and runs, and the band between
+              the quartiles. Each file has the run, or the runs, of one seed.
+
+FILE     .csv or .csv.gz, as <table>, <metrics> and --csv of argos3 write it
+PICTURE  its ending chooses the format: .svg, .png or .pdf
+
+  -o, --output PICTURE  the file to write
+  --robots ID,...       only these robots
+  --run N               only this run of an experiment that was reset; the default is 0
+  --from S, --to S      only these simulated seconds
+  --label TEXT          of the vertical axis; the default is the name and the unit of the first column
+  --ended RULE          runs that end before others: survivors (default) do not count them any more,
+                        hold keeps their last value, drop leaves out the times after the first end
+  -h, --help            print this text
+
+Example, ten seeds:
+  for seed in {1..10}; do argos3 -zc foraging.argos --seed $seed --csv out/$seed; done
+  argos3-plot trajectories out/1/robots.csv -o paths.png
+  argos3-plot metrics food out/*/metrics.csv -o food.svg
+
+It needs gnuplot.
+)";
+
+constexpr const char* kSeeHelp = "; see argos3-plot --help";
+
+struct SPlotOptions {
+  bool ShowsHelp = false;
+  std::string Kind, Output;
+  std::vector<std::string> Words;
+  STrajectoryRequest Trajectories;
+  SMetricRequest Metrics;
+};
+
+Real ParseSeconds(const std::string& option, const std::string& text) {
+  Real seconds = 0.0;
+  if (ParseNumber(text, seconds) != ENumberParsing::Ok || !std::isfinite(seconds)) {
+    THROW_ARGOSEXCEPTION(option << " must be a number of seconds, found \"" << text << '"');
+  }
+  return seconds;
+}
+
+std::vector<std::string> SplitList(const std::string& text) {
+  std::vector<std::string> words;
+  Tokenize(text, words, ",");
+  return words;
+}
+
+typedef std::map<std::string, std::function<void(const std::string&)>> TPlotSetters;
+
+TPlotSetters ListSetters(SPlotOptions& options) {
+  STrajectoryRequest& trajectories = options.Trajectories;
+  SMetricRequest& metrics = options.Metrics;
+  const auto setOutput = [&options](const std::string& text) { options.Output = text; };
+  return {{"-o", setOutput},
+          {"--output", setOutput},
+          {"--robots", [&](const std::string& text) { trajectories.Robots = SplitList(text); }},
+          {"--run",
+           [&](const std::string& text) {
+             if (ParseNumber(text, trajectories.Run) != ENumberParsing::Ok) {
+               THROW_ARGOSEXCEPTION("--run must be a whole number, found \"" << text << '"');
+             }
+           }},
+          {"--from",
+           [&](const std::string& text) {
+             trajectories.Span.From = metrics.Span.From = ParseSeconds("--from", text);
+           }},
+          {"--to",
+           [&](const std::string& text) {
+             trajectories.Span.To = metrics.Span.To = ParseSeconds("--to", text);
+           }},
+          {"--label", [&](const std::string& text) { metrics.Label = text; }},
+          {"--ended", [&](const std::string& text) { metrics.Ended = ParseEndedRuns(text); }}};
+}
+
+SPlotOptions ParseArguments(const std::vector<std::string>& arguments) {
+  SPlotOptions options;
+  const TPlotSetters setters = ListSetters(options);
+  std::vector<std::string> names;
+  for (const auto& [name, set] : setters) {
+    names.push_back(name);
+  }
+  for (size_t i = 0; i < arguments.size(); ++i) {
+    const std::string& argument = arguments[i];
+    if (argument == "-h" || argument == "--help") {
+      options.ShowsHelp = true;
+    } else if (argument.size() < 2 || argument[0] != '-') {
+      (options.Kind.empty() ? options.Kind : options.Words.emplace_back()) = argument;
+    } else {
+      const auto setter = setters.find(argument);
+      if (setter == setters.end()) {
+        THROW_ARGOSEXCEPTION("unknown option " << argument << DidYouMean(argument, names)
+                                               << kSeeHelp);
+      }
+      if (++i == arguments.size()) {
+        THROW_ARGOSEXCEPTION(argument << " needs a value");
+      }
+      setter->second(arguments[i]);
+    }
+  }
+  return options;
+}
+
+void CheckFiles(const std::vector<std::string>& files) {
+  for (const std::string& file : files) {
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(file, ignored)) {
+      THROW_ARGOSEXCEPTION("there is no file \"" << file << '"');
+    }
+    const std::string name = StringToLowerCase(file);
+    if (!name.ends_with(".csv") && !name.ends_with(".csv.gz")) {
+      THROW_ARGOSEXCEPTION("\"" << file << "\": only .csv and .csv.gz can be plotted");
+    }
+  }
+}
+
+void CheckPlotOptions(SPlotOptions& options) {
+  if (options.Kind.empty()) {
+    THROW_ARGOSEXCEPTION("what is to be plotted: trajectories or metrics?" << kSeeHelp);
+  }
+  if (options.Kind == "metrics") {
+    if (options.Words.size() < 2) {
+      THROW_ARGOSEXCEPTION("metrics needs the names of columns and at least one file" << kSeeHelp);
+    }
+    options.Metrics.Metrics = SplitList(options.Words.front());
+    options.Metrics.Files.assign(options.Words.begin() + 1, options.Words.end());
+    CheckFiles(options.Metrics.Files);
+  } else if (options.Kind == "trajectories") {
+    if (options.Words.size() != 1) {
+      THROW_ARGOSEXCEPTION("trajectories needs one file, found " << options.Words.size());
+    }
+    options.Trajectories.File = options.Words.front();
+    CheckFiles(options.Words);
+  } else {
+    THROW_ARGOSEXCEPTION('"' << options.Kind << "\" cannot be plotted; known: trajectories, metrics"
+                             << kSeeHelp);
+  }
+  if (options.Output.empty()) {
+    THROW_ARGOSEXCEPTION("-o PICTURE is missing");
+  }
+}
+
+void Plot(const std::vector<std::string>& arguments) {
+  SPlotOptions options = ParseArguments(arguments);
+  if (options.ShowsHelp) {
+    std::fputs(kUsage, stdout);
+    return;
+  }
+  CheckPlotOptions(options);
+  // before what takes time
+  GetFigureFormat(options.Output);
+  SFigureLook look{720, 432, true};
+  const SFigureDraft draft = options.Kind == "metrics"
+                                 ? MakeMetricFigure(options.Metrics)
+                                 : MakeTrajectoryFigure(options.Trajectories, look);
+  DrawFigure(draft, look, options.Output);
+}
+
+// the lines of an exception without marks, for the user of a small program
+std::string WithoutMarks(std::string text) {
+  Replace(text, "[FATAL] ", "");
+  return text;
+}
+
+// @return the exit status: 0, or 1 after an error, which is printed
+int RunPlotProgram(int argc, const char* const* argv) noexcept {
+  try {
+    Plot({argv + 1, argv + argc});
+    return 0;
+  } catch (...) {
+    std::fprintf(stderr, "argos3-plot: %s\n", WithoutMarks(DescribeCurrentException()).c_str());
+    return 1;
+  }
+}
+
+}  // namespace
+
+}  // namespace argos
 
 int main(int argc, char** argv) {
   return argos::RunPlotProgram(argc, argv);

@@ -1,13 +1,27 @@
 #include <argos3/campaign/design/factor_values.h>
-#include <argos3/campaign/execution/run_check.h>
+#include <argos3/campaign/execution/run_execution.h>
+#include <argos3/campaign/execution/worker.h>
 #include <argos3/campaign/program/command_options.h>
 #include <argos3/campaign/program/commands.h>
 #include <argos3/campaign/scheduling/run_plan.h>
+
+#include <argos3/core/utility/errors/argos_exception.h>
+#include <argos3/core/utility/errors/exception_text.h>
+#include <argos3/core/utility/errors/line_marks.h>
+#include <argos3/core/utility/logging/argos_log.h>
+#include <argos3/support/child_process.h>
+#include <argos3/support/scratch_folder.h>
 
 #include <CLI/CLI.hpp>
 
 #include <fmt/format.h>
 
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
 #include <memory>
 #include <optional>
 
@@ -53,6 +67,46 @@ void PrintPlan(const SCampaign& campaign, UInt64 open) {
         campaign.Stopping.MinRuns, campaign.Stopping.MaxRuns, campaign.Stopping.Metric,
         count * campaign.Stopping.MinRuns, open);
   }
+}
+
+[[noreturn]] void CheckInFork(const SRunSetup& setup, const SRunRequest& request) {
+  bool isGood = false;
+  try {
+    PrepareWorker(setup);
+    isGood = LoadRun(setup, request);
+  } catch (...) {
+    LOGERR << MarkLines(DescribeCurrentException()) << std::endl;
+    LOGERR.Flush();
+  }
+  _exit(isGood ? 0 : 1);
+}
+
+// Loads the experiment of a run in a forked process, with its libraries, and destroys it, as
+// `argos3 --check` does. Its warnings and errors go to the standard error.
+//
+// @param request  its folder is not used: the process works in a temporary one, which is removed.
+// @return true if it loads without errors.
+// @throws CARGoSException if no folder or process can be created.
+bool CheckRun(const SRunSetup& setup, SRunRequest request) {
+  const CScratchFolder folder("argos3_check_");
+  request.Folder = folder.GetPath().string();
+  // what is buffered would be written twice
+  LOG.Flush();
+  LOGERR.Flush();
+  std::fflush(nullptr);
+  const pid_t process = fork();
+  if (process == 0) {
+    CheckInFork(setup, request);
+  }
+  if (process < 0) {
+    THROW_ARGOSEXCEPTION("a process cannot be started: " << std::strerror(errno));
+  }
+  const int status = AwaitEnd(process);
+  const SProcessEnd end = DescribeEnd(status);
+  if (WIFSIGNALED(status)) {
+    std::fprintf(stderr, "[FATAL] loading was ended by %s\n", end.Description.c_str());
+  }
+  return end.IsSuccess;
 }
 
 // Runs nothing and changes no results. The experiment is loaded, with the first combination only:

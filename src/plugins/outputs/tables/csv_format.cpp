@@ -4,13 +4,15 @@
 #include <argos3/core/utility/files/input_file.h>
 #include <argos3/core/utility/files/output_file.h>
 #include <argos3/core/utility/logging/argos_log.h>
-#include <argos3/plugins/simulator/outputs/tables/number_text.h>
 #include <argos3/plugins/simulator/outputs/tables/table_format.h>
 
 #include <zlib.h>
 
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <limits>
 #include <string_view>
@@ -22,6 +24,32 @@ namespace {
 
 // begins the line before that with the names of the columns
 constexpr std::string_view kUnits = "# units: ";
+
+constexpr std::size_t kMaxNumberLength = 32;  // of the text of a number, characters
+
+/**
+ * Writes a number as decimal text; nothing for NaN.
+ * @param to      has room for kMaxNumberLength characters.
+ * @param digits  significant ones, from 1 to 17, of numbers that are not whole; 0: the fewest that
+ *   read back to the same number.
+ * @return the end of the text.
+ */
+char* WriteNumber(char* to, double number, int digits) {
+  if (std::isnan(number)) {
+    return to;
+  }
+  char* const end = to + kMaxNumberLength;
+  // whole numbers have all their digits: they may be colors, or numbers of something
+  constexpr double kMax = 1e15;
+  const bool isWhole = std::abs(number) < kMax && number == std::trunc(number);
+  if (isWhole && !(number == 0.0 && std::signbit(number))) {
+    return std::to_chars(to, end, static_cast<std::int64_t>(number)).ptr;
+  }
+  if (digits == 0) {
+    return std::to_chars(to, end, number).ptr;
+  }
+  return std::to_chars(to, end, number, std::chars_format::general, digits).ptr;
+}
 
 /* A text that a program reads as one value. */
 std::string Quote(std::string_view text) {
