@@ -78,7 +78,7 @@ void AddRange(const std::string& text, const std::vector<Real>& numbers,
     THROW_ARGOSEXCEPTION("\"" << text << "\": steps of " << step << " do not lead from " << first
                               << " to " << last);
   }
-  // so that 0:1:0.1 has 11 numbers in spite of rounding
+  // a tolerance gives 0:1:0.1 its 11 numbers in spite of rounding
   constexpr Real kTolerance = 1e-9;
   const Real count = std::floor((last - first) / step * (1.0 + kTolerance) + kTolerance) + 1.0;
   if (!(count <= kMaxValues)) {

@@ -18,7 +18,7 @@ std::vector<UInt32> DrawPermutation(UInt32 count, CRandomStream& random) {
 }
 
 std::vector<UInt32> DrawBalancedLevels(UInt32 samples, UInt32 levels, CRandomStream& random) {
-  // which levels occur once more is random, too
+  // the levels that occur once more are random, too
   const std::vector<UInt32> order = DrawPermutation(levels, random);
   std::vector<UInt32> drawn = DrawPermutation(samples, random);
   for (UInt32& index : drawn) {

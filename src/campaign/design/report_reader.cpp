@@ -113,7 +113,7 @@ void CheckLook(TConfigurationNode& node, const std::string& name) {
 }
 
 void ReadFigure(TConfigurationNode& node, const SFigureKind& kind, SCampaign& campaign) {
-  // of every figure: what it is made of, and how it looks
+  // reads what every figure has: its data and its look
   static const std::vector<std::string> kLooks = {"where",  "title", "file",  "xlabel", "ylabel",
                                                   "zlabel", "scale", "width", "height"};
   CheckAxes(node, kind.Axes, campaign);

@@ -129,7 +129,7 @@ void ReportConflict(CLoadErrors& errors, const SPaths& paths, size_t first, size
   }
 }
 
-// of an element of <framework>; empty if there is none
+// @return the attribute of an element of <framework>; empty if there is none
 std::string FindFrameworkAttribute(CConfigurationDocument& document, const char* tag,
                                    const char* attribute) {
   const CConfigurationNode* const framework =

@@ -13,7 +13,7 @@ namespace argos {
 
 namespace {
 
-// of the core and the plug-ins: Lua scripts, images of floors, libraries
+// names of attributes of the core and the plug-ins that are paths: scripts, images, libraries
 constexpr const char* kInputAttributes[] = {"library", "path", "script"};
 
 void ForEachElement(CConfigurationNode& node,

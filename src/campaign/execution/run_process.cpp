@@ -51,7 +51,7 @@ void Limit(int resource, rlim_t value) {
   setrlimit(static_cast<__rlimit_resource_t>(resource), &limit);
 }
 
-// of this process, which users' code has forked and that have not ended
+// @return true if processes that users' code has forked have not ended
 bool HasRunningChildren() {
   pid_t child = 0;
   do {
@@ -179,7 +179,7 @@ void CRunProcess::Start(const SRunRequest& request) {
     CloseFiles();
     THROW_ARGOSEXCEPTION("a process for a run cannot be started: " << std::strerror(error));
   }
-  // also here: it must have happened before the group is killed
+  // repeats what the child does, because it must have happened before the group is killed
   setpgid(m_process, m_process);
   fcntl(m_results, F_SETFL, O_NONBLOCK);
   fcntl(m_output, F_SETFL, O_NONBLOCK);

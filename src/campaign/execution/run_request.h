@@ -15,7 +15,7 @@ struct SRunSetup {
   std::string ExperimentText; /**< contents of that file */
   std::vector<SSetting> Constants; /**< of all runs */
   std::string StartFolder; /**< absolute; relative paths of input files begin here, too */
-  /** of a run that sets no other number; none: as in the experiment */
+  /** number of threads of a run that sets no other one; none: as in the experiment */
   std::optional<UInt32> Threads = 0;
   std::vector<SCollectedMetric> Metrics; /**< empty: all that a run sets */
   SRunLimits Limits;

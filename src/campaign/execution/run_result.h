@@ -35,7 +35,7 @@ struct SRunResult {
   UInt64 Digest = 0; /**< of the final state */
   std::string Log; /**< the end of what it printed, and the error message, if any */
   UInt64 LogBytes = 0; /**< all that it printed */
-  // of a run that has just ended; not stored
+  // known of a run that has just ended; not stored
   std::string Error; /**< that ended it, unless its process died */
   std::vector<std::string> Warnings; /**< lines */
   std::vector<SMetricValue> Metrics;

@@ -55,7 +55,7 @@ int Submit(const SSubmitOptions& options) {
   ThrowIfQueued(campaign);
   CResultStore store(campaign.ResultsFile, CResultStore::EMode::WriteShared);
   PrintWarnings(store.Register(campaign, options.AcceptsChange));
-  // of a submission that was cancelled before it was merged
+  // removes what a submission has left that was cancelled before it was merged
   const SMergedParts merged = MergeParts(campaign, store);
   if (!merged.Problems.empty()) {
     THROW_ARGOSEXCEPTION("a part of an earlier submission cannot be merged: "

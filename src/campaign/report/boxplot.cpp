@@ -128,7 +128,7 @@ std::string MakePoints(const std::vector<std::vector<Real>>& levels, Real offset
   return (text.empty() ? "NaN NaN\n" : text) + "\n\n";
 }
 
-// of a group: box and whiskers, the median as a thicker line, the values
+// draws a group: box and whiskers, the median as a thicker line, the values
 std::string MakePlot(const CFigureGroups& groups, size_t group, bool hasPoints) {
   const char* const color = GetColor(group);
   std::string plot = fmt::format(

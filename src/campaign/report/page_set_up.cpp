@@ -60,7 +60,7 @@ std::string DescribeLimits(const SRunLimits& limits) {
          ", " + text;
 }
 
-// of all levels, each once
+// all levels, each once
 std::string ListPaths(const SFactor& factor) {
   std::vector<std::string> paths;
   for (const SLevel& level : factor.Levels) {

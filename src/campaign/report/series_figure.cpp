@@ -36,7 +36,7 @@ Real FindTicksPerSecond(const SCampaign& campaign) {
   return ticksPerSecond;
 }
 
-// for each level of the group
+// the series of each level of the group
 std::vector<SSeriesGroup> CollectGroups(const CReportData& data, const SFigureRequest& request,
                                         const CFigureGroups& groups, Real ticksPerSecond) {
   std::vector<std::vector<TTimedValues>> runs(groups.GetCount());

@@ -276,7 +276,7 @@ void CCampaignManager::Receive(SWorker& worker) {
     m_numDeaths = 0;
     if (m_stops->GetCount() > 0 && result.Status == ERunStatus::Crashed &&
         result.Signal == SIGKILL) {
-      // by what has stopped the campaign, such as a batch system: not the fault of the run
+      // killed by what has stopped the campaign, such as a batch system, so not by its fault
       m_plan.Return(run);
       continue;
     }

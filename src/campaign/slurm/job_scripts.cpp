@@ -108,7 +108,7 @@ Real GetStoppingTime(const SCampaign& campaign) {
   return limit > 0.0 ? std::min(wanted, std::floor(limit * kMaxStoppingShare)) : wanted;
 }
 
-// of a task; empty: what the partition gives
+// memory of a task; empty: what the partition gives
 std::string GetMemory(const SCampaign& campaign) {
   if (!campaign.Slurm.MemoryPerTask.empty() || campaign.Limits.Memory == 0) {
     return campaign.Slurm.MemoryPerTask;

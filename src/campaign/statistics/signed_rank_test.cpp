@@ -52,7 +52,7 @@ SConfidenceInterval ComputeNormalInterval(std::span<const Real> values,
   if (*min == *max) {
     return {*min, *max, 0.0};
   }
-  // as close to a centre that is no Walsh average as wanted, only equal values are tied
+  // near enough to a centre that is no Walsh average, only equal values are tied
   const Real deviation =
       ComputeDeviation(static_cast<Real>(values.size()), ComputeRanks(values).TieTerm);
   return ComputeNormalRankInterval(points, deviation, options.Alternative, options.Level);

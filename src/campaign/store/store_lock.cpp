@@ -90,7 +90,7 @@ CStoreLock::CStoreLock(const std::string& resultsFile)
     }
   } while (!LeadsTo(m_path, m_file));
   own.Paths.insert(m_path);
-  // for the messages of others; a full disk does not matter
+  // other processes name this one in their messages; a full disk does not matter
   const std::string text = DescribeThisProcess() + '\n';
   if (ftruncate(m_file, 0) == 0 && pwrite(m_file, text.data(), text.size(), 0) < 0) {
     return;

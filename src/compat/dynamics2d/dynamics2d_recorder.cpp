@@ -157,7 +157,7 @@ class CModelDescriber {
     return point + CVector2(part.Offset.x, part.Offset.y);
   }
 
-  // of the entity's wheels, if it has any
+  // reads the entity's wheels, if it has any
   Real FindWheelRadius() const {
     auto& root = static_cast<CComposableEntity&>(m_model.m_cEmbodiedEntity.GetRootEntity());
     if (root.HasComponent("wheels")) {

@@ -45,7 +45,7 @@ std::vector<std::string> Ids(const std::vector<CMedium*>& parts) {
   return ids;
 }
 
-// for controllers that do not know the simulator, such as Lua scripts
+// lets controllers that do not know the simulator, such as Lua scripts, record metrics
 const bool kIsMetricRecorderSet =
     (SetMetricRecorder([](std::string_view name, Real value, std::string_view unit) {
        CurrentSimulator().GetMetrics().Record(name, value, unit);
@@ -277,7 +277,7 @@ void CSimulator::AddVideo(const std::string& file, const std::string& speed) {
     output.Attributes.emplace_back("speed", speed);
   }
   output.IsCopy = true;
-  // which frames are drawn, and their files, suit pictures
+  // the choice of frames and their files suit pictures
   output.NotCopied = {"directory", "base_name", "format", "quality", "every", "ticks"};
   m_settings.Outputs.push_back(output);
 }

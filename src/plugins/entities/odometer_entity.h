@@ -52,7 +52,7 @@ class COdometerEntity : public CEntity {
   CTickWatch m_tick;
   SDriveCommand m_lastCommand;  // of the previous tick
   std::vector<Real> m_distances;  // m, (wheels)
-  // of the previous tick, m/s, (wheels): over the ground, and ordered
+  // speeds in the previous tick, m/s, (wheels): over the ground, and ordered
   std::vector<Real> m_lastGround, m_lastOrdered;
 };
 

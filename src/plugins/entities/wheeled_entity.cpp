@@ -43,7 +43,7 @@ void CWheeledEntity::SetWheel(UInt32 index, const CVector3& position, Real radiu
   if (!IsIn(kPositive, radius)) {
     RequirePositive(radius, "wheels \"" + GetContext() + GetId() + "\"", "wheel radius (m)");
   }
-  // of the same size later, so that pointers to the elements stay valid
+  // the size stays the same later, so that pointers to the elements stay valid
   KeepForReset(m_radiiAndVelocities);
   KeepForReset(m_positions);
   m_radiiAndVelocities[index] = radius;

@@ -199,7 +199,7 @@ void CPheromoneField::PrepareSteps(Real seconds) {
 void CPheromoneField::Advance(CThreadPool& pool, Real seconds) {
   const bool spreads = m_diffusion > 0.0 && seconds > 0.0;
   if (spreads) {
-    // for an empty field, too: allocates before the memory is needed
+    // an empty field, too, allocates before the memory is needed
     PrepareSteps(seconds);
   }
   if (m_isEmpty) {

@@ -80,7 +80,7 @@ class CPointCells {
   void ForHashedPlacesNear(Real x, Real y, Real reach, VISIT&& visit) const {
     const SCellRange cells = {HashI(x - reach), HashI(x + reach), HashJ(y - reach),
                               HashJ(y + reach)};
-    // as a real number: integers would overflow
+    // compared as a real number: integers would overflow
     const Real numCells =
         (Real(cells.MaxI) - cells.MinI + 1.0) * (Real(cells.MaxJ) - cells.MinJ + 1.0);
     if (numCells > static_cast<Real>(m_order.size())) {

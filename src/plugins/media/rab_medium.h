@@ -79,7 +79,7 @@ class CRABMedium : public CMedium, public CRABEquippedEntity::CRegistry {
 
   bool m_checkOcclusions = true;
   std::unique_ptr<SState> m_state;
-  // for users; by receiver, never iterated
+  // returned to users; by receiver, never iterated
   mutable std::mutex m_setsMutex;
   mutable std::unordered_map<const CRABEquippedEntity*, TDevices> m_sets;
 };

@@ -141,7 +141,7 @@ void CRFIDMedium::TakeActs() {
 void CRFIDMedium::Write(CUser& user) {
   std::vector<SFound>& found = m_state->Found;
   FindTags(found, user.Place, user.GetReach(), user.GetRobot().GetRootEntity());
-  // of tags at equal distance, the one that was created first
+  // if several are at equal distance, the one that was created first counts
   const auto nearest = std::min_element(
       found.begin(), found.end(),
       [](const SFound& a, const SFound& b) { return a.SquareDistance < b.SquareDistance; });

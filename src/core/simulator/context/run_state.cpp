@@ -104,7 +104,7 @@ bool CRunState::Take(std::vector<SChange>& noted, std::vector<SChange>& changes)
   return !changes.empty();
 }
 
-// also what the changes request
+// this loop applies what the changes request, too
 void CRunState::Apply(std::vector<SChange>& noted) {
   std::vector<SChange> changes;
   while (Take(noted, changes)) {

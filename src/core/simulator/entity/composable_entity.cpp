@@ -41,7 +41,7 @@ bool Matches(const CEntity& component, const SStep& step) {
          component.GetTypeDescription() == step.Type;
 }
 
-// of most robots
+// a capacity that suits most robots
 constexpr size_t kNumComponents = 5;
 
 }  // namespace

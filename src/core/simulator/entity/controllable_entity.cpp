@@ -415,7 +415,7 @@ void CControllableEntity::DropController() {
   m_haveDevicesFailed = false;
 }
 
-// of the random generators that are created now
+// birth of the random generators that are created now
 UInt64 CControllableEntity::GetBirth() const {
   return m_context.Loading.IsLoading() ? CRandom::COwner::CScope::kLoading : m_context.GetClock();
 }

@@ -133,7 +133,7 @@ const SAnchor& CEmbodiedEntity::GetAnchor(const std::string& id) const {
 
 SAnchor& CEmbodiedEntity::GetAnchor(const std::string& id) {
   if (m_mapAnchors.count(id) == 0 && HasParent()) {
-    // that of a component that the robot creates on demand, such as a camera
+    // the anchor belongs to a component that the robot creates on demand, such as a camera
     GetParent().HasComponent(id);
   }
   return const_cast<SAnchor&>(static_cast<const CEmbodiedEntity*>(this)->GetAnchor(id));
@@ -263,7 +263,7 @@ void CEmbodiedEntity::MoveModelsTo(const CVector3& position, const CQuaternion& 
   }
 }
 
-// of a body in several engines, such as an immovable one, one engine without limits is enough
+// one engine without limits is enough for a body in several, such as an immovable one
 SBodyPose CEmbodiedEntity::FindPossiblePose(const SBodyPose& pose) const {
   SBodyPose possible = pose;
   for (const CPhysicsModel* model : m_tPhysicsModelVector) {

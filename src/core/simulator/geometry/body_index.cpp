@@ -117,7 +117,7 @@ void CBodyIndex::Describe(UInt32 number) {
   SBody& body = m_bodies[number];
   body.Reach = body.TiltedReach = 0.0;
   for (const SShapeDescription& solid : body.Description->Shapes) {
-    // as Pack() bounds them
+    // bounds as Pack() computes them
     const CVector3 middle = solid.ComputeMiddle();
     const Real sphere = BoundingSphereRadius(solid);
     body.Reach =
@@ -428,7 +428,7 @@ SIndexedShape CBodyIndex::Pack(UInt32 body, UInt16 shape) const {
     return packed;
   }
   const SPose& pose = m_poses[body];
-  // for upright solids the entity, which is elsewhere in memory, is not read
+  // the entity, which is elsewhere in memory, is not read for upright solids
   const bool upright = pose.Upright && StandsUpright(solid);
   SIndexedShape packed = Pack(solid, pose, upright ? CQuaternion() : owner.Origin->Orientation);
   packed.Body = body;

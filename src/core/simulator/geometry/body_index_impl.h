@@ -83,7 +83,7 @@ void CBodyIndex::VisitWide(const SCellRange& cells, VISIT&& visit) const {
   });
 }
 
-// as VisitSmall(), but adds discs to a list
+// does the same as VisitSmall(), but adds discs to a list
 template <typename VISIT, typename TAKE_DISCS>
 void CBodyIndex::ListSmall(const SCellRange& cells, const SDiscQuery& query, SDiscList& discs,
                            TAKE_DISCS&& takeDiscs, VISIT&& visit) const {

@@ -542,7 +542,7 @@ void CExperimentLoader::InitOutputs(TConfigurationNode& root, CLoadErrors& error
   }
 }
 
-// at the end, because parts and users' code read attributes until then
+// checked at the end, because parts and users' code read attributes until then
 void CExperimentLoader::CheckUnread(CLoadErrors& errors) const {
   // a part that could not be loaded has not read all its attributes
   if (!errors.IsEmpty()) {

@@ -20,7 +20,7 @@ namespace {
 // more lines hide what was printed before them
 constexpr size_t kMaxWarnings = 20;
 
-// for roundings of poses and of the arena's limits
+// tolerance for roundings of poses and of the arena's limits
 constexpr Real kArenaTolerance = 1e-6;  // m
 
 typedef std::vector<std::string> TLines;

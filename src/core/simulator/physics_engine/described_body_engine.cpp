@@ -30,7 +30,7 @@ constexpr Real kNearOrigin = 64.0;
 // m; in a wider area the frame is near the bodies, in any other one near the area's centre
 constexpr Real kWideArea = 256.0;
 
-// of an articulated body the links have masses; engines may accept bodies without a mass
+// the links of an articulated body have masses; engines may accept bodies without a mass
 void CheckMass(const CEmbodiedEntity& body) {
   const Real mass = body.GetBodyDescription()->Mass;
   if (body.IsMovable() && mass != 0.0 && !IsIn(kMass, mass)) {
@@ -325,7 +325,7 @@ void CDescribedBodyEngine::ForgetBundles() {
 CDescribedBodyEngine* CDescribedBodyEngine::FindNextOfSameType(const CEmbodiedEntity& body) const {
   CPhysicsEngine* const next = FindNextEngine(body, [&body](const CPhysicsEngine& engine) {
     const auto* const described = dynamic_cast<const CDescribedBodyEngine*>(&engine);
-    // for an engine of another class, only adding the body shows if it is accepted
+    // only adding the body shows if an engine of another class accepts it
     return described == nullptr || described->Accepts(body);
   });
   const bool isOther = next != nullptr && next != this;

@@ -341,7 +341,7 @@ CDistribution::SPlaces CDistribution::ChoosePlaces() {
   return places;
 }
 
-// that of the entities; one that a user's model has given them is not known to Probe()
+// the description of the entities; Probe() does not know one that a user's model has given them
 std::shared_ptr<const SBodyDescription> CDistribution::FindDescription() const {
   if (m_body != nullptr || !m_hasBody) {
     return m_body;

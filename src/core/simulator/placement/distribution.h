@@ -100,7 +100,7 @@ class CDistribution {
   // set by Probe()
   std::shared_ptr<const SBodyDescription> m_body;  // null: none, or one that its engine must test
   bool m_hasBody = false;
-  // of the last place that was taken
+  // the last place that was taken
   CVector3 m_lastPosition;
   UInt32 m_lastObstacle = ~UInt32(0);  // number of a body; kNoBody: only an engine knows it
   bool m_isLastPlanned = false;  // the obstacle is an entity of this element, by number

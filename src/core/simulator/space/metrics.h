@@ -42,7 +42,7 @@ class CMetrics : public CSpaceExtension {
     /** Mean of what was recorded in Tick; NaN: none since the start or the last reset. */
     Real Value = kNone;
 
-    // of what was recorded in Tick
+    // values that were recorded in Tick
     UInt32 Tick = 0; /**< the last in which it was recorded; 0 before the first tick */
     UInt64 Period = 0; /**< in which it was recorded, see EndTick() */
     UInt64 Count = 0; /**< 0: nothing, and NaN below */

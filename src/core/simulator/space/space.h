@@ -270,7 +270,7 @@ class CSpace : public CBaseConfigurableResource {
 
   std::map<std::string, std::unique_ptr<CEntityType>> m_entityTypes;  // by tag; outlive entities
   CEntity::TVector m_roots;  // in order of addition, or as OrderRoots() says
-  // by the ids in the entities themselves; never iterated
+  // keys are the ids in the entities themselves; never iterated
   std::unordered_map<std::string_view, std::unique_ptr<CEntity>> m_rootById;
   std::vector<CControllableEntity*> m_robots;  // in the order of m_roots
   UInt64 m_robotsVersion = 0;

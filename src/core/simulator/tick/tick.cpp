@@ -115,7 +115,7 @@ void ForRobots(SSimulationContext& context, const SVisitsOfPhase& phase, STEP&& 
   }
 }
 
-// for the report of a crash
+// describes an engine or a medium in the report of a crash
 template <typename PART>
 void DescribePart(const void* part, CSignalSafeText& text) {
   text.Append(std::is_same_v<PART, CMedium> ? "medium \"" : "physics engine \"")

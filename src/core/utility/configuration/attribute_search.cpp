@@ -16,7 +16,7 @@ namespace argos {
 
 namespace {
 
-// of most elements: compared one by one
+// most elements have so few that they are compared one by one
 constexpr int kFewAttributes = 32;
 
 thread_local CAttributeSearch* currentSearch = nullptr;

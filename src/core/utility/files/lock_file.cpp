@@ -103,7 +103,7 @@ CLockFile::CLockFile(const std::string& path) : m_path(path), m_owner(getpid()) 
   WriteProcess();
 }
 
-// for the messages of others; a full disk does not matter
+// other processes name this one in their messages; a full disk does not matter
 void CLockFile::WriteProcess() const {
   const std::string text = std::to_string(m_owner) + '\n';
   if (ftruncate(m_file, 0) != 0 || pwrite(m_file, text.data(), text.size(), 0) < 0) {

@@ -31,7 +31,7 @@ struct SSegment {
   // orders segments with the same key: a phase that starts later has higher tickets
   UInt64 Ticket;
   std::size_t Start;
-  // of the thread at that time
+  // label of the thread at that time
   std::shared_ptr<const std::string> Label;
 };
 
@@ -137,11 +137,11 @@ struct CARGoSLog::SState {
   std::mutex Mutex;
   // shared with the threads, because a thread may outlive the log and vice versa
   std::vector<std::shared_ptr<SThreadBuffer>> Buffers;
-  // for messages that are logged during the destruction of a thread
+  // takes messages that are logged during the destruction of a thread
   std::shared_ptr<SThreadBuffer> LateBuffer;
   std::string Prefix;
   CLogLines Lines;
-  // of RedirectToFile(); null: none
+  // the file of RedirectToFile(); null: none
   std::unique_ptr<CLogFile> File;
   std::streambuf* OriginalBuffer = nullptr;
   std::atomic<bool> HasFailed{false};

@@ -191,7 +191,7 @@ class CRange {
                                      << "; write the smaller value first.");
   }
 
-  // for other types: stops when a step makes no progress
+  // with other types, the loop stops when a step makes no progress
   constexpr void WrapByRepetition(T& value) const {
     const T span = m_max - m_min;
     for (T next = value - span; value > m_max && !(value <= next); next = value - span) {

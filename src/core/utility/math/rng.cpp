@@ -232,7 +232,7 @@ const size_t* CRandom::CCategory::FindOrdinal(const COwner& owner, UInt32 place)
   return found != m_ordinalsAtStart.end() ? &found->second : nullptr;
 }
 
-// of a generator of an owner that did not exist at the start
+// seed of a generator of an owner that did not exist at the start
 UInt32 CRandom::CCategory::ComputeSeed(const SGenerator& generator) const {
   const std::string purpose = std::to_string(generator.Birth) + ' ' +
                               std::to_string(generator.Place) + ' ' + std::to_string(m_round);

@@ -35,7 +35,7 @@ constexpr std::size_t kRegion = std::size_t(2) << 20;
 // simulations with more memory than that gain from huge pages, smaller ones would waste it
 constexpr std::size_t kRegionsOfSmallPages = 16;
 
-// at the beginning of each slab
+// stands at the beginning of each slab
 struct SSlabHeader {
   CObjectSlabs* Owner;
 };
@@ -148,7 +148,7 @@ std::byte* CObjectSlabs::SState::TakeSlab() {
   return std::exchange(NextSlab, NextSlab + kSlab);
 }
 
-// to be called when no object is left
+// called when no object is left
 void CObjectSlabs::SState::ReleaseAll() {
   Sizes.fill(SSizeClass());
   Regions.clear();

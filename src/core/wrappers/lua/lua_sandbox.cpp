@@ -71,7 +71,7 @@ int Pairs(lua_State* state) {
   }
   lua_settop(state, 1);
   CLuaParameters::ReadAll(state, 1);
-  // for numbers, Lua's own order depends only on the history of the table
+  // Lua's own order of numbers depends only on the history of the table
   if (!lua_istable(state, 1) || HasOnlyNumbers(state, 1)) {
     lua_pushvalue(state, lua_upvalueindex(1));
     lua_pushvalue(state, 1);

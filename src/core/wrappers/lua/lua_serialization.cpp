@@ -46,7 +46,7 @@ enum ETag : UInt8 {
 };
 
 void AppendNumber(CByteArray& data, Real number) {
-  // as bits: the number format of a byte array has neither infinity nor NaN
+  // written as bits: the number format of a byte array has neither infinity nor NaN
   data << std::bit_cast<UInt64>(number);
 }
 

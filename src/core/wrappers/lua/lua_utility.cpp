@@ -30,7 +30,7 @@ void AppendForLog(lua_State* state, luaL_Buffer& buffer, int index) {
       luaL_addvalue(&buffer);
       break;
     case LUA_TNUMBER: {
-      // as a C++ stream prints it
+      // prints a number as a C++ stream does
       char text[32];
       const auto end = fmt::format_to_n(text, sizeof text, "{:.6g}", lua_tonumber(state, index));
       luaL_addlstring(&buffer, text, end.size);

@@ -21,7 +21,7 @@ namespace argos {
 
 namespace {
 
-// as for the scripts of robots, ticks draw the same numbers after init() as after reset()
+// ticks draw the same numbers after init() as after reset(), like the scripts of robots
 constexpr const char* kStart = "start";
 constexpr const char* kSteps = "steps";
 

@@ -22,7 +22,7 @@ namespace argos {
 
 namespace {
 
-// of the picture for which users' code draws
+// size of the picture for which users' code draws
 constexpr UInt32 kDefaultWidth = 1280;  // pixels
 constexpr UInt32 kDefaultHeight = 960;
 

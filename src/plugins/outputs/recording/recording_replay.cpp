@@ -150,7 +150,7 @@ void CRecordingReplay::Advance(CSpace& space) {
   m_nextTick = m_every > ~UInt32(0) - frame->Tick ? ~UInt32(0) : frame->Tick + m_every;
 }
 
-// of the part's last state, whatever the step is
+// the tick of the part's last state, whatever the step is
 const SRecordedFrame* CRecordingReplay::ReadFrame() {
   const SRecordedFrame* frame = m_reader->ReadNext();
   while (frame != nullptr && frame->Tick < m_nextTick && frame->Tick < m_lastTick) {

@@ -25,7 +25,7 @@ namespace argos {
 namespace {
 
 constexpr hsize_t kChunk = 2048;  // rows that are stored together
-// for what the library stores beside the rows, bytes
+// space that the library needs beside the rows, bytes
 constexpr std::uint64_t kMargin = 1 << 20;
 constexpr std::size_t kShortestText = 32;  // bytes of an element in a column of texts
 constexpr char kSeeds[] = "seeds";  // data set that every file has

@@ -27,7 +27,7 @@ std::vector<CVector2> ListCorners(const SShapeDescription& shape) {
   return {{-x, -y}, {x, -y}, {x, y}, {-x, y}};
 }
 
-// of bodies that stand upright; others are drawn as if they did
+// outlines of bodies that stand upright; others are drawn as if they did
 void DescribeShape(const SShapeDescription& shape, const SAnchor& origin, THeader& header) {
   const auto toWorld = [&](const CVector3& inShape) {
     CVector3 point = inShape;

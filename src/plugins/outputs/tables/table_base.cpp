@@ -44,7 +44,7 @@ std::unique_ptr<CTableFormat> MakeFormat(const std::string& path) {
                        << path << '"');
 }
 
-// so that a file that cannot be written is found before the run; an old file stays as it is
+// a file that cannot be written is found before the run; an old file stays as it is
 void CheckCanBeWritten(const std::string& path) {
   const std::string problem = FindOutputProblem(
       path, CLoadingCheck::IsActive() ? EMissingFolder::WillBeCreated : EMissingFolder::IsCreated);

@@ -84,7 +84,7 @@ class CSparseReader {
 
  private:
   CByteReader& m_in;
-  UInt64 m_zeros = 0;  // that follow
+  UInt64 m_zeros = 0;  // number of zeros that follow
 };
 
 }  // namespace argos

@@ -222,7 +222,7 @@ void CFrameDecoder::DecodeSection(UInt64 number, CByteReader& in) {
       m_frame.Drawing = in.ReadText();
       break;
     default:
-      // of a later version
+      // a section of a later version
       break;
   }
 }

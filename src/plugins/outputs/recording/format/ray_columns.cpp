@@ -26,7 +26,7 @@ void CRayColumns::Restart() {
   m_points.Restart(0);
 }
 
-// of equally many, each is probably the same as in the last frame
+// if there are equally many, each is probably the same as in the last frame
 void CRayColumns::Resize(CPredictedColumn& column, size_t size) {
   if (column.GetSize() != size) {
     column.Restart(size);

@@ -14,7 +14,7 @@ namespace {
 constexpr UInt32 kBlockMagic = 0x4b4c4241;  // "ABLK"
 constexpr size_t kCheckedSize = kBlockHeaderSize - 4;  // bytes of a header before its own checksum
 
-// of the bytes and their number; finds damage, is no protection against intent
+// checksum of the bytes and their number; finds damage, is no protection against intent
 UInt64 ComputeChecksum(std::string_view bytes) {
   UInt64 sum = 0x9e3779b97f4a7c15ULL ^ bytes.size();
   const auto mix = [&sum](UInt64 word) {

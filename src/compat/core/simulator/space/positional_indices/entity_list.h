@@ -73,7 +73,7 @@ class CEntityList {
   /** Calls visit(ENTITY&) for each entity, in order of addition, until that returns false. */
   template <typename VISIT>
   void ForAll(VISIT&& visit) const {
-    // by number: visit() may add entities
+    // indexed by number, because visit() may add entities
     for (size_t slot = 0; slot < m_entities.size(); ++slot) {
       if (m_entities[slot] != nullptr && !visit(*m_entities[slot])) {
         return;

@@ -67,7 +67,7 @@ class CEntityListings {
   /** Calls list(ENTITY&), which calls List(), for every entity in order of addition. */
   template <typename LIST>
   void ListAll(LIST&& list) {
-    // also if list() throws
+    // restored also if list() throws
     struct SEnd {
       UInt32& Slot;
       ~SEnd() { Slot = kNone; }

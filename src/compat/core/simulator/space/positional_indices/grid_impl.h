@@ -74,7 +74,7 @@ void CGrid<ENTITY>::UpdateCell(SInt32 i, SInt32 j, SInt32 k, ENTITY& entity) {
     entities.m_first = listing;
     entities.m_size = 0;
   } else {
-    // at the end, so the entities of a cell stay in order
+    // added at the end, so that the entities of a cell stay in order
     m_pool[entities.m_last].NextInCell = listing;
   }
   entities.m_last = listing;

@@ -75,7 +75,7 @@ class CHashIndex : public CPositionalIndex<ENTITY> {
   }
 
  private:
-  // as a real number: integers would overflow
+  // compared as a real number: integers would overflow
   static Real CountCells(const SCellNumber& min, const SCellNumber& max) {
     Real count = 1.0;
     for (UInt32 axis = 0; axis < 3; ++axis) {

@@ -55,7 +55,7 @@ void CAbstractSpaceHash<ENTITY>::UpdateCell(SInt32 i, SInt32 j, SInt32 k, ENTITY
   if (listing == kNone) {
     return;
   }
-  // at the end of its bucket, so the entities of a cell stay in order
+  // added at the end of its bucket, so that the entities of a cell stay in order
   const size_t bucket = Bucket(cell);
   if (m_first[bucket] == kNone) {
     m_first[bucket] = listing;
