@@ -26,9 +26,7 @@ std::string Join(const std::vector<std::string>& words, const std::string& betwe
   return text;
 }
 
-/****************************************/
 // man page
-/****************************************/
 
 // text for roff: dashes that can be copied, backslashes, and no control lines
 std::string ForRoff(std::string text) {
@@ -91,9 +89,7 @@ std::string MakeManPage() {
   return page + ".SH SEE ALSO\n.BR argos3\\-campaign ,\n.BR argos3\\-plot\n";
 }
 
-/****************************************/
 // completion
-/****************************************/
 
 namespace {
 
@@ -267,9 +263,7 @@ std::string MakeZshCompletion() {
   return script + "  '*:experiment:_files -g \"*.argos\"'\n";
 }
 
-/****************************************/
 // words
-/****************************************/
 
 std::vector<std::string> ListPluginWords() {
   std::set<std::string> words = {"all"};

@@ -40,9 +40,7 @@ std::unique_ptr<CRunPlan> CRunPlan::Create(const SCampaign& campaign,
   return std::make_unique<CRunListPlan>(std::move(runs), campaign.Combinations.size());
 }
 
-/****************************************/
 // a list
-/****************************************/
 
 CRunListPlan::CRunListPlan(std::vector<SPlannedRun> runs, size_t numCombinations)
     : m_runs(runs.begin(), runs.end()), m_openOf(numCombinations), m_numOpen(runs.size()) {
@@ -69,9 +67,7 @@ std::vector<TFinishedRun> CRunListPlan::Finish(const SPlannedRun& run, SRunResul
   return stored;
 }
 
-/****************************************/
 // until a mean is known
-/****************************************/
 
 CSequentialRunPlan::CSequentialRunPlan(const SCampaign& campaign,
                                        const std::vector<SKnownRun>& known)

@@ -146,9 +146,7 @@ sqlite3_stmt* CDatabase::Prepare(const std::string& statement) const {
   return prepared;
 }
 
-/****************************************/
 // queries
-/****************************************/
 
 CQuery::CQuery(CDatabase& database, const std::string& statement)
     : m_database(database), m_cached(&database.m_cache[statement]) {
@@ -232,9 +230,7 @@ bool CQuery::IsNull(int column) const {
   return sqlite3_column_type(m_statement, column) == SQLITE_NULL;
 }
 
-/****************************************/
 // transactions
-/****************************************/
 
 CTransaction::CTransaction(CDatabase& database) : m_database(database) {
   m_database.Execute("BEGIN IMMEDIATE");

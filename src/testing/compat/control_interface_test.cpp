@@ -111,9 +111,7 @@ TEST_CASE("compat: base classes of the control interface compile and work", "[co
   pcSensor->ReadingsToLuaState(NULL);
 }
 
-/****************************************/
 /* interfaces, with derived classes as in plug-ins */
-/****************************************/
 
 class CMySteering : public CCI_DifferentialSteeringActuator {
  public:

@@ -27,9 +27,6 @@ using namespace argos;
 using Catch::Contains;
 using Catch::Matchers::WithinAbs;
 
-/****************************************/
-/****************************************/
-
 class COwnProximity : public CProximityDefaultSensor {
  public:
   virtual void SetRobot(CComposableEntity& c_entity) {
@@ -123,9 +120,6 @@ TEST_CASE("compat: a derived proximity sensor sees what its base has read", "[co
   CHECK(fMax == 1.0);
 }
 
-/****************************************/
-/****************************************/
-
 class COwnLight : public CLightDefaultSensor {
  public:
   virtual void SetRobot(CComposableEntity& c_entity) {
@@ -169,9 +163,6 @@ TEST_CASE("compat: a derived light sensor finds the robot's parts itself", "[com
     CHECK_THAT(vecOwn[i], WithinAbs(vecDefault[i] + 0.25, 2e-7));
   }
 }
-
-/****************************************/
-/****************************************/
 
 class COwnGround : public CGroundRotZOnlySensor {
  public:
@@ -221,9 +212,6 @@ TEST_CASE("compat: a derived ground sensor finds the robot's parts itself", "[co
   CHECK(fLargest > 0.08);
 }
 
-/****************************************/
-/****************************************/
-
 class COwnRABSensor : public CRangeAndBearingMediumSensor {
  public:
   virtual void SetRobot(CComposableEntity& c_entity) {
@@ -258,9 +246,6 @@ TEST_CASE("compat: a derived range-and-bearing sensor finds the robot's parts it
   cWorld.Step();
   CHECK(cSensor.GetReadings().empty());
 }
-
-/****************************************/
-/****************************************/
 
 /* a device that another one carries, as far from the anchor as it is told */
 class COwnRAB : public CRABEquippedEntity {
@@ -441,9 +426,6 @@ TEST_CASE("compat: copies of controllers use the devices of the original and del
   }
   CHECK(nDeleted == 1);
 }
-
-/****************************************/
-/****************************************/
 
 /* which points are in the image, and a ray to each of those */
 class CPointFinder : public CCameraSensorSimulatedAlgorithm, public CCI_CameraSensorAlgorithm {

@@ -65,9 +65,7 @@ TEST_CASE("compat: constants can be used in static initialisers", "[compat]") {
   CHECK(STATIC_REALS.GetSpan() == 2.0);
 }
 
-/****************************************/
 /* 3.1 angles                           */
-/****************************************/
 
 static_assert(!std::is_convertible<Real, CRadians>::value, "explicit");
 static_assert(!std::is_convertible<Real, CDegrees>::value, "explicit");
@@ -154,9 +152,7 @@ TEST_CASE("compat: angles work as documented", "[compat]") {
   CHECK(Print(CDegrees(1.5)) == "CDegrees(1.5)");
 }
 
-/****************************************/
 /* 3.2 ranges                           */
-/****************************************/
 
 TEST_CASE("compat: ranges work as documented", "[compat]") {
   CRange<Real> cRange(-1.0, 3.0);
@@ -196,9 +192,7 @@ TEST_CASE("compat: ranges work as documented", "[compat]") {
   CHECK(CRange<Real>().GetSpan() == 0.0);
 }
 
-/****************************************/
 /* 3.3, 3.4 vectors                     */
-/****************************************/
 
 TEST_CASE("compat: two-dimensional vectors work as documented", "[compat]") {
   CHECK(CVector2::X + CVector2::Y == CVector2(1.0, 1.0));
@@ -317,9 +311,7 @@ TEST_CASE("compat: three-dimensional vectors work as documented", "[compat]") {
   CHECK(Distance(CVector3(), CVector3(1.0, 2.0, 2.0)) == 3.0);
 }
 
-/****************************************/
 /* 3.5 quaternions                      */
-/****************************************/
 
 TEST_CASE("compat: quaternions work as documented", "[compat]") {
   CQuaternion cQ;
@@ -377,9 +369,7 @@ TEST_CASE("compat: quaternions work as documented", "[compat]") {
   CHECK(Print(CQuaternion()) == "0,0,0");
 }
 
-/****************************************/
 /* 3.6 rays, planes, solids, poses      */
-/****************************************/
 
 TEST_CASE("compat: rays work as documented", "[compat]") {
   CRay2 cRay2(CVector2(0.0, 0.0), CVector2(2.0, 0.0));
@@ -508,9 +498,7 @@ TEST_CASE("compat: planes, solids, hulls and poses work as documented", "[compat
   CHECK_THAT(cLocal.GetX(), WithinAbs(1.0, ROUNDING));
 }
 
-/****************************************/
 /* 3.7 random numbers                   */
-/****************************************/
 
 TEST_CASE("compat: random numbers work as documented", "[compat]") {
   CHECK(CRandom::CreateCategory("compat", 17));
@@ -566,9 +554,7 @@ TEST_CASE("compat: random numbers work as documented", "[compat]") {
   CHECK(cOwn.CreateRNG()->GetSeed() >= 1);
 }
 
-/****************************************/
 /* 3.9 matrices                         */
-/****************************************/
 
 class COpenMatrix : public CMatrix<2, 2> {
  public:

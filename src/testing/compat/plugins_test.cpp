@@ -13,9 +13,7 @@
 
 using namespace argos;
 
-/****************************************/
 /* 4.1, 4.2 factory                     */
-/****************************************/
 
 class CAnimal {
  public:
@@ -76,9 +74,7 @@ TEST_CASE("compat: dynamic loading loads and unloads libraries", "[compat]") {
   CHECK((pfnLoad != NULL && pfnAll != NULL && pfnNone != NULL));
 }
 
-/****************************************/
 /* 4.3 tags and tables                  */
-/****************************************/
 
 class CShape : public EnableVTableFor<CShape> {
  public:
@@ -132,9 +128,7 @@ TEST_CASE("compat: tags and virtual tables dispatch by class", "[compat]") {
   CHECK(cTable.Size() >= 3);
 }
 
-/****************************************/
 /* 4.4 entity operations                */
-/****************************************/
 
 class CPainter {
  public:

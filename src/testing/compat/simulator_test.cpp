@@ -102,9 +102,7 @@ class CEmbedding {
   std::string m_strFile;
 };
 
-/****************************************/
 /* 7.1, 7.2, 7.3                        */
-/****************************************/
 
 TEST_CASE("compat: an embedding program runs an experiment", "[compat]") {
   CEmbedding cEmbedding;
@@ -257,9 +255,7 @@ TEST_CASE("compat: loop functions move, add and remove entities", "[compat]") {
   CSimulator::GetInstance().UpdateSpace();
 }
 
-/****************************************/
 /* 7.4 entities                         */
-/****************************************/
 
 TEST_CASE("compat: every function of the core entities works", "[compat]") {
   CEmbedding cEmbedding;
@@ -423,9 +419,7 @@ TEST_CASE("compat: protected members of entities are accessible", "[compat]") {
   CHECK(COpenBody().IsUsual());
 }
 
-/****************************************/
 /* 7.5, 7.6 stock and robot entities    */
-/****************************************/
 
 TEST_CASE("compat: stock entities work as documented", "[compat]") {
   CEmbedding cEmbedding;
@@ -549,9 +543,7 @@ TEST_CASE("compat: robot entities work as documented", "[compat]") {
   CHECK(cEPuck.GetEmbodiedEntity().IsMovable());
 }
 
-/****************************************/
 /* 7.7, 7.8, 7.9, 7.11, 7.12            */
-/****************************************/
 
 static std::string UserExperiment() {
   return R"(<argos-configuration>
@@ -744,9 +736,7 @@ TEST_CASE("compat: rays hit bodies that only a user's engine contains", "[compat
         SEmbodiedEntityIntersectionItem(&cBody, 0.2));
 }
 
-/****************************************/
 /* 7.10 positional indices              */
-/****************************************/
 
 class CUserLamp : public CPositionalEntity {
  public:

@@ -3,9 +3,6 @@
 #include <argos3/core/utility/configuration/argos_configuration.h>
 #include <argos3/core/utility/logging/argos_log.h>
 
-/****************************************/
-/****************************************/
-
 CUserController::CUserController()
     : m_pcWheels(NULL),
       m_pcEncoder(NULL),
@@ -19,9 +16,6 @@ CUserController::CUserController()
       m_fWheelVelocity(2.5f),
       m_cGoStraightAngleRange(-ToRadians(m_cAlpha), ToRadians(m_cAlpha)),
       m_unSteps(0) {}
-
-/****************************************/
-/****************************************/
 
 void CUserController::Init(TConfigurationNode& t_node) {
   try {
@@ -44,9 +38,6 @@ void CUserController::Init(TConfigurationNode& t_node) {
         "Error initializing the user controller for robot \"" << GetId() << "\"", ex);
   }
 }
-
-/****************************************/
-/****************************************/
 
 void CUserController::ControlStep() {
   ++m_unSteps;
@@ -73,14 +64,8 @@ void CUserController::ControlStep() {
   }
 }
 
-/****************************************/
-/****************************************/
-
 void CUserController::Reset() {
   m_unSteps = 0;
 }
-
-/****************************************/
-/****************************************/
 
 REGISTER_CONTROLLER(CUserController, "user_controller")

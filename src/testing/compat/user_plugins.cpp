@@ -6,9 +6,7 @@
 
 namespace argos {
 
-/****************************************/
 /* Entities                             */
-/****************************************/
 
 CUserRobotEntity::CUserRobotEntity()
     : CComposableEntity(NULL),
@@ -66,9 +64,7 @@ REGISTER_ENTITY(CUserRobotEntity, "user-robot", "A User [user@example.org]", "1.
                 "A robot of a user.", "Long.", "Under development")
 REGISTER_STANDARD_SPACE_OPERATIONS_ON_COMPOSABLE(CUserRobotEntity);
 
-/****************************************/
 /* Medium, engine, visualization        */
-/****************************************/
 
 REGISTER_MEDIUM(CUserMedium, "user_medium", "A User", "1.0", "A medium of a user.", "Long.",
                 "Usable");
@@ -190,9 +186,7 @@ REGISTER_VISUALIZATION(CUserVisualization, "user_visualization", "A User", "1.0"
 
 }  // namespace argos
 
-/****************************************/
 /* Devices, at global scope             */
-/****************************************/
 
 using namespace argos;
 

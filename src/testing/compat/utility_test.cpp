@@ -29,9 +29,7 @@ namespace utility_test {
 using namespace argos;
 using Catch::WithinAbs;
 
-/****************************************/
 /* 2.1 datatypes                        */
-/****************************************/
 
 static_assert(std::is_same<Real, double>::value, "");
 static_assert(std::is_same<SInt8, signed char>::value && std::is_same<UInt8, unsigned char>::value,
@@ -49,9 +47,7 @@ TEST_CASE("compat: 8-bit integers are printed as numbers", "[compat]") {
   CHECK(cStream.str() == "65 -3");
 }
 
-/****************************************/
 /* 2.2 exceptions                       */
-/****************************************/
 
 static int Classify(int n_value) {
   if (n_value > 0)
@@ -82,9 +78,7 @@ TEST_CASE("compat: exceptions and their macros work", "[compat]") {
   ARGOS_ASSERT(true, "with a semicolon");
 }
 
-/****************************************/
 /* 2.3 general maths                    */
-/****************************************/
 
 TEST_CASE("compat: general maths works as documented", "[compat]") {
   CHECK(Abs(-3) == 3);
@@ -134,9 +128,7 @@ TEST_CASE("compat: general maths works as documented", "[compat]") {
   CHECK(Mod(7.5, 2.0) == 1.5);
 }
 
-/****************************************/
 /* 2.4 strings                          */
-/****************************************/
 
 TEST_CASE("compat: strings work as documented", "[compat]") {
   CHECK(ToString(12) == "12");
@@ -173,9 +165,7 @@ TEST_CASE("compat: strings work as documented", "[compat]") {
   CHECK(strBuffer == "a/value/b");
 }
 
-/****************************************/
 /* 2.5 logging                          */
-/****************************************/
 
 class CLogUser {
  public:
@@ -248,9 +238,7 @@ TEST_CASE("compat: text can be coloured", "[compat]") {
   CHECK(cStream.good());
 }
 
-/****************************************/
 /* 2.6 colours                          */
-/****************************************/
 
 static const CColor STATIC_COLOR = CColor::ORANGE;
 
@@ -300,9 +288,7 @@ TEST_CASE("compat: colours work as documented", "[compat]") {
   CHECK(&cMutable == &CColor::GRAY10);
 }
 
-/****************************************/
 /* 2.7 byte arrays                      */
-/****************************************/
 
 static size_t SizeOf(const CByteArray& c_array) {
   return c_array.Size();
@@ -391,9 +377,7 @@ TEST_CASE("compat: byte arrays are queues of numbers and strings", "[compat]") {
   CHECK((cArray[0] == 1 && cArray[1] == 2));
 }
 
-/****************************************/
 /* 2.8 the others                       */
-/****************************************/
 
 TEST_CASE("compat: any stores values", "[compat]") {
   int nValue = 3;

@@ -181,9 +181,7 @@ void CControllableEntity::Init(TConfigurationNode& tree) {
   }
 }
 
-/****************************************/
 // errors of users' code
-/****************************************/
 
 void CControllableEntity::Describe(const void* robot, CSignalSafeText& text) {
   const auto& self = *static_cast<const CControllableEntity*>(robot);
@@ -228,9 +226,7 @@ void CControllableEntity::UpdateDigest(CDigest& digest) const {
   }
 }
 
-/****************************************/
 // start, reset, end
-/****************************************/
 
 void CControllableEntity::MarkStart() {
   CEntity::MarkStart();

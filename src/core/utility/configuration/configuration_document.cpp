@@ -14,9 +14,7 @@
 
 namespace argos {
 
-/****************************************/
 // construction and destruction
-/****************************************/
 
 CConfigurationDocument::CConfigurationDocument()
     : m_store(std::make_shared<CConfigurationStore>("(empty document)")) {}
@@ -28,9 +26,7 @@ CConfigurationDocument& CConfigurationDocument::operator=(CConfigurationDocument
 
 CConfigurationDocument::~CConfigurationDocument() = default;
 
-/****************************************/
 // reading and writing
-/****************************************/
 
 namespace {
 
@@ -159,9 +155,7 @@ const std::string& CConfigurationDocument::GetName() const {
   return *m_store->GetName();
 }
 
-/****************************************/
 // modification, unread elements and attributes
-/****************************************/
 
 std::string CConfigurationDocument::SetByPath(const std::string& path, const std::string& value,
                                               bool mustBeRead) {

@@ -27,9 +27,7 @@ UInt64 AttributeBit(UInt32 index) {
 
 }  // namespace
 
-/****************************************/
 // handles
-/****************************************/
 
 CConfigurationNode::CConfigurationNode(const std::string& tag) {
   CheckXmlName(tag);
@@ -104,9 +102,7 @@ std::string CConfigurationNode::GetLocation() const {
   return LocationText(*Entry().File, Entry().Line);
 }
 
-/****************************************/
 // errors
-/****************************************/
 
 namespace {
 
@@ -200,9 +196,7 @@ void CConfigurationNode::ThrowIfHuge(const std::string& name, const char* text) 
   }
 }
 
-/****************************************/
 // neighbours
-/****************************************/
 
 namespace {
 
@@ -325,9 +319,7 @@ bool CConfigurationNode::NoChildren() const {
   return true;
 }
 
-/****************************************/
 // changing the tree
-/****************************************/
 
 CConfigurationNode* CConfigurationNode::InsertEndChild(const CConfigurationNode& child) {
   CConfigurationStore& store = *Entry().Store;
@@ -405,9 +397,7 @@ std::unique_ptr<CConfigurationNode> CConfigurationNode::Clone() const {
   return clone;
 }
 
-/****************************************/
 // attributes and texts
-/****************************************/
 
 namespace {
 
@@ -540,9 +530,7 @@ void CConfigurationNode::SetTextContent(const std::string& text) {
   Entry().Element->SetText(text.c_str());
 }
 
-/****************************************/
 // streams, marking as read
-/****************************************/
 
 std::ostream& operator<<(std::ostream& stream, const CConfigurationNode& node) {
   tinyxml2::XMLPrinter printer;

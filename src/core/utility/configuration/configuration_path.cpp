@@ -10,9 +10,7 @@
 
 namespace argos {
 
-/****************************************/
 // parsing a path
-/****************************************/
 
 void CConfigurationPath::ThrowMalformed(const std::string& why) const {
   THROW_CONFIGURATION_ERROR("\"" << m_path << "\" is not a path to an attribute: " << why
@@ -102,9 +100,7 @@ CConfigurationPath::SPredicate CConfigurationPath::ParsePredicate(const std::str
   ThrowMalformed("[" + text + "] is neither a number from 1 up nor a condition [@name='value']");
 }
 
-/****************************************/
 // matching elements
-/****************************************/
 
 CConfigurationPath::TElements CConfigurationPath::Filter(const TElements& siblings,
                                                          const SStep& step) {

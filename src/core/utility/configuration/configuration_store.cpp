@@ -54,9 +54,7 @@ CConfigurationAttribute* CConfigurationStore::KeepAttribute(
   return &m_attributes.back();
 }
 
-/****************************************/
 // modification
-/****************************************/
 
 void CConfigurationStore::SetText(CConfigurationNode& node, const std::string& name,
                                   const std::string& text) {
@@ -124,9 +122,7 @@ void CConfigurationStore::Delete(tinyxml2::XMLNode& node) {
   m_xml.DeleteNode(&node);
 }
 
-/****************************************/
 // unread content
-/****************************************/
 
 namespace {
 
@@ -301,9 +297,7 @@ bool IsOfUser(const tinyxml2::XMLElement& element) {
   return false;
 }
 
-/****************************************/
 // large numbers
-/****************************************/
 
 namespace {
 
@@ -347,9 +341,7 @@ bool HasHugeNumber(const char* text) {
   return false;
 }
 
-/****************************************/
 // error messages
-/****************************************/
 
 namespace {
 void AddOnce(std::vector<std::string>& names, const char* name) {

@@ -62,9 +62,7 @@ std::size_t FindUnquoted(std::string_view xml, std::size_t at, std::string_view 
   return at;
 }
 
-/****************************************/
 // references
-/****************************************/
 
 // Source: XML 1.0, production 2
 bool IsXmlCharacter(unsigned long code) {
@@ -144,9 +142,7 @@ std::size_t FindDoubtful(std::string_view xml, std::size_t at) {
   return static_cast<std::size_t>(found - xml.begin());
 }
 
-/****************************************/
 // the declaration
-/****************************************/
 
 /** A part of a text. */
 struct SSpan {
@@ -186,9 +182,7 @@ std::string FromLatin1(std::string_view text) {
   return utf8;
 }
 
-/****************************************/
 // tags
-/****************************************/
 
 struct STag {
   std::string Name;

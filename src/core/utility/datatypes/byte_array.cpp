@@ -8,9 +8,7 @@
 
 namespace argos {
 
-/****************************************/
 // bytes
-/****************************************/
 
 CByteArray::CByteArray(const CByteArray& other) {
   Assign(other);
@@ -149,9 +147,7 @@ CByteArray* CByteArray::operator()(std::size_t start, ssize_t end) {
   return new CByteArray(GetStorage() + m_front + start, last - start);
 }
 
-/****************************************/
 // integers
-/****************************************/
 
 template <typename T>
 CByteArray& CByteArray::PutInteger(T value) {
@@ -236,9 +232,7 @@ CByteArray& CByteArray::operator>>(signed long int& value) {
   return TakeInteger(value);
 }
 
-/****************************************/
 // real numbers and strings
-/****************************************/
 
 namespace {
 // 2^63 - 2 rounded to a double, which is 2^63: scaling by a power of two is exact

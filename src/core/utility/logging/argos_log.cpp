@@ -165,9 +165,7 @@ CARGoSLog::SState::SThreadTable::~SThreadTable() {
   ThreadTableIsGone = true;
 }
 
-/****************************************/
 // construction and destruction
-/****************************************/
 
 CARGoSLog::CARGoSLog(std::ostream& stream, const SLogColor& color, bool colored)
     : m_stream(stream),
@@ -256,9 +254,7 @@ void CARGoSLog::NoteFailure(int error) {
   }
 }
 
-/****************************************/
 // order of messages
-/****************************************/
 
 void CARGoSLog::SetSequence(UInt64 key) {
   sequenceKey = key;
@@ -294,9 +290,7 @@ void CARGoSLog::AddThreadSafeBuffer() {
   GetThreadBuffer();
 }
 
-/****************************************/
 // writing
-/****************************************/
 
 CARGoSLog::CEntry::CEntry(CARGoSLog& log, bool colored) : m_buffer(log.GetThreadBuffer()) {
   std::unique_lock lock(m_buffer.Mutex);
@@ -411,9 +405,7 @@ void CARGoSLog::WriteAfterCrash(int file) noexcept {
   }
 }
 
-/****************************************/
 // LOG and LOGERR, debugging
-/****************************************/
 
 namespace {
 

@@ -49,9 +49,7 @@ CProfiler::CProfiler(const std::string& file, const std::string& format, bool tr
   }
 }
 
-/****************************************/
 // measuring
-/****************************************/
 
 void CProfiler::Start() {
   m_start = TClock::now();
@@ -91,9 +89,7 @@ Real CProfiler::GetWallTime() const {
   return Seconds(m_end - m_start);
 }
 
-/****************************************/
 // writing
-/****************************************/
 
 std::string CProfiler::FormatReport() const {
   CTextOutput text;

@@ -14,9 +14,7 @@
 
 namespace argos {
 
-/****************************************/
 // numbers
-/****************************************/
 
 namespace {
 
@@ -151,9 +149,7 @@ ENumberParsing ParseNumber(std::string_view text, unsigned long long& value) {
   return ParseInteger(text, value);
 }
 
-/****************************************/
 // lists of values
-/****************************************/
 
 namespace {
 
@@ -211,9 +207,7 @@ void ThrowTooManyValues(std::uint32_t expected, char delimiter) {
 
 }  // namespace detail
 
-/****************************************/
 // text
-/****************************************/
 
 std::string DemangledName(const std::type_info& type) {
   int status = 0;
@@ -308,9 +302,7 @@ std::string& ExpandEnvVariables(std::string& buffer) {
   return buffer;
 }
 
-/****************************************/
 // similar names
-/****************************************/
 
 namespace {
 

@@ -96,9 +96,7 @@ std::vector<SChain> FindChains(std::string_view line) {
   return chains;
 }
 
-/****************************************/
 // tables of the state
-/****************************************/
 
 struct SLookUp {
   const SChain* Chain;
@@ -149,9 +147,7 @@ SMissing FindMissing(lua_State* state, const SChain& chain) {
   return missing;
 }
 
-/****************************************/
 // explanation
-/****************************************/
 
 /** The name in "(field 'wheels')"; empty if the message has none of the kind. */
 std::string FindName(const std::string& message, const std::string& kind) {

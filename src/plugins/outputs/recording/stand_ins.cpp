@@ -42,9 +42,7 @@ void SetPose(const SBodyPose& pose, SAnchor& anchor) {
 
 }  // namespace
 
-/****************************************/
 // bodies
-/****************************************/
 
 CStandInBody::CStandInBody(CComposableEntity* parent, const SRecordedType& type)
     : CEmbodiedEntity(parent, "body_0", CVector3(), CQuaternion(), type.IsMovable),
@@ -109,9 +107,7 @@ void CStandInEntity::SetState(const SRecordedState& state) {
   }
 }
 
-/****************************************/
 // places
-/****************************************/
 
 CStandInPlace::CStandInPlace(const std::string& id, std::shared_ptr<const SRecordedType> type)
     : CPositionalEntity(nullptr, id), m_type(std::move(type)) {}
@@ -127,9 +123,7 @@ void CStandInPlace::SetState(const SRecordedState& state) {
   }
 }
 
-/****************************************/
 // all of them
-/****************************************/
 
 CReplayedEntity::CReplayedEntity(CSpace& space, const SRecordedEntity& entity,
                                  const std::shared_ptr<const SRecordedType>& type)

@@ -203,9 +203,7 @@ TEST_CASE("velocity lag: it must be a share of a tick", "[contract][engine]") {
                     Contains("\"velocity_lag\"") && Contains("from 0 to 1") && Contains(lag));
 }
 
-/****************************************/
 // turning by counted ticks
-/****************************************/
 
 /*
  * A robot turns on the spot towards the heading 0 by a whole number of ticks at a time, as foraging

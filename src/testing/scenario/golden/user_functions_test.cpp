@@ -22,9 +22,6 @@ namespace user_functions_test {
 
 using namespace argos;
 
-/****************************************/
-/****************************************/
-
 class CFiveIds : public CQTOpenGLUserFunctions {
  public:
   CFiveIds() { RegisterUserFunction<CFiveIds, CFootBotEntity>(&CFiveIds::Draw); }
@@ -92,9 +89,6 @@ REGISTER_QTOPENGL_USER_FUNCTIONS(CFiveTrails, "five_trails")
 REGISTER_QTOPENGL_USER_FUNCTIONS(CFiveLinks, "five_links")
 REGISTER_QTOPENGL_USER_FUNCTIONS(CFivePath, "five_path")
 REGISTER_QTOPENGL_USER_FUNCTIONS(CFiveOverlay, "five_overlay")
-
-/****************************************/
-/****************************************/
 
 namespace {
 

@@ -5,9 +5,7 @@
 
 namespace argos {
 
-/****************************************/
 // options
-/****************************************/
 
 void CCommandLineArgParser::AddOption(const SOption& option) {
   for (const SOption& known : m_options) {
@@ -77,9 +75,7 @@ void CCommandLineArgParser::PrintUsage(CARGoSLog& log) {
   }
 }
 
-/****************************************/
 // parsing
-/****************************************/
 
 void CCommandLineArgParser::Apply(const SOption& option, const std::string& word,
                                   const std::string* nextWord, bool& usedNext) {

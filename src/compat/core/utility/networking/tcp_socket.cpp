@@ -54,9 +54,7 @@ TAddresses Resolve(const char* host, SInt32 port, int flags, int family) {
 
 }  // namespace
 
-/****************************************/
 // construction and destruction
-/****************************************/
 
 CTCPSocket::CTCPSocket(CTCPSocket&& other) noexcept
     : m_descriptor(std::exchange(other.m_descriptor, -1)),
@@ -91,9 +89,7 @@ void CTCPSocket::CheckOpen(const char* action) const {
   }
 }
 
-/****************************************/
 // connections
-/****************************************/
 
 void CTCPSocket::Connect(const std::string& host, SInt32 port) {
   CheckPort(port, 1);
@@ -198,9 +194,7 @@ std::set<CTCPSocket::EEvent> CTCPSocket::GetEvents() const {
   return events;
 }
 
-/****************************************/
 // data
-/****************************************/
 
 void CTCPSocket::SendBuffer(const UInt8* buffer, std::size_t size) {
   CheckOpen("send");

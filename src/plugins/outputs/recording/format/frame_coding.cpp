@@ -60,9 +60,7 @@ void ReadTexts(std::vector<std::string>& texts, CByteReader& in) {
 
 }  // namespace
 
-/****************************************/
 // encoder
-/****************************************/
 
 template <typename WRITE>
 void CFrameEncoder::AddSection(int number, WRITE&& write) {
@@ -152,9 +150,7 @@ void CFrameEncoder::Encode(SFrameUpdate& update, bool isKey, std::string& bytes)
   CByteWriter(bytes).WriteText(m_body);
 }
 
-/****************************************/
 // decoder
-/****************************************/
 
 const SRecordedFrame& CFrameDecoder::Decode(CByteReader& in, bool isKey) {
   CByteReader body(in.ReadText());
@@ -263,9 +259,7 @@ void CFrameDecoder::DecodeWords(CByteReader& in) {
   }
 }
 
-/****************************************/
 // columns of users' choice
-/****************************************/
 
 CPredictedColumn& CNamedColumns::Get(size_t number, size_t size) {
   if (m_columns.size() <= number) {
@@ -316,9 +310,7 @@ void CNamedColumns::Decode(std::vector<SRecordedColumn>& columns, size_t numEnti
   }
 }
 
-/****************************************/
 // floor
-/****************************************/
 
 void WriteFloorChange(const SRecordedFloor& before, const SRecordedFloor& now, CByteWriter& out) {
   ARGOS_ASSERT(before.Width == now.Width && before.Height == now.Height, "another size of floor");

@@ -73,9 +73,7 @@ void CRecordingReader::Open() {
   Seek(0);
 }
 
-/****************************************/
 // parts of the file
-/****************************************/
 
 std::string CRecordingReader::ReadAt(UInt64 place, UInt64 size) const {
   std::string bytes(size, '\0');
@@ -152,9 +150,7 @@ void CRecordingReader::ReadContent(UInt64 place, const SBlockHeader& header,
   }
 }
 
-/****************************************/
 // finding blocks
-/****************************************/
 
 bool CRecordingReader::TryReadIndex() {
   if (m_size < kFileFooterSize) {
@@ -254,9 +250,7 @@ UInt64 CRecordingReader::DropDamagedEnd(UInt64 end) {
   }
 }
 
-/****************************************/
 // frames
-/****************************************/
 
 void CRecordingReader::Seek(UInt32 tick) {
   const auto found = std::find_if(m_blocks.begin(), m_blocks.end(),

@@ -8,17 +8,11 @@
 
 namespace argos {
 
-/****************************************/
-/****************************************/
-
 CBeetleEntity::CBeetleEntity()
     : CComposableEntity(NULL),
       m_pcControllableEntity(NULL),
       m_pcEmbodiedEntity(NULL),
       m_pcWheeledEntity(NULL) {}
-
-/****************************************/
-/****************************************/
 
 CBeetleEntity::CBeetleEntity(const std::string& str_id, const std::string& str_controller_id,
                              const CVector3& c_position, const CQuaternion& c_orientation)
@@ -39,9 +33,6 @@ CBeetleEntity::CBeetleEntity(const std::string& str_id, const std::string& str_c
   }
 }
 
-/****************************************/
-/****************************************/
-
 void CBeetleEntity::Init(TConfigurationNode& t_tree) {
   try {
     CComposableEntity::Init(t_tree);
@@ -58,9 +49,6 @@ void CBeetleEntity::Init(TConfigurationNode& t_tree) {
   }
 }
 
-/****************************************/
-/****************************************/
-
 void CBeetleEntity::AddWheels() {
   m_pcWheeledEntity = new CWheeledEntity(this, "wheels_0", 2);
   AddComponent(*m_pcWheeledEntity);
@@ -70,16 +58,10 @@ void CBeetleEntity::AddWheels() {
                               BEETLE_WHEEL_RADIUS);
 }
 
-/****************************************/
-/****************************************/
-
 void CBeetleEntity::Reset() {
   CComposableEntity::Reset();
   UpdateComponents();
 }
-
-/****************************************/
-/****************************************/
 
 #define UPDATE(COMPONENT)     \
   if (COMPONENT->IsEnabled()) \
@@ -88,9 +70,6 @@ void CBeetleEntity::Reset() {
 void CBeetleEntity::UpdateComponents() {
   UPDATE(m_pcEmbodiedEntity);
 }
-
-/****************************************/
-/****************************************/
 
 REGISTER_ENTITY(CBeetleEntity, "beetle", "A researcher", "1.0", "A small round robot.",
                 "It has two wheels.", "Usable");

@@ -9,9 +9,6 @@ namespace argos {
 
 enum BEETLE_WHEELS { BEETLE_LEFT_WHEEL = 0, BEETLE_RIGHT_WHEEL = 1 };
 
-/****************************************/
-/****************************************/
-
 CDynamics2DBeetleModel::CDynamics2DBeetleModel(CDynamics2DEngine& c_engine, CBeetleEntity& c_beetle)
     : CDynamics2DSingleBodyObjectModel(c_engine, c_beetle),
       m_cBeetle(c_beetle),
@@ -40,9 +37,6 @@ CDynamics2DBeetleModel::CDynamics2DBeetleModel(CDynamics2DEngine& c_engine, CBee
   SetBody(ptBody, BEETLE_HEIGHT);
 }
 
-/****************************************/
-/****************************************/
-
 CDynamics2DBeetleModel::~CDynamics2DBeetleModel() {
   m_cDiffSteering.Detach();
   cpSpace* ptSpace = GetDynamics2DEngine().GetPhysicsSpace();
@@ -52,16 +46,10 @@ CDynamics2DBeetleModel::~CDynamics2DBeetleModel() {
   }
 }
 
-/****************************************/
-/****************************************/
-
 void CDynamics2DBeetleModel::Reset() {
   CDynamics2DSingleBodyObjectModel::Reset();
   m_cDiffSteering.Reset();
 }
-
-/****************************************/
-/****************************************/
 
 void CDynamics2DBeetleModel::UpdateFromEntityStatus() {
   if ((m_pfWheelVelocity[BEETLE_LEFT_WHEEL] != 0.0f) ||
@@ -72,9 +60,6 @@ void CDynamics2DBeetleModel::UpdateFromEntityStatus() {
     m_cDiffSteering.Reset();
   }
 }
-
-/****************************************/
-/****************************************/
 
 REGISTER_STANDARD_DYNAMICS2D_OPERATIONS_ON_ENTITY(CBeetleEntity, CDynamics2DBeetleModel);
 

@@ -40,9 +40,7 @@ std::vector<std::string> Lines(const std::string& name) {
 
 }  // namespace
 
-/****************************************/
 // rate
-/****************************************/
 
 TEST_CASE("rate: a round lasts as long as the rate requires", "[core][rate]") {
   CRate rate(100.0);
@@ -76,9 +74,7 @@ TEST_CASE("rate: it must be positive", "[core][rate]") {
   CHECK(rate.GetRate() == 1.0);
 }
 
-/****************************************/
 // signals
-/****************************************/
 
 TEST_CASE("stats: mean and sample variance", "[core][signal]") {
   CStats stats;
@@ -116,9 +112,7 @@ TEST_CASE("low-pass filter: output follows its recurrence", "[core][signal]") {
   CHECK(filter.Filter(1.0) == 1.0);
 }
 
-/****************************************/
 // profiler
-/****************************************/
 
 TEST_CASE("profiler: the report has the wall time, the phases and the threads",
           "[core][profiler]") {

@@ -57,9 +57,7 @@ std::string Print(const TConfigurationNode& node) {
 
 }  // namespace
 
-/****************************************/
 // attributes
-/****************************************/
 
 TEST_CASE("configuration: attributes of every type are read", "[core][configuration]") {
   SWorld world;
@@ -286,9 +284,7 @@ TEST_CASE("configuration: the text of an element can be read", "[core][configura
   CHECK(world["empty"].GetText() == "4");
 }
 
-/****************************************/
 // elements
-/****************************************/
 
 TEST_CASE("configuration: the error on a missing element gives its place and what is there",
           "[core][configuration]") {

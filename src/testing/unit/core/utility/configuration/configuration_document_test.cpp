@@ -71,9 +71,7 @@ class CTemporaryFile {
 
 }  // namespace
 
-/****************************************/
 // loading
-/****************************************/
 
 TEST_CASE("document: a file is loaded and saved", "[core][configuration]") {
   const CTemporaryFile file(kExperiment);
@@ -203,9 +201,7 @@ TEST_CASE("document: text is converted from the encoding that is declared",
              Contains("x.argos:1: not well-formed XML: the file is encoded in UTF-16"));
 }
 
-/****************************************/
 // unread elements and attributes
-/****************************************/
 
 TEST_CASE("document: an element may have many attributes", "[core][configuration]") {
   constexpr int kAttributes = 500;
@@ -305,9 +301,7 @@ TEST_CASE("document: an attribute set by path still counts as unread", "[core][c
   CHECK(Unread(document) == "<b>@typo ");
 }
 
-/****************************************/
 // paths
-/****************************************/
 
 TEST_CASE("document: paths reach attributes", "[core][configuration]") {
   CConfigurationDocument document = Experiment();

@@ -11,9 +11,7 @@
 
 using Catch::Contains;
 
-/****************************************/
 // classes registered in every way that the macros must support
-/****************************************/
 
 namespace argos {
 
@@ -57,9 +55,7 @@ using namespace argos;
 
 typedef CFactory<CTestShape> TShapes;
 
-/****************************************/
 // factory
-/****************************************/
 
 TEST_CASE("factory: macros register classes at program start", "[core][factory]") {
   for (const std::string label : {"disc", "disk", "global disc"}) {
@@ -202,9 +198,7 @@ TEST_CASE("registration: a plug-in compiled against another public header is ref
       Contains("it has media=0123456789ab, the core has media=" + built + "; rebuild"));
 }
 
-/****************************************/
 // tags
-/****************************************/
 
 namespace {
 

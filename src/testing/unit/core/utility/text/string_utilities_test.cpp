@@ -33,9 +33,7 @@ void ThrowUnlessPositive(int number) {
 
 }  // namespace
 
-/****************************************/
 // exceptions
-/****************************************/
 
 TEST_CASE("exception: what() begins with the marker of an error", "[core][exception]") {
   CHECK(std::string(CARGoSException("broken").what()) == "[FATAL] broken");
@@ -78,9 +76,7 @@ TEST_CASE("exception: assertions throw in builds that check invariants", "[core]
   }
 }
 
-/****************************************/
 // values and texts
-/****************************************/
 
 TEST_CASE("strings: values become texts and back", "[core][strings]") {
   CHECK(ToString(true) == "true");
@@ -281,9 +277,7 @@ TEST_CASE("strings: type names are readable", "[core][strings]") {
   CHECK(DemangledName(typeid(CARGoSException)) == "CARGoSException");
 }
 
-/****************************************/
 // nearest names
-/****************************************/
 
 TEST_CASE("near names: misspellings are found, best first", "[core][strings]") {
   const std::vector<std::string> known = {"foot-bot", "e-puck", "box", "cylinder", "eye-bot"};
