@@ -149,6 +149,7 @@ std::optional<SRunResult> CRunProcess::ExecuteOnce(const SRunRequest& request, E
 }
 
 void CRunProcess::Start(const SRunRequest& request) {
+  ARGOS_ASSERT(m_process < 0, "the process of the last run has not ended");
   int requests[2] = {-1, -1};
   int results[2] = {-1, -1};
   int output[2] = {-1, -1};
@@ -217,6 +218,7 @@ void CRunProcess::Serve(const SRunRequest& first) {
 }
 
 CRunProcess::EEnd CRunProcess::Supervise(UInt64 request, SRunResult& result) {
+  ARGOS_ASSERT(m_process >= 0, "there is no process that executes run " << request);
   for (;;) {
     std::array<pollfd, 3> files = {pollfd{m_output, POLLIN, 0}, pollfd{m_results, POLLIN, 0},
                                    pollfd{m_abortFile, 0, 0}};

@@ -94,6 +94,7 @@ CWorkerProcess::~CWorkerProcess() {
 }
 
 bool CWorkerProcess::Send(const std::string& encodedRequest) {
+  ARGOS_ASSERT(m_process >= 0, "a worker that has ended gets no requests");
   return WriteMessage(m_requests, SMessage::EKind::Request, encodedRequest);
 }
 
@@ -109,9 +110,8 @@ bool CWorkerProcess::Receive(std::vector<std::pair<UInt64, SRunResult>>& results
 }
 
 std::string CWorkerProcess::AwaitDeath() {
-  int status = 0;
-  while (waitpid(m_process, &status, 0) < 0 && errno == EINTR) {
-  }
+  ARGOS_ASSERT(m_process >= 0, "the end of a worker is awaited once");
+  const int status = AwaitEnd(m_process);
   m_process = -1;
   return DescribeEnd(status).Description;
 }

@@ -233,6 +233,9 @@ bool CCampaignManager::DispatchOne(SWorker& worker) {
   if (!run) {
     return false;
   }
+  ARGOS_ASSERT(run->Combination < m_idOf.size(), "a run of combination number "
+                                                     << run->Combination << " of " << m_idOf.size()
+                                                     << " is planned");
   SRunRequest request;
   request.Id = ++m_lastRequest;
   request.Seed = run->Seed;
@@ -247,6 +250,7 @@ bool CCampaignManager::DispatchOne(SWorker& worker) {
   if (worker.Process == nullptr) {
     worker.Process = std::make_unique<CWorkerProcess>(m_setup);
   }
+  ARGOS_ASSERT(worker.Runs.size() < kMaxRunsOfWorker, "a worker has too many runs");
   worker.Runs.emplace_back(request.Id, *run);
   // if it has died, this is noticed when its results are received
   worker.Process->Send(bytes);
@@ -257,6 +261,7 @@ void CCampaignManager::Wait() {
   std::vector<pollfd> files;
   for (const SWorker& worker : m_workers) {
     if (!worker.Runs.empty()) {
+      ARGOS_ASSERT(worker.Process != nullptr, "a run was given to a worker without a process");
       files.push_back({worker.Process->GetFile(), POLLIN, 0});
     }
   }
@@ -265,6 +270,7 @@ void CCampaignManager::Wait() {
 }
 
 void CCampaignManager::Receive(SWorker& worker) {
+  ARGOS_ASSERT(worker.Process != nullptr, "a worker without a process has no results");
   std::vector<std::pair<UInt64, SRunResult>> results;
   const bool isAlive = worker.Process->Receive(results);
   for (auto& [id, result] : results) {
@@ -341,6 +347,9 @@ void CCampaignManager::Finish(const SPlannedRun& finished, SRunResult result) {
       WarnOfFirstFailure(run, stored);
     }
     SStoredRun& entry = m_unstored.emplace_back();
+    ARGOS_ASSERT(run.Combination < m_idOf.size(), "a run of combination number "
+                                                      << run.Combination << " of " << m_idOf.size()
+                                                      << " has ended");
     entry.Combination = m_idOf[run.Combination];
     entry.Seed = run.Seed;
     entry.Started = FormatStart(stored.TotalWallTime);

@@ -1,4 +1,5 @@
 #include <argos3/campaign/scheduling/run_plan.h>
+#include <argos3/core/utility/errors/argos_exception.h>
 
 #include <algorithm>
 #include <cmath>
@@ -60,6 +61,9 @@ std::optional<SPlannedRun> CRunListPlan::Next() {
 }
 
 std::vector<TFinishedRun> CRunListPlan::Finish(const SPlannedRun& run, SRunResult result) {
+  ARGOS_ASSERT(
+      m_numOpen > 0 && run.Combination < m_openOf.size() && m_openOf[run.Combination] > 0,
+      "a run of combination number " << run.Combination << " that was not planned has ended");
   --m_numOpen;
   m_numComplete += --m_openOf[run.Combination] == 0 ? 1 : 0;
   std::vector<TFinishedRun> stored;
@@ -127,6 +131,8 @@ std::optional<SPlannedRun> CSequentialRunPlan::Next() {
   SPlannedRun run;
   run.Combination = static_cast<size_t>(best - m_states.data());
   run.Seed = m_stopping.FirstSeed + static_cast<UInt32>(best->Next);
+  ARGOS_ASSERT(best->Next < best->IsKnown.size(),
+               "seed number " << best->Next << " is beyond the limit of runs");
   best->IsKnown[best->Next] = true;
   SkipKnown(*best);
   return run;
@@ -144,6 +150,9 @@ Real CSequentialRunPlan::FindValue(const SRunResult& result) const {
 }
 
 std::vector<TFinishedRun> CSequentialRunPlan::Finish(const SPlannedRun& run, SRunResult result) {
+  ARGOS_ASSERT(run.Combination < m_states.size() && run.Seed >= m_stopping.FirstSeed,
+               "a run of combination number " << run.Combination << " with seed " << run.Seed
+                                              << " that was not planned has ended");
   SState& state = m_states[run.Combination];
   state.Waiting.emplace(run.Seed - size_t(m_stopping.FirstSeed),
                         TFinishedRun(run, std::move(result)));

@@ -1,5 +1,6 @@
 #include <argos3/core/simulator/context/robot_failures.h>
 
+#include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/errors/line_marks.h>
 #include <argos3/core/utility/logging/argos_log.h>
 
@@ -99,6 +100,7 @@ void CRobotFailures::Report() {
       LOGERR << note.Text << std::endl;
       m_errors.push_back({note.Text, note.Key, 0, note.Tick, {}});
     }
+    ARGOS_ASSERT(number < m_errors.size(), "there is no error number " << number);
     SError& error = m_errors[number];
     ++error.Count;
     if (m_named.emplace(number, note.Robot).second) {

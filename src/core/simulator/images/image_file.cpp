@@ -100,6 +100,52 @@ TBitmap ReadBitmap(const std::string& fileName, const std::string& what) {
   return bitmap;
 }
 
+bool CanWrite(FREE_IMAGE_FORMAT format) {
+  return FreeImage_FIFSupportsWriting(format) != 0 &&
+         FreeImage_FIFSupportsExportBPP(format, kBitsPerPixel) != 0;
+}
+
+// for PNG a higher quality means less compression; for lossy formats it means less loss
+int ComputeFlags(FREE_IMAGE_FORMAT format, int quality) {
+  if (quality < 0) {
+    return format == FIF_PNG ? kFastPngLevel : 0;
+  }
+  switch (format) {
+    case FIF_PNG: {
+      const int level = 9 - quality * 9 / kMaxImageQuality;
+      return level == 0 ? PNG_Z_NO_COMPRESSION : level;
+    }
+    case FIF_JPEG:
+    case FIF_WEBP:
+      return quality > 0 ? quality : 1;
+    case FIF_TIFF:
+      return quality == kMaxImageQuality ? TIFF_NONE : TIFF_DEFLATE;
+    default:
+      return 0;
+  }
+}
+
+TBitmap MakeBitmap(const SPixelView& picture) {
+  TBitmap bitmap(FreeImage_Allocate(static_cast<int>(picture.Width),
+                                    static_cast<int>(picture.Height), kBitsPerPixel));
+  if (!bitmap) {
+    THROW_ARGOSEXCEPTION("there is no memory for a picture of " << picture.Width << "x"
+                                                                << picture.Height << " pixels");
+  }
+  ARGOS_ASSERT(picture.LowestRow != nullptr && picture.PixelStep >= 3,
+               "pixels of " << picture.PixelStep << " bytes");
+  for (size_t row = 0; row < picture.Height; ++row) {
+    BYTE* to = FreeImage_GetScanLine(bitmap.get(), static_cast<int>(row));
+    const UInt8* from = picture.LowestRow + static_cast<std::ptrdiff_t>(row) * picture.RowStep;
+    for (size_t column = 0; column < picture.Width; ++column, to += 3, from += picture.PixelStep) {
+      to[FI_RGBA_RED] = from[0];
+      to[FI_RGBA_GREEN] = from[1];
+      to[FI_RGBA_BLUE] = from[2];
+    }
+  }
+  return bitmap;
+}
+
 }  // namespace
 
 std::string DescribePath(const std::string& path) {

@@ -103,6 +103,7 @@ size_t CMetrics::GetOrCreate(std::string_view name, std::string_view unit) {
 }
 
 size_t CMetrics::Create(std::string_view name, std::string_view unit) {
+  ARGOS_ASSERT(FindNumber(name) == kUnknown, "there is already a metric \"" << name << '"');
   SMetric& metric = m_metrics.emplace_back();
   metric.Name = name;
   metric.Unit = unit;
@@ -112,6 +113,7 @@ size_t CMetrics::Create(std::string_view name, std::string_view unit) {
 
 // throws if code must not record the metric so
 void CMetrics::Check(size_t number, std::string_view unit) const {
+  ARGOS_ASSERT(number < m_metrics.size(), "there is no metric number " << number);
   const SMetric& metric = m_metrics[number];
   if (metric.IsBuiltIn) {
     THROW_ARGOSEXCEPTION("the metric \"" << metric.Name
@@ -159,6 +161,9 @@ const std::vector<CMetrics::SFailure>& CMetrics::TakeRobotRecords() {
   m_records->End(
       [this](const CRobotRecords::SRecord& record, const CRobotRecords::SNewMetric* newMetric) {
         if (newMetric == nullptr) {
+          ARGOS_ASSERT(record.Metric < m_metrics.size(), "a robot has recorded metric number "
+                                                             << record.Metric << " of "
+                                                             << m_metrics.size());
           Add(m_metrics[record.Metric], record.Value);
           return;
         }
@@ -232,6 +237,8 @@ void CMetrics::EnableBuiltIn(const std::string& name) {
 }
 
 void CMetrics::Update(const SBuiltIn& builtIn) {
+  ARGOS_ASSERT(builtIn.Number < m_metrics.size() && m_metrics[builtIn.Number].IsBuiltIn,
+               "metric number " << builtIn.Number << " is not built in");
   SMetric& metric = m_metrics[builtIn.Number];
   try {
     Replace(metric, builtIn.Metric->Compute());

@@ -1,4 +1,5 @@
 #include <argos3/core/simulator/space/robot_records.h>
+#include <argos3/core/utility/errors/argos_exception.h>
 
 #include <algorithm>
 #include <utility>
@@ -18,6 +19,7 @@ CRobotRecords::CScope::~CScope() {
 }
 
 void CRobotRecords::Begin(size_t robots, UInt32 threads) {
+  ARGOS_ASSERT(threads > 0, "a loop over robots needs a thread");
   m_numRobots = robots;
   if (m_threads.size() != threads) {
     m_threads.clear();
@@ -77,6 +79,9 @@ void CRobotRecords::Sort() {
   size_t item = 0;
   for (const SThread& thread : m_threads) {
     for (const SRecord& record : thread.Records) {
+      ARGOS_ASSERT(record.Robot < m_numRobots, "robot number " << record.Robot << " of "
+                                                               << m_numRobots
+                                                               << " has recorded a metric");
       m_order.SetKey(item++, record.Robot);
     }
   }

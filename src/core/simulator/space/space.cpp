@@ -18,6 +18,7 @@
 #include <argos3/core/simulator/space/robot_records.h>
 #include <argos3/core/simulator/space/root_places.h>
 #include <argos3/core/utility/datatypes/digest.h>
+#include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/errors/exception_text.h>
 #include <argos3/core/utility/errors/running_code.h>
 #include <argos3/core/utility/logging/argos_log.h>
@@ -163,6 +164,7 @@ void CSpace::AddEntityType(const std::string& tag, std::unique_ptr<CEntityType> 
   if (HasEntityType(tag) || tag == "distribute") {
     THROW_ARGOSEXCEPTION("there are already entities <" << tag << ">: another id is needed");
   }
+  ARGOS_ASSERT(type != nullptr, "<" << tag << "> has no type of entities");
   m_entityTypes[tag] = std::move(type);
 }
 
@@ -279,6 +281,7 @@ void CSpace::InsertEntity(CEntity& entity) {
                            << (other != nullptr ? " at " + other->GetLocation() : std::string())
                            << "); ids must be unique");
     }
+    ARGOS_ASSERT(m_roots.size() < m_roots.capacity(), "the list of entities would allocate here");
     m_roots.push_back(&entity);
     found->second.reset(&entity);
     entity.MarkStart();
@@ -412,6 +415,7 @@ void CSpace::Destroy() {
 }
 
 void CSpace::RemoveLastRoot() {
+  ARGOS_ASSERT(!m_roots.empty(), "there is no entity to remove");
   const CEntity* const root = m_roots.back();
   CallEntityOperation<CSpaceOperationRemoveEntity, CSpace, void>(*this, *m_roots.back());
   if (!m_roots.empty() && m_roots.back() == root) {

@@ -6,6 +6,7 @@
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/physics_engine/engine_assignment.h>
 #include <argos3/core/simulator/space/space.h>
+#include <argos3/core/utility/errors/argos_exception.h>
 
 #include <memory>
 #include <vector>
@@ -45,6 +46,8 @@ void CSpace::Adopt(std::unique_ptr<CEntity> entity) {
 }
 
 void CSpace::AdoptNow(std::unique_ptr<CEntity> entity) {
+  ARGOS_ASSERT(entity != nullptr && !entity->HasParent(),
+               "only a root entity is added to the space");
   for (CControllableEntity* robot : ListComponents<CControllableEntity>(*entity)) {
     robot->SetLateController();
   }
@@ -85,6 +88,7 @@ void CSpace::Remove(CEntity& root) {
 }
 
 void CSpace::RemoveNow(CEntity& root) {
+  ARGOS_ASSERT(!root.HasParent(), "\"" << root.GetId() << "\" is a component: its root is removed");
   CallEntityOperation<CSpaceOperationRemoveEntity, CSpace, void>(*this, root);
 }
 

@@ -50,22 +50,19 @@ void CLookAhead::BeforeAct(size_t visit) const {
   if (visit + 3 * kStep >= m_robots.size()) {
     return;
   }
-  LoadHead(GetRobot(visit + 3 * kStep));
-  LoadAhead(GetRobot(visit + 2 * kStep).m_actuators.data(), 1);
-  for (const CSimulatedActuator* actuator : GetRobot(visit + kStep).m_actuators) {
-    LoadAhead(actuator, kActuatorBytes);
-  }
+  ARGOS_ASSERT(m_robots.size() == m_visits->size(), "the loops have changed since SetVisits()");
+  GetRobot(visit + 3 * kStep).LoadEntityAhead();
+  GetRobot(visit + 2 * kStep).LoadActuatorListAhead();
+  GetRobot(visit + kStep).LoadActuatorsAhead();
 }
 
 void CLookAhead::BeforeSense(size_t visit, const CBodyIndex& index) const {
   if (visit + 3 * kStep >= m_robots.size()) {
     return;
   }
-  const SAnchor* const farOrigin = m_robots[visit + 3 * kStep].Origin;
-  LoadHead(GetRobot(visit + 3 * kStep));
-  if (farOrigin != nullptr) {
-    LoadAhead(farOrigin, sizeof(SBodyPose));
-  }
+  ARGOS_ASSERT(m_robots.size() == m_visits->size(), "the loops have changed since SetVisits()");
+  GetRobot(visit + 3 * kStep).LoadEntityAhead();
+  LoadAhead(m_robots[visit + 3 * kStep].Origin, sizeof(SBodyPose));  // null: has no effect
 
   GetRobot(visit + 2 * kStep).LoadControllerAhead();
 

@@ -13,6 +13,7 @@
 #include <argos3/core/simulator/tick/loop_functions.h>
 #include <argos3/core/simulator/tick/loop_hooks.h>
 #include <argos3/core/simulator/tick/tick_times.h>
+#include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/errors/exception_text.h>
 #include <argos3/core/utility/errors/running_code.h>
 #include <argos3/core/utility/logging/log_order.h>
@@ -95,6 +96,8 @@ void ForRobots(SSimulationContext& context, const SVisitsOfPhase& phase, STEP&& 
       {phase.Call.Name, &CControllableEntity::Describe, nullptr, context.Clock, true});
   CRandom::COwner::CScope randomOwner(nullptr, *context.Clock);
   CRobotRecords::CScope records(context.Metrics->GetRobotRecords(), phase.Thread);
+  ARGOS_ASSERT(phase.Begin <= phase.End && phase.End <= phase.Visits.size(),
+               "visits " << phase.Begin << " to " << phase.End << " of " << phase.Visits.size());
   for (size_t current = phase.Begin; current < phase.End; ++current) {
     try {
       for (; current < phase.End; ++current) {
@@ -235,6 +238,11 @@ void CTick::PlanVisits() {
   if (!std::is_sorted(m_visits.begin(), m_visits.end(), isBefore)) {
     std::sort(m_visits.begin(), m_visits.end(), isBefore);
   }
+  ARGOS_ASSERT(std::adjacent_find(m_visits.begin(), m_visits.end(),
+                                  [](const SRobotVisit& a, const SRobotVisit& b) {
+                                    return a.Robot == b.Robot;
+                                  }) == m_visits.end(),
+               "a robot would be visited twice in a tick");
   m_lookAhead.SetVisits(m_visits);
   m_robotsOfVisits = version;
 }
@@ -252,6 +260,8 @@ void CTick::TakeRecords(const char* call, bool isDevice) {
     try {
       std::rethrow_exception(failure.Error);
     } catch (...) {
+      ARGOS_ASSERT(failure.Robot < robots.size(),
+                   "robot number " << failure.Robot << " of " << robots.size() << " has failed");
       HandleFailure(m_context, {call, isDevice}, *robots[failure.Robot]);
     }
   }
@@ -326,8 +336,9 @@ void CTick::SenseAndControl() {
   // so all robots of a run may sense before the first of them is controlled
   m_robotTimes.assign(m_context.Pool->GetNumThreads(), SRobotTimes());
   const auto senseAndControl = [&](size_t first, size_t last, UInt32 thread, UInt64 firstPlace) {
-    Real sense = 0.0;
-    Real control = 0.0;
+    ARGOS_ASSERT(thread < m_robotTimes.size(),
+                 "thread " << thread << " of " << m_robotTimes.size());
+    SRobotTimes& times = m_robotTimes[thread];
     // If a robot fails to sense, those before it are controlled nevertheless, because one of them
     // may fail: the robot that is reported is the first in order, however they are dealt.
     std::exception_ptr failure;

@@ -35,6 +35,7 @@ CLuaTable::~CLuaTable() {
 }
 
 void CLuaTable::OpenRobotTable(const void* device, const char* name) {
+  ARGOS_ASSERT(lua_istable(m_state, -1), "the table of the robot is not on the stack");
   lua_getfield(m_state, -1, name);
   m_isNew = !lua_istable(m_state, -1);
   lua_pop(m_state, 1);
@@ -56,6 +57,7 @@ void CLuaTable::FindRobotTable(const void* device) {
 }
 
 CLuaTable CLuaTable::GetTable(const char* key) {
+  ARGOS_ASSERT(lua_istable(m_state, m_index), "the table of a device is not at " << m_index);
   std::string path = m_path.empty() ? std::string() : GetFunctionName(key);
   const bool isNew = lua_getfield(m_state, m_index, key) != LUA_TTABLE;
   if (isNew) {
@@ -68,6 +70,9 @@ CLuaTable CLuaTable::GetTable(const char* key) {
 }
 
 CLuaTable CLuaTable::GetTable(std::size_t index) {
+  ARGOS_ASSERT(lua_istable(m_state, m_index) && index > 0, "the table of a device is not at "
+                                                               << m_index << ", or " << index
+                                                               << " is no index of Lua");
   if (lua_rawgeti(m_state, m_index, static_cast<lua_Integer>(index)) == LUA_TTABLE) {
     return CLuaTable(m_state, false, m_isReused, std::string());
   }

@@ -39,6 +39,7 @@ std::string_view CRowTexts::Get(double number) const {
     return {};
   }
   const auto index = static_cast<std::size_t>(number);
+  ARGOS_ASSERT(index < m_ends.size(), "there is no text number " << index);
   const std::size_t start = index == 0 ? 0 : m_ends[index - 1];
   return std::string_view(m_texts).substr(start, m_ends[index] - start);
 }

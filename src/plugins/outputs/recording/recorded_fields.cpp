@@ -93,7 +93,10 @@ void CRecordedFields::AddColumn(std::size_t index, const std::string& field, con
   CTextNumbers texts(recorded.Texts);
   const std::size_t numNumbers = m_numbers.empty() ? 0 : m_block.Numbers.size() / m_numbers.size();
   for (std::size_t row = 0; row < m_numbers.size(); ++row) {
+    ARGOS_ASSERT(index < numNumbers, "a row has no number " << index);
     const double value = m_block.Numbers[row * numNumbers + index];
+    ARGOS_ASSERT(m_numbers[row] < recorded.Values.size(),
+                 "there is no entity number " << m_numbers[row]);
     Real& place = recorded.Values[m_numbers[row]];
     place = isText && !std::isnan(value) ? texts.Get(m_block.Texts.Get(value)) : value;
   }

@@ -201,6 +201,7 @@ void CRecordingReplay::UpdateTypes(const SRecordedFrame& frame) {
 
 bool CRecordingReplay::IsSame(const CReplayedEntity& entity,
                               const SRecordedEntity& recorded) const {
+  ARGOS_ASSERT(recorded.Type < m_types.size(), "there is no type number " << recorded.Type);
   return entity.GetType() == m_types[recorded.Type] && entity.GetId() == recorded.Id;
 }
 
@@ -218,6 +219,7 @@ void CRecordingReplay::UpdateEntities(const SRecordedFrame& frame, CSpace& space
   m_entities = std::move(kept);
   for (size_t i = m_entities.size(); i < frame.Entities.size(); ++i) {
     const SRecordedEntity& entity = frame.Entities[i];
+    ARGOS_ASSERT(entity.Type < m_types.size(), "there is no type number " << entity.Type);
     m_entities.emplace_back(space, entity, m_types[entity.Type]);
   }
   for (size_t i = 0; i < m_entities.size(); ++i) {
@@ -230,6 +232,8 @@ void CRecordingReplay::UpdateEntities(const SRecordedFrame& frame, CSpace& space
 
 void CRecordingReplay::ShowRays(const SRecordedFrame& frame) const {
   for (const SRecordedRay& ray : frame.Rays) {
+    ARGOS_ASSERT(ray.Robot < m_entities.size(),
+                 "a ray of entity number " << ray.Robot << " of " << m_entities.size());
     CControllableEntity* const robot = m_entities[ray.Robot].GetRobot();
     if (robot == nullptr) {
       continue;

@@ -6,6 +6,7 @@
 #include <argos3/core/simulator/entity/floor_entity.h>
 #include <argos3/core/simulator/geometry/body_description.h>
 #include <argos3/core/simulator/space/space.h>
+#include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/plugins/simulator/entities/led_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/light_entity.h>
 
@@ -92,6 +93,8 @@ const SAppearance* CStandInEntity::GetAppearance() const {
 }
 
 void CStandInEntity::SetState(const SRecordedState& state) {
+  ARGOS_ASSERT(state.Poses.size() > m_anchors.size(),
+               state.Poses.size() << " poses for " << m_anchors.size() << " anchors and the body");
   m_body->SetPose(state.Poses[0]);
   for (size_t i = 0; i < m_anchors.size(); ++i) {
     SetPose(state.Poses[i + 1], *m_anchors[i]);

@@ -200,6 +200,8 @@ class CCSVFormat : public CTableFormat {
     *end++ = ',';
     const std::string_view prefix(start, static_cast<std::size_t>(end - start));
     for (std::size_t row = first; row < first + tick.NumRows; ++row) {
+      ARGOS_ASSERT(!m_schema.HasRobots || block.Robots[row] < m_robots.size(),
+                   "there is no robot number " << block.Robots[row]);
       const std::string_view robot =
           m_schema.HasRobots ? std::string_view(m_robots[block.Robots[row]]) : std::string_view();
       const std::size_t longest =
@@ -218,6 +220,8 @@ class CCSVFormat : public CTableFormat {
   char* WriteValues(const SRowBlock& block, std::size_t row, char* to) {
     const double* const numbers = block.Numbers.data() + row * m_schema.NumNumbers;
     for (std::size_t i = 0; i < m_schema.Columns.size(); ++i) {
+      ARGOS_ASSERT(m_schema.Places[i] < m_schema.NumNumbers,
+                   "a row has no number " << m_schema.Places[i]);
       const double number = numbers[m_schema.Places[i]];
       if (m_schema.Columns[i].Kind == EColumnKind::Text) {
         m_text.SetEnd(to);

@@ -319,6 +319,8 @@ std::size_t CEntityRows::Read(SRowBlock& block) {
       ReadRow(entity, 0, block);
       continue;
     }
+    ARGOS_ASSERT(m_listIndex < entity.Cells.size(),
+                 "the entity has no cell number " << m_listIndex);
     CFieldReader* const list = entity.Cells[m_listIndex].Reader.get();
     const std::size_t numItems = list != nullptr ? list->CountRows() : 0;
     for (std::size_t item = 0; item < numItems; ++item) {
@@ -335,6 +337,9 @@ void CEntityRows::ReadRow(SEntityRows& entity, std::size_t item, SRowBlock& bloc
   ++block.NumRows;
   double* const row = block.Numbers.data() + start;
   for (std::size_t i = 0; i < m_parts.size(); ++i) {
+    ARGOS_ASSERT(
+        i < entity.Cells.size() && m_parts[i].Start + m_parts[i].Columns.size() <= m_numNumbers,
+        "part number " << i << " has no place in the row");
     const SPart& part = m_parts[i];
     const SCell& cell = entity.Cells[i];
     if (cell.Reader == nullptr) {

@@ -1,5 +1,6 @@
 #include <argos3/plugins/simulator/outputs/tables/table_writer.h>
 
+#include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/threads/signal_stack.h>
 
 #include <utility>
@@ -58,6 +59,7 @@ void CTableWriter::Push() {
   if (m_free.empty()) {
     m_current = std::make_unique<SRowBlock>();
   } else {
+    ARGOS_ASSERT(m_free.back() != nullptr && m_free.back()->NumRows == 0, "a free block has rows");
     m_current = std::move(m_free.back());
     m_free.pop_back();
   }
@@ -143,6 +145,10 @@ void CTableWriter::WriteBlock(SRowBlock& block) {
     m_format->AddColumns(block.NewColumns);
   }
   for (const STableSchema::SDerivation& derivation : m_schema.Derivations) {
+    ARGOS_ASSERT(
+        block.Numbers.size() >= block.NumRows * m_schema.NumNumbers &&
+            derivation.Start < m_schema.NumNumbers,
+        "a block of " << block.NumRows << " rows has " << block.Numbers.size() << " numbers");
     double* numbers = block.Numbers.data() + derivation.Start;
     for (std::size_t row = 0; row < block.NumRows; ++row, numbers += m_schema.NumNumbers) {
       derivation.Field->Derive(numbers);

@@ -49,9 +49,8 @@ class CSlotGenerations {
   bool IsCurrent(UInt32 slot, UInt32 generation) const {
     return slot < m_size && m_generations[slot] == generation;
   }
-  /** Throws if ARGOS_ASSERT does and the handle is stale. HANDLE has a Slot and a Generation. */
-  template <typename HANDLE>
-  void Check([[maybe_unused]] const HANDLE& handle) const {
+  /** Throws if ARGOS_ASSERT does and the handle is stale. */
+  void Check([[maybe_unused]] const SSlotHandle& handle) const {
     ARGOS_ASSERT(IsCurrent(handle.Slot, handle.Generation), "stale handle of a body: generation "
                                                                 << handle.Generation << " of slot "
                                                                 << handle.Slot << ", among "

@@ -67,7 +67,13 @@ std::string CFrameWriter::Describe(int width, int height, std::uint32_t every) c
 
 void CFrameWriter::Write(const SPicture& picture, std::uint32_t tick) {
   const std::string fileName = MakeFileName(tick);
-  const std::string content = EncodeImage(*MakeBitmap(picture), m_format, m_flags);
+  ARGOS_ASSERT(picture.Width > 0 && picture.Height > 0,
+               "a picture of " << picture.Width << "x" << picture.Height << " pixels");
+  // rows are stored from top to bottom
+  const std::ptrdiff_t rowBytes = 4 * static_cast<std::ptrdiff_t>(picture.Width);
+  const SPixelView pixels{static_cast<size_t>(picture.Width), static_cast<size_t>(picture.Height),
+                          picture.At(0, picture.Height - 1), -rowBytes, 4};
+  const std::string content = EncodeImage(pixels, m_format);
   std::string problem;
   if (!ReplaceFile(fileName, content, problem)) {
     THROW_ARGOSEXCEPTION("The frame \"" << fileName << "\" cannot be written: " << problem);

@@ -393,6 +393,9 @@ void CRenderer::DrawBatches(const CInstanceBatches::TBatches& batches, const CGl
 
 void CRenderer::DrawInstances(EMeshKind kind, size_t level, const SMeshInstance* instances,
                               size_t count) {
+  ARGOS_ASSERT(static_cast<size_t>(kind) < m_meshes.size() &&
+                   level < m_meshes[static_cast<size_t>(kind)].size(),
+               "there is no mesh of kind " << static_cast<int>(kind) << " and level " << level);
   const SMeshRange& range = m_meshes[static_cast<size_t>(kind)][level];
   m_meshInstances.Fill(instances, count);
   m_gl.DrawElementsInstanced(GL_TRIANGLES, range.NumIndices, GL_UNSIGNED_INT,

@@ -4,6 +4,7 @@
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/simulator/visualization/overlay.h>
+#include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/plugins/simulator/entities/value_checks.h>
 #include <argos3/plugins/simulator/visualizations/overlays/overlay_attributes.h>
 #include <argos3/plugins/simulator/visualizations/overlays/robots_in_view.h>
@@ -114,6 +115,7 @@ void CTrailsOverlay::DrawTrail(const STrail& trail, UInt32 tick, CDrawing& drawi
   const std::deque<SPoint>& points = trail.Points;
   for (size_t i = 1; i < points.size(); ++i) {
     if (!points[i].IsStart) {
+      ARGOS_ASSERT(i > 0, "the first point of a trail has no line");
       drawing.DrawLine(points[i - 1].Position, points[i].Position,
                        ComputeColor(trail, tick - points[i].Tick), m_width);
     }

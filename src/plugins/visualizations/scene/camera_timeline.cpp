@@ -87,6 +87,8 @@ SCameraPlacement CCameraTimeline::ComputeAt(std::uint32_t tick) const {
   if (!current.Interpolate || !hasSuccessor) {
     return m_placements[current.Placement];
   }
+  ARGOS_ASSERT(current.Step <= step,
+               "a keyframe of step " << current.Step << " counts in step " << step);
   const SKeyframe& successor = m_keyframes[next % count];
   const bool wraps = next == 0 || next == count;
   const std::uint64_t end = std::uint64_t{successor.Step} + (wraps ? m_loop : 0);

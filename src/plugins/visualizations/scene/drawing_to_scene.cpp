@@ -1,6 +1,7 @@
 #include <argos3/plugins/simulator/visualizations/scene/drawing_to_scene.h>
 
 #include <argos3/core/simulator/visualization/drawing.h>
+#include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/math/eigen_bridge.h>
 #include <argos3/plugins/simulator/visualizations/scene/scene_parts.h>
 #include <argos3/plugins/simulator/visualizations/scene/triangulation.h>
@@ -117,6 +118,7 @@ class CSceneDrawer {
     TCorners corners;
     corners.reserve(shape.Count);
     for (std::size_t i = shape.First; i < std::size_t{shape.First} + shape.Count; ++i) {
+      ARGOS_ASSERT(i < m_drawing.GetCorners().size(), "a drawing has no corner number " << i);
       const CVector2& corner = m_drawing.GetCorners()[i];
       corners.emplace_back(corner.GetX(), corner.GetY());
     }

@@ -96,6 +96,8 @@ void CEntityTable::Remove(const std::vector<UInt32>& removed, SChange& change) {
     THROW_ARGOSEXCEPTION("it removes entity number " << removed.back() << " of "
                                                      << m_entities.size());
   }
+  ARGOS_ASSERT(std::is_sorted(removed.begin(), removed.end()),
+               "numbers of removed entities ascend");
   size_t next = 0;
   size_t kept = 0;
   for (size_t i = 0; i < m_entities.size(); ++i) {

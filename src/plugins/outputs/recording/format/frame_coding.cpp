@@ -77,6 +77,7 @@ void CFrameEncoder::Resize(const CEntityTable::SChange& change) {
     m_poses.Restart(0);
     m_words.clear();
   } else if (!change.RemovedPoses.empty() || !change.RemovedWords.empty()) {
+    ARGOS_ASSERT(change.RemovedWords.size() == m_words.size(), "flags of another number of words");
     m_poses.Remove(change.RemovedPoses);
     size_t kept = 0;
     for (size_t i = 0; i < m_words.size(); ++i) {
@@ -95,6 +96,8 @@ void CFrameEncoder::Resize(const CEntityTable::SChange& change) {
 }
 
 void CFrameEncoder::EncodeWords(const std::vector<UInt32>& words, CByteWriter& out) {
+  ARGOS_ASSERT(words.size() == m_words.size(),
+               words.size() << " words, but entities have " << m_words.size());
   CSparseWriter sparse(out);
   for (size_t i = 0; i < words.size(); ++i) {
     sparse.Write(words[i] ^ m_words[i]);
@@ -234,6 +237,7 @@ void CFrameDecoder::ReadEntities(CByteReader& in) {
     m_poses.Restart(0);
     words.clear();
   } else if (!change.RemovedPoses.empty() || !change.RemovedWords.empty()) {
+    ARGOS_ASSERT(change.RemovedWords.size() == words.size(), "flags of another number of words");
     m_poses.Remove(change.RemovedPoses);
     size_t kept = 0;
     for (size_t i = 0; i < words.size(); ++i) {
@@ -314,6 +318,9 @@ void CNamedColumns::Decode(std::vector<SRecordedColumn>& columns, size_t numEnti
 
 void WriteFloorChange(const SRecordedFloor& before, const SRecordedFloor& now, CByteWriter& out) {
   ARGOS_ASSERT(before.Width == now.Width && before.Height == now.Height, "another size of floor");
+  ARGOS_ASSERT(now.Width == before.Width && now.Height == before.Height &&
+                   now.Pixels.size() == before.Pixels.size(),
+               "only floors of equal size have changes");
   const size_t rowBytes = now.Width * kBytesPerPixel;
   const auto isSame = [&](size_t row) {
     return now.Pixels.compare(row * rowBytes, rowBytes, before.Pixels, row * rowBytes, rowBytes) ==

@@ -66,6 +66,7 @@ void CPoseColumns::Encode(std::span<const SBodyPose> poses, CByteWriter& out) {
     for (size_t i = 0; i < poses.size(); ++i) {
       m_values[i] = ToRecorded(get(poses[i]), m_precision);
     }
+    ARGOS_ASSERT(number < kNumbers, "a pose has no number " << number);
     m_columns[number].Encode(m_values, out);
   };
   encode(0, [](const SBodyPose& pose) { return pose.Position.GetX(); });
