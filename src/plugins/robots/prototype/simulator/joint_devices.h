@@ -11,6 +11,26 @@
 
 namespace argos {
 
+/** For the manuals of devices: a robot that has a joint. */
+inline constexpr char kRobotWithJoint[] = R"(
+on a robot with such a joint:
+
+  <prototype id="p0">
+    <body position="0,0,0" />
+    <controller config="c1" />
+    <links ref="base">
+      <link id="base" geometry="box" size="0.1,0.1,0.05" mass="0.5" />
+      <link id="arm" geometry="box" size="0.1,0.02,0.02" mass="0.1" />
+    </links>
+    <joints>
+      <joint id="hinge" type="revolute" axis="0,1,0">
+        <parent link="base" position="0,0,0.06" />
+        <child link="arm" />
+      </joint>
+    </joints>
+  </prototype>
+)";
+
 /**
  * Reads the children `<joint id="..." mode="..." />` of a device.
  * @tparam INTERFACE  has the enumeration EMode.

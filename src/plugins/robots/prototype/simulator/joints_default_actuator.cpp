@@ -52,24 +52,7 @@ are 0 at the start and after a reset.
 )" + RequiredActuatorXML(R"(<joints implementation="default">
           <joint id="hinge" mode="position" max_impulse="0.01" />
         </joints>)") +
-        R"(
-on a robot with such a joint:
-
-  <prototype id="p0">
-    <body position="0,0,0" />
-    <controller config="c1" />
-    <links ref="base">
-      <link id="base" geometry="box" size="0.1,0.1,0.05" mass="0.5" />
-      <link id="arm" geometry="box" size="0.1,0.02,0.02" mass="0.1" />
-    </links>
-    <joints>
-      <joint id="hinge" type="revolute" axis="0,1,0">
-        <parent link="base" position="0,0,0.06" />
-        <child link="arm" />
-      </joint>
-    </joints>
-  </prototype>
-
+        kRobotWithJoint + R"(
   joint@id           text, required: of a revolute or prismatic joint of the robot.
   joint@mode         "position", "velocity" or "disabled", required. A disabled joint moves freely.
   joint@max_impulse  N m s or N s, >= 0, required: the greatest impulse of the motor in a substep of the length that the

@@ -50,24 +50,7 @@ revolute joint, counter-clockwise about its axis, and m and m/s of a prismatic o
 )" + RequiredSensorXML(R"(<joints implementation="default">
           <joint id="hinge" mode="position" />
         </joints>)") +
-        R"(
-on a robot with such a joint:
-
-  <prototype id="p0">
-    <body position="0,0,0" />
-    <controller config="c1" />
-    <links ref="base">
-      <link id="base" geometry="box" size="0.1,0.1,0.05" mass="0.5" />
-      <link id="arm" geometry="box" size="0.1,0.02,0.02" mass="0.1" />
-    </links>
-    <joints>
-      <joint id="hinge" type="revolute" axis="0,1,0">
-        <parent link="base" position="0,0,0.06" />
-        <child link="arm" />
-      </joint>
-    </joints>
-  </prototype>
-
+        kRobotWithJoint + R"(
   joint@id    text, required: of a revolute or prismatic joint of the robot.
   joint@mode  "position", "velocity" or "disabled", required. The reading of a disabled encoder is 0.
 )",
