@@ -24,11 +24,31 @@ describe_build() {
   echo "$id $version $type $(uname -m)"
 }
 
-compute() { # compute <arguments of argos3>: prints the digest
-  local output words
+run_in_work() { # run_in_work PROGRAM ARGUMENT...: prints what the program prints
+  (cd "$work" && "$build/bin/$1" "${@:2}" 2>&1) || die "$* failed"
+}
+
+compute() { # compute <arguments of argos3>, or <campaign FILE>: prints the digest of the final state, and of the files in out/
+  local output words digest files
   read -ra words <<<"$1"
-  output="$(cd "$work" && "$build/bin/argos3" "${words[@]}" 2>&1)" || die "argos3 $1 failed:" "$output"
-  sed -n 's/^digest: //p' <<<"$output" | grep -E '^[0-9a-f]{16}$' || die "argos3 $1 printed no digest:" "$output"
+  rm -rf -- "$work/out"
+  if [[ "${words[0]}" == campaign ]]; then
+    output="$(run_in_work argos3-campaign run "${words[1]}" && run_in_work argos3-campaign report "${words[1]}" -o out &&
+      run_in_work argos3-campaign export "${words[1]}" --csv out)" || die "$output"
+  else
+    output="$(run_in_work argos3 "${words[@]}")" || die "$output"
+  fi
+  digest="$(sed -n 's/^digest: \([0-9a-f]\{16\}\)$/\1/p' <<<"$output")"
+  # not runs.csv, which has times, nor pictures, which depend on other programs
+  files="$(cd "$work" && find out -name runs.csv -o -regex '.*[.]\(csv\|dat\|gp\|html\|pov\|ppm\)' -print 2>/dev/null | LC_ALL=C sort)" || true
+  if [[ "$files" ]]; then
+    # versions, times and the memory that was used are no results
+    digest="$({
+      echo "$digest" "$files"
+      cd "$work" && xargs sed -e '/^# argos3 /d; /<svg/,/<\/svg>/d; /runs from /d; / time of all /d; / MiB</d' <<<"$files"
+    } | sha256sum | cut -c 1-16)"
+  fi
+  echo "${digest:?"$1: neither a digest was printed nor a file written into out/"}"
 }
 
 this_build="$(describe_build)"
@@ -43,6 +63,8 @@ differences=0
 work="$(mktemp -d)"
 trap 'rm -rf -- "$work"' EXIT
 ln -s "$repo/experiments" "$repo/src" "$work"
+# a campaign writes beside its file
+cp "$repo"/src/testing/scenes/campaign/* "$work"
 new="$work/digests.txt"
 while IFS= read -r line; do
   if [[ "$line" == build:* ]]; then
@@ -54,10 +76,10 @@ while IFS= read -r line; do
     line="$digest  $arguments"
     if [[ "$digest" != "$expected" ]]; then
       differences=$((differences + 1))
-      echo "  argos3 $arguments: the digest is $digest, pinned is $expected"
+      echo "  $arguments: the digest is $digest, pinned is $expected"
     fi
   elif [[ -n "$line" && "$line" != \#* ]]; then
-    die "$pinned: '$line' is neither '<digest> <arguments of argos3>' nor 'build: <compiler>'"
+    die "$pinned: '$line' is neither '<digest> <arguments of argos3>', '<digest> campaign <file>' nor 'build: <compiler>'"
   fi
   printf '%s\n' "$line" >>"$new"
 done <"$pinned"
