@@ -49,6 +49,15 @@ std::string MakeControllers(const std::string& arena) {
     controllers += "<lua_controller id='idler'><actuators/><sensors/><params script='" + folder +
                    "stand.lua'/></lua_controller>";
   }
+  if (arena.find("config='seer'") != std::string::npos) {
+    controllers +=
+        "<lua_controller id='seer'><actuators/><sensors>"
+        "<footbot_proximity implementation='default' show_rays='true'/>"
+        "<footbot_light implementation='rot_z_only' show_rays='true'/>"
+        "<colored_blob_omnidirectional_camera implementation='rot_z_only' medium='leds' "
+        "show_rays='true'/></sensors><params script='" +
+        folder + "stand.lua'/></lua_controller>";
+  }
   return controllers;
 }
 
@@ -193,6 +202,66 @@ TEST_CASE("golden pictures: overlays", "[golden][visualizations]") {
       "<controller config='driver'/></foot-bot>";
   const SSubject named{"overlay_" + name, robots, 1.0};
   CheckLike(named.Name, Draw(named, "", "<overlays>" + overlay + "</overlays>", 2.0));
+}
+
+TEST_CASE("golden pictures: views of a full arena", "[golden][visualizations]") {
+  const std::string arena =
+      "<floor id='g' source='image' path='" +
+      InSourceTree("src/testing/scenario/golden/floor.ppm") +
+      "'/><light id='l' position='0.4,0.5,0.5' color='yellow' intensity='1' medium='leds'/>"
+      "<light id='off' position='-0.4,0.7,0.3' color='cyan' intensity='0' medium='leds'/>"
+      "<box id='b' size='0.3,0.1,0.2' movable='false'><body position='-0.6,-0.6,0' "
+      "orientation='20,0,0'/></box>"
+      "<cylinder id='c' radius='0.1' height='0.3' movable='false'><body position='0.6,-0.6,0.3' "
+      "orientation='0,70,30'/></cylinder>"
+      "<prototype id='gem' movable='false'><body position='-0.6,0.5,0.1' orientation='10,20,30'/>"
+      "<links ref='l'><link id='l' geometry='convex_hull' mass='1'>(0.2,0,0)(-0.1,0.2,0)"
+      "(-0.15,-0.15,0)(0.05,0.02,0.15)(0,0,-0.1)</link></links></prototype>"
+      "<prototype id='ball' movable='false'><body position='0.1,0.7,0'/>"
+      "<links ref='l'><link id='l' geometry='sphere' radius='0.1' mass='1'/></links></prototype>"
+      "<pipuck id='p'><body position='0.3,0.1,0'/><controller config='idler'/></pipuck>"
+      "<foot-bot id='s'><body position='-0.1,0.2,0'/><controller config='seer'/></foot-bot>"
+      "<foot-bot id='f'><body position='-0.35,-0.2,0'/><controller config='driver'/></foot-bot>"
+      "<foot-bot id='t'><body position='0.1,-0.4,0' orientation='70,0,0'/>"
+      "<controller config='driver'/></foot-bot>"
+      "<eye-bot id='y'><body position='0.5,-0.1,0.4'/><controller config='idler'/></eye-bot>";
+  const std::string overlays =
+      "<overlays><headings/><trails duration='1'/><links/><ids size='8'/><scale_bar size='8'/>"
+      "<clock size='8' corner='bottom_right'/></overlays>";
+  struct SView {
+    std::string Name, Attributes, Children;
+  };
+  const SView view = GENERATE_COPY(
+      SView{"light", "", "<camera view='oblique'/>" + overlays},
+      SView{"dark", "look='dark' samples='16'", "<camera view='oblique' lens_focal_length='90'/>"},
+      SView{"parallel", "show_grid='false' samples='2'",
+            "<camera view='corner' fit='contents' projection='orthographic' margin='0.1'/>"},
+      SView{"side", "show_rays='false' show_boundary='false'", "<camera view='side'/>"},
+      SView{"front", "look='dark'", "<camera view='front' fit='contents'/>" + overlays},
+      SView{"follow", "samples='1'", "<camera view='top' follow='s' reach='0.3'/>"},
+      SView{"near", "",
+            "<camera><placements><placement index='0' position='-0.5,-0.4,0.15' "
+            "look_at='0,0.1,0.1' up='0.1,0,1' lens_focal_length='18'/></placements></camera>"},
+      SView{"timeline", "",
+            "<camera><placements><placement index='0' position='-1,-1,1' look_at='0,0,0'/>"
+            "<placement index='1' position='1,-1,0.5' look_at='0.2,0,0' orthographic_height='1'/>"
+            "<placement index='2' position='2,1,1.5' look_at='0,0.1,0' lens_focal_length='40'/>"
+            "</placements><timeline loop='40'><keyframe placement='0' step='0'/><interpolate/>"
+            "<keyframe placement='2' step='30'/></timeline></camera>"});
+  CAPTURE(view.Name);
+  const SSubject named{"view_" + view.Name, arena, 2.0};
+  CheckLike(named.Name, Draw(named, view.Attributes, view.Children, 1.0));
+}
+
+TEST_CASE("golden pictures: ground with a texture", "[golden][visualizations]") {
+  const SSubject named{"view_texture",
+                       "<box id='b' size='0.3,0.1,0.2' movable='false'><body position='0,0,0'/>"
+                       "</box>",
+                       1.0};
+  CheckLike(named.Name, Draw(named,
+                             "ground_texture_size='0.4' ground_texture='" +
+                                 InSourceTree("src/testing/scenario/golden/floor.ppm") + "'",
+                             "<camera view='corner'/>"));
 }
 
 TEST_CASE("golden pictures: a picture in which little has changed is noticed",
