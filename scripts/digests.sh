@@ -28,25 +28,43 @@ run_in_work() { # run_in_work PROGRAM ARGUMENT...: prints what the program print
   (cd "$work" && "$build/bin/$1" "${@:2}" 2>&1) || die "$* failed"
 }
 
-compute() { # compute <arguments of argos3>, or <campaign FILE>: prints the digest of the final state, and of the files in out/
+# stands for gnuplot: keeps its scripts and data, and writes pictures of nothing
+install_gnuplot() {
+  mkdir "$work/bin" "$work/out" "$work/kept"
+  cat >"$work/bin/gnuplot" <<EOF
+#!/bin/sh
+cp -- *.gp *.dat "$work/out"
+sed -n "s/^set output '\\(.*\\)'.*/\\1/p" "\$2" | while read -r picture; do echo '<svg></svg>' >"\$picture"; done
+EOF
+  chmod +x "$work/bin/gnuplot"
+  export PATH="$work/bin:$PATH"
+}
+
+# prints the digest of the final state, and of the files in out/, which go to kept/ then
+compute() { # compute <arguments of argos3>, <campaign FILE> or <plot ARGUMENT...>
   local output words digest files
   read -ra words <<<"$1"
   rm -rf -- "$work/out"
-  if [[ "${words[0]}" == campaign ]]; then
+  mkdir "$work/out"
+  if [[ "${words[0]}" == plot ]]; then
+    output="$(run_in_work argos3-plot "${words[@]:1}")" || die "$output"
+  elif [[ "${words[0]}" == campaign ]]; then
     output="$(run_in_work argos3-campaign run "${words[1]}" && run_in_work argos3-campaign report "${words[1]}" -o out &&
-      run_in_work argos3-campaign export "${words[1]}" --csv out)" || die "$output"
+      run_in_work argos3-campaign export "${words[1]}" --csv out --json out/all.json)" || die "$output"
   else
     output="$(run_in_work argos3 "${words[@]}")" || die "$output"
   fi
   digest="$(sed -n 's/^digest: \([0-9a-f]\{16\}\)$/\1/p' <<<"$output")"
   # not runs.csv, which has times, nor pictures, which depend on other programs
-  files="$(cd "$work" && find out -name runs.csv -o -regex '.*[.]\(csv\|dat\|gp\|html\|pov\|ppm\)' -print 2>/dev/null | LC_ALL=C sort)" || true
+  files="$(cd "$work" && find out -regex '.*[.]\(csv\|dat\|gp\|html\|json\|pov\|ppm\)' ! -name runs.csv 2>/dev/null | LC_ALL=C sort)" || true
   if [[ "$files" ]]; then
     # versions, times and the memory that was used are no results
     digest="$({
       echo "$digest" "$files"
-      cd "$work" && xargs sed -e '/^# argos3 /d; /<svg/,/<\/svg>/d; /runs from /d; / time of all /d; / MiB</d' <<<"$files"
+      cd "$work" && xargs sed -E -e '/^# argos3 /d; /<svg/,/<\/svg>/d; /runs from /d; / time of all /d; / MiB</d' \
+        -e 's/"(id|start_up|wall|cpu|total_wall|memory|started|machine|version)": [^,]*//g' <<<"$files"
     } | sha256sum | cut -c 1-16)"
+    cp -r "$work/out/." "$work/kept"
   fi
   echo "${digest:?"$1: neither a digest was printed nor a file written into out/"}"
 }
@@ -65,6 +83,7 @@ trap 'rm -rf -- "$work"' EXIT
 ln -s "$repo/experiments" "$repo/src" "$work"
 # a campaign writes beside its file
 cp "$repo"/src/testing/scenes/campaign/* "$work"
+install_gnuplot
 new="$work/digests.txt"
 while IFS= read -r line; do
   if [[ "$line" == build:* ]]; then
