@@ -1,10 +1,7 @@
 """Which test programs notice changes of a source: see choose_programs()."""
 
-import re
-
-# scripts/digests.sh, which compares the digests of scenes, and of what they write, with pinned ones
+# scripts/digests.sh, which compares digests with pinned ones
 DIGESTS = "digests"
-_SEEN = "compat|core|plugins|run|support"
 
 # By the first folders of a source below src/: those that test it, then wider ones that use it, which only run if the earlier
 # ones pass. So the cheap ones come first.
@@ -63,7 +60,6 @@ def choose_programs(path: str) -> list[str]:
     while folder not in PROGRAMS:
         folder = folder.rpartition("/")[0]
     programs = PROGRAMS[folder].split()
-    # whatever can change the final state of a scene, tables, recordings or pictures; takes seconds
-    if re.match(_SEEN, folder):
-        programs.insert(1, DIGESTS)
+    # takes seconds, and sees the final state of scenes, tables, figures, scenes of POV-Ray and texts
+    programs.insert(1, DIGESTS)
     return programs
