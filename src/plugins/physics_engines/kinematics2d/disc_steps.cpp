@@ -358,7 +358,11 @@ bool CDiscSwarm::LimitByFootprints(const SActiveDisc& active, const CCellLists& 
     const SSeparation separation = SeparateFromFootprint(x, y, target.Radius, missing, footprint);
     Real push = 0.0;
     if (separation.Gap < -kMaxRounding) {
-      push = -separation.Gap;
+      // a wall undoes what the robot drives into it, too: it would stay inside by that much
+      const Real ahead = firstId != kFirstWall
+                             ? 0.0
+                             : separation.NormalX * missing.X + separation.NormalY * missing.Y;
+      push = -separation.Gap + std::max(0.0, ahead);
       target.Depth = std::max(target.Depth, -separation.Gap);
     }
     const Real limit = std::max(0.0, separation.Gap);

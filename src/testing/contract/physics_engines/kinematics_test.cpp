@@ -488,6 +488,24 @@ TEST_CASE("kinematics: a robot deep inside a wall leaves it as fast while it dri
   CHECK(world.Position("r").GetX() - start >= 0.3 - 1e-6);
 }
 
+TEST_CASE("kinematics: a robot deep inside a wall leaves it, whichever way it drives",
+          "[contract][engine][kinematics]") {
+  // 0.1 m/s into the wall, along it and out of it; its edge is 0.1 m inside
+  const Real angle = GENERATE(0.0, 30.0, 90.0, 135.0, 180.0);
+  CAPTURE(angle);
+  CDriveWorld world(kEngine, WallXml("wall", "2,40,0.5", 1, 0) +
+                                 DriverXml("e-puck", "r", 0.1 - kEPuckRadius, 0, angle, 10, 10));
+  for (int tick = 1; tick <= 40; ++tick) {
+    world.Step();
+  }
+  const Real speed = std::cos(ToRadians(CDegrees(angle)).GetValue());
+  if (speed >= 0.0) {
+    CHECK_THAT(world.Position("r").GetX(), WithinAbs(-kEPuckRadius, 1e-5));
+  } else {
+    CHECK(world.Position("r").GetX() < -kEPuckRadius - 0.2 * std::abs(speed));
+  }
+}
+
 TEST_CASE("kinematics: a robot inside two walls may move by its depth in the deeper one",
           "[contract][engine][kinematics]") {
   // 0.06 m inside of one, 0.002 m of the other: a radius in the first tick, the rest in the second
