@@ -324,15 +324,16 @@ bool CDiscSwarm::LimitByDiscs(const SActiveDisc& active, const std::vector<SStep
     if (offset.X == 0.0 && offset.Y == 0.0 && disc.Slot > neighbour.Slot) {
       separation.NormalX = -separation.NormalX;
     }
-    Real push = 0.0;
-    if (separation.Gap < -kMaxRounding) {
-      push = -0.5 * separation.Gap;
-      target.Depth = std::max(target.Depth, -separation.Gap);
-    }
     const Real mine =
         std::max(0.0, separation.NormalX * missing.X + separation.NormalY * missing.Y);
     const Real theirs =
         std::max(0.0, -separation.NormalX * missingThere.X - separation.NormalY * missingThere.Y);
+    Real push = 0.0;
+    if (separation.Gap < -kMaxRounding) {
+      // also what the robot drives into the other: they would stay in each other by that much
+      push = mine - 0.5 * separation.Gap;
+      target.Depth = std::max(target.Depth, -separation.Gap);
+    }
     const Real limit = ShareGap(std::max(0.0, separation.Gap), mine, theirs);
     return limit < bound &&
            !planes.Add({separation.NormalX, separation.NormalY, limit, neighbour.Slot, push});

@@ -506,6 +506,17 @@ TEST_CASE("kinematics: a robot deep inside a wall leaves it, whichever way it dr
   }
 }
 
+TEST_CASE("kinematics: robots in each other separate although they drive into each other",
+          "[contract][engine][kinematics]") {
+  CDriveWorld world(kEngine, DriverXml("e-puck", "a", 0, 0, 0, 10, 10) +
+                                 DriverXml("e-puck", "b", 0.04, 0, 180, 10, 10));
+  for (int tick = 1; tick <= 10; ++tick) {
+    world.Step();
+  }
+  CHECK_THAT(world.Position("b").GetX() - world.Position("a").GetX(),
+             WithinAbs(2.0 * kEPuckRadius, 1e-5));
+}
+
 TEST_CASE("kinematics: a robot inside two walls may move by its depth in the deeper one",
           "[contract][engine][kinematics]") {
   // 0.06 m inside of one, 0.002 m of the other: a radius in the first tick, the rest in the second
