@@ -67,7 +67,9 @@ compute() { # compute <arguments of argos3>, <campaign FILE> or <plot ARGUMENT..
     cp -r "$work/out/." "$work/kept"
   fi
   if [[ ! "$digest" && "$1" =~ ^(-q|--schema|--generate)\  ]]; then
-    digest="$(grep -vE '20[0-9]{2}[.-]' <<<"$output" | sha256sum | cut -c 1-16)"
+    # without paths of this checkout and versions
+    output="${output//"$build"/}"
+    digest="$(grep -vE '20[0-9]{2}[.-]' <<<"${output//"$repo"/}" | sha256sum | cut -c 1-16)"
   fi
   echo "${digest:?"$1: neither a digest was printed nor a file written into out/"}"
 }
