@@ -136,8 +136,7 @@ TOptions MakeOutputOptions() {
        &STexts::LogLevel,
        kOutput,
        "least important lines in the logs: error, warning, info (the default), or debug, which "
-       "adds "
-       "the libraries that are loaded",
+       "adds the libraries that are loaded and the driver of OpenGL",
        EUse::Run,
        EWords::Listed,
        {"error", "warning", "info", "debug"}},

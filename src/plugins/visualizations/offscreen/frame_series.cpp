@@ -40,9 +40,12 @@ CFrameSeries::~CFrameSeries() = default;
 
 void CFrameSeries::Announce() const {
   const SRenderSettings& render = m_settings.Render;
-  CLogControl::Notify(m_settings.Announcement +
-                      m_sink->Describe(render.Width, render.Height, m_settings.Every) + " (" +
-                      m_pipeline->DescribeDriver() + ")");
+  std::string text =
+      m_settings.Announcement + m_sink->Describe(render.Width, render.Height, m_settings.Every);
+  if (CLogControl::GetLevel() == ELogLevel::Debug) {
+    text += " (" + m_pipeline->DescribeDriver() + ")";
+  }
+  CLogControl::Notify(text);
 }
 
 void CFrameSeries::Begin() {

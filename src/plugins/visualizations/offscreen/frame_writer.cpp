@@ -61,7 +61,7 @@ std::string CFrameWriter::Describe(int width, int height, std::uint32_t every) c
   } else {
     text << every << " ticks";
   }
-  text << ", to " << MakeFileName(0) << " and following";
+  text << ", to " << MakeFileName(0) << ", ...";
   return text.str();
 }
 

@@ -2,6 +2,7 @@
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/simulator/outputs/run_output.h>
 #include <argos3/core/utility/logging/argos_log.h>
+#include <argos3/core/utility/logging/log_control.h>
 #include <argos3/core/utility/plugins/factory.h>
 #include <argos3/testing/support/temporary_folder.h>
 
@@ -82,6 +83,20 @@ TEST_CASE("offscreen: frames show the first state, every n-th tick, and the last
   CHECK(folder.List("new") ==
         std::vector<std::string>{Frame("0"), Frame("4"), Frame("8"), Frame("10")});
   CHECK_THAT(log.GetText(), Contains("64x48") && Contains("every 4 ticks"));
+}
+
+TEST_CASE("offscreen: the log names the driver of OpenGL only at the level debug",
+          "[visualizations][offscreen]") {
+  for (const ELogLevel level : {ELogLevel::Info, ELogLevel::Debug}) {
+    const CTemporaryFolder folder;
+    CLogCapture log(LOGERR);
+    CLogControl::SetLevel(level);
+    CExperiment experiment("<offscreen directory='" + folder.GetPath() + "' size='64x48'/>");
+    experiment.GetSimulator().Execute();
+    CLogControl::SetLevel(ELogLevel::Info);
+    CHECK_THAT(log.GetText(), Contains("64x48"));
+    CHECK((log.GetText().find("OpenGL") != std::string::npos) == (level == ELogLevel::Debug));
+  }
 }
 
 TEST_CASE("offscreen: a frame has the requested size", "[visualizations][offscreen]") {
