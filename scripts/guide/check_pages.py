@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Runs the commands of the guide's pages, and checks their listings, links and expected outputs.
 
-    check_pages.py REPOSITORY PREFIX [PAGE]...     by default all pages of doc/guide/
+    check_pages.py [--pictures] REPOSITORY PREFIX [PAGE]...     by default all pages of doc/guide/
 
 A page's commands run in a copy of examples/ and experiments/, with PREFIX/bin in the PATH, in the order of the page, in
 one shell. A fenced block is one of these, by the words after its language:
@@ -15,6 +15,9 @@ one shell. A fenced block is one of these, by the words after its language:
 
 Hidden commands, for checks, are comments that begin with "<!--sh" and end with "-->"; GUIDE_REPOSITORY and GUIDE_PREFIX
 are the two folders.
+
+The comment "<!--picture FILE-->" says that the picture or film in the next line is FILE, which the commands above it have
+made. pictures.py compares the two; with --pictures it makes the page's picture from FILE instead.
 """
 import concurrent.futures
 import functools
@@ -28,8 +31,12 @@ import tempfile
 import threading
 import time
 
+import pictures
+
 FENCE = re.compile(r"^```(\w*) ?(.*)$")
 LINK = re.compile(r"\]\(([^)#\s]*)(#[^)\s]*)?\)")
+PICTURE = re.compile(r"<!--picture (\S+)-->$")
+SHOWN = re.compile(r"!\[[^\]]+\]\((\S+)\)$")
 # runs a block; the status is that of its last command that failed, if any
 RUN_BLOCK = "failed=0; trap 'failed=$?' ERR; . {block} </dev/null >{output} 2>&1; trap - ERR; echo $failed >&3\n"
 
@@ -55,8 +62,10 @@ def can_be_had(need):
 
 
 class Block:
-    def __init__(self, line, language, words, text):
+    def __init__(self, line, language, words, text, made=None, shown=None):
         self.line = line
+        self.made = made  # for a picture: the file that commands have made, and the one that the page shows
+        self.shown = shown
         self.language = language
         self.options = dict(word.partition("=")[::2] for word in words.split())
         self.text = text
@@ -66,9 +75,15 @@ def read_blocks(page):
     """The fenced blocks and hidden commands of a page, in order."""
     blocks = []
     start, words, lines = 0, None, []
-    for number, line in enumerate(page.read_text().split("\n"), 1):
+    text = page.read_text().split("\n")
+    for number, line in enumerate(text, 1):
         match = FENCE.match(line)
-        if words is None and (match or line == "<!--sh"):
+        if words is None and (made := PICTURE.match(line)):
+            shown = SHOWN.match(text[number]) if number < len(text) else None
+            if not shown:
+                raise PageError(f"line {number}: no picture follows")
+            blocks.append(Block(number, "picture", "", "", made[1], page.parent / shown[1]))
+        elif words is None and (match or line == "<!--sh"):
             start, words, lines = number, match.groups() if match else ("sh", "hidden"), []
         elif words is not None and line == ("-->" if words[1] == "hidden" else "```"):
             blocks.append(Block(start, words[0], words[1], "\n".join(lines) + "\n"))
@@ -148,10 +163,22 @@ class Shell:
         self.status.close()
 
 
-def check_block(block, shell, repository, printed):
+def check_picture(block, shell, makes_pictures):
+    made = pathlib.Path(shell.run("pwd")[1].strip()) / block.made
+    try:
+        if makes_pictures:
+            pictures.make(made, block.shown)
+        pictures.check(made, block.shown)
+    except pictures.PictureError as problem:
+        raise PageError(problem) from problem
+
+
+def check_block(block, shell, repository, printed, makes_pictures):
     """@return what the block has printed, LEFT_OUT, or None."""
     options = block.options
-    if "untested" in options:
+    if block.language == "picture":
+        check_picture(block, shell, makes_pictures)
+    elif "untested" in options:
         if not options["untested"]:
             raise PageError("untested= needs a reason")
     elif "from" in options:
@@ -178,7 +205,7 @@ def check_block(block, shell, repository, printed):
     return None
 
 
-def check_page(page, repository, prefix):
+def check_page(page, repository, prefix, makes_pictures=False):
     """@return the text of an error, or an empty one; and the time, s."""
     began = time.monotonic()
     error = ""
@@ -192,7 +219,7 @@ def check_page(page, repository, prefix):
             printed = None
             for block in read_blocks(page):
                 line = block.line
-                printed = check_block(block, shell, repository, printed)
+                printed = check_block(block, shell, repository, printed, makes_pictures)
             line = 1
             check_links(page)
         except (PageError, OSError) as problem:
@@ -202,12 +229,15 @@ def check_page(page, repository, prefix):
 
 
 def main():
-    repository, prefix = (pathlib.Path(argument).resolve() for argument in sys.argv[1:3])
-    pages = [pathlib.Path(name).resolve() for name in sys.argv[3:]]
+    arguments = [argument for argument in sys.argv[1:] if argument != "--pictures"]
+    makes_pictures = len(arguments) < len(sys.argv) - 1
+    repository, prefix = (pathlib.Path(argument).resolve() for argument in arguments[:2])
+    pages = [pathlib.Path(name).resolve() for name in arguments[2:]]
     pages = pages or sorted((repository / "doc/guide").glob("*.md"))
     failed = 0
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        for page, (error, seconds) in zip(pages, pool.map(lambda page: check_page(page, repository, prefix), pages)):
+        checks = pool.map(lambda page: check_page(page, repository, prefix, makes_pictures), pages)
+        for page, (error, seconds) in zip(pages, checks):
             print(f"  {page.name}: {seconds:.0f} s" if not error else error, flush=True)
             failed += bool(error)
     print(f"{failed} of {len(pages)} pages failed" if failed else f"{len(pages)} pages do what they say")

@@ -10,6 +10,8 @@ import unittest
 import check_pages
 
 REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
+# a page with a picture that its command makes; the page's file is in the folder of the page
+MADE = "```sh\nffmpeg -v error -f lavfi -i color={} -frames:v 1 a.png\n```\n<!--picture a.png-->\n![a](a.png)\n"
 RIGHT = {
     "state is kept": "```sh\nx=1; cd examples\n```\n```sh\necho $x; ls -d povray\n```\n```text\n1\npovray\n```\n",
     "lines left out": "```sh\nprintf 'a\\nb\\nc\\n'\n```\n```text\n...\nc\n```\n",
@@ -36,6 +38,8 @@ WRONG = {
     "no end": "```sh\ntrue\n",
     "the shell ends": "```sh\nexit 0\n```\n",
     "link": "[a](none.md)\n",
+    "picture without a file": "<!--picture none.png-->\n![a](none.png)\n",
+    "picture that is not shown": "<!--picture none.png-->\n\n![a](none.png)\n",
     "anchor": "[a](page.md#none)\n\n## A title\n",
 }
 
@@ -51,6 +55,20 @@ class TestPages(unittest.TestCase):
         for name, text in RIGHT.items():
             with self.subTest(name):
                 self.assertEqual(self.check(text), "")
+
+    def test_pictures_are_made_and_compared(self):
+        with tempfile.TemporaryDirectory() as name:
+            page = pathlib.Path(name) / "page.md"
+            for picture, makes, right in (
+                    ("red:s=80x60", False, False),  # the page has no picture yet
+                    ("red:s=80x60", True, True),
+                    ("red:s=80x60", False, True),
+                    ("0xfe0000:s=80x60", False, True),
+                    ("0xe00000:s=80x60", False, False),
+                    ("red:s=80x60,drawbox=0:0:8:8:black:fill", False, False)):
+                page.write_text(MADE.format(picture))
+                error = check_pages.check_page(page, REPOSITORY, pathlib.Path("/nonexistent"), makes)[0]
+                self.assertEqual(error == "", right, f"{picture}: {error}")
 
     def test_mistakes_are_found(self):
         for name, text in WRONG.items():
