@@ -39,6 +39,7 @@ declare -A plan=(
   [rab_chat]="10 1" [rab_chat_lua]="10 1"
   [eyebot_circle]="40 3" [eyebot_flocking]="40 3" [ramp_3d]="20 2"
   [rooms]="10 2" [rooms_16_engines]="10 2" [rooms_crowd]="10 2" [crawler_lua]="40 2" [crowd_lua]="4 1" [flock_above_rooms]="40 4"
+  [aggregation_lua]="600 60" [best_of_n_lua]="400 40" [chain_lua]="100 10" [coverage_lua]="120 12"
 )
 
 make_film() {

@@ -10,14 +10,14 @@ Renderers and fonts that differ between systems change a cell by less. Of a film
 import pathlib
 import subprocess
 
-MEAN, CELL = 2.0, 40
+MEAN, CELL = 3.0, 48
 CELLS = (40, 30)
 TIMES = (0.0, 0.25, 0.5, 0.75, 0.95)  # parts of a film's duration
 MAX_PICTURE, MAX_FILM = 150_000, 1_000_000  # bytes
 FILMS = (".gif", ".mp4", ".webm")
 # one palette for all pictures: a third of the size of a GIF with a palette for each picture
-RATE = 10  # pictures a second of the pages' films
-GIF = (f"fps={RATE},scale=360:-2:flags=area,split[a][b];[a]palettegen=max_colors=64[p];"
+RATE = 5  # pictures a second of the pages' films
+GIF = (f"fps={RATE},scale=320:-2:flags=area,split[a][b];[a]palettegen=max_colors=64[p];"
        "[b][p]paletteuse=dither=none:diff_mode=rectangle")
 PNG = "scale='min(960,iw)':-2:flags=area,split[a][b];[a]palettegen=max_colors=200[p];[b][p]paletteuse=dither=none"
 
@@ -41,7 +41,7 @@ def duration(film):
 
 
 def cells(picture, number):
-    """Bytes of red, green and blue of each cell, by rows; of a film, of the picture with this number, ten a second."""
+    """Bytes of red, green and blue of each cell, by rows; of a film, of the picture with this number, RATE a second."""
     chosen = f"fps={RATE},select=eq(n\\,{number})," if picture.suffix in FILMS else ""
     return run("ffmpeg", "-v", "error", "-i", picture, "-vf",
                f"{chosen}scale={CELLS[0]}:{CELLS[1]}:flags=area,format=rgb24", "-frames:v", "1", "-f", "rawvideo", "-")
