@@ -60,6 +60,7 @@ CLI::Option* AddOption(CLI::App& app, const SCommandLineOption& row, bool& value
 // if given repeatedly, it is reported
 CLI::Option* AddOption(CLI::App& app, const SCommandLineOption& row, std::string& value) {
   return app.add_option(row.Names, value)
+      ->expected(row.IsValueOptional() ? 0 : 1, 1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast)
       ->type_name(row.Value);
 }
@@ -134,13 +135,11 @@ std::vector<std::string> OptionNames(const CLI::App& app) {
 }
 
 void CheckRepetitions(const CLI::App& app, CProblems& problems) {
-  for (const CLI::Option* option : app.get_options()) {
-    const bool takesOneValue =
-        option->get_expected_min() > 0 &&
-        option->get_multi_option_policy() == CLI::MultiOptionPolicy::TakeLast;
-    if (takesOneValue && option->count() > 1) {
-      problems.Add("--" + option->get_lnames().front() + " is given " +
-                   std::to_string(option->count()) + " times");
+  for (const SCommandLineOption& row : GetCommandLineOptions()) {
+    const std::string name = row.GetLongName();
+    const bool takesOneValue = !row.Value.empty() && !row.IsRepeatable();
+    if (takesOneValue && app.count(name) > 1) {
+      problems.Add(name + " is given " + std::to_string(app.count(name)) + " times");
     }
   }
 }
@@ -356,7 +355,7 @@ void CheckUses(const CLI::App& app, CARGoSCommandLineArgParser::EAction action,
       }
     } else if (row.Use == EOptionUse::Query) {
       if (app.count("--query") == 0) {
-        problems.Add(name + " can only be used with -q WORD");
+        problems.Add(name + " can only be used with -q");
       }
     } else if (!isRun) {
       problems.Add(name + " can only be used with an experiment, -c FILE");
@@ -421,6 +420,9 @@ void CARGoSCommandLineArgParser::Parse(SInt32 argc, const char* const* argv) {
   CheckRepetitions(app, problems);
   ReadStrayWords(app, m_options.ExperimentFile, problems);
   m_options.Action = ChooseAction(app, !m_options.ExperimentFile.empty(), problems);
+  if (app.count("--query") > 0 && m_options.Query.empty()) {
+    m_options.Query = "all";
+  }
   CheckChoices(app, problems);
   m_options.LogLevel = ReadLogLevel(app, raw, problems);
   CheckGenerate(m_options, problems);

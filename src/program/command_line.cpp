@@ -1,15 +1,16 @@
 #include <argos3/program/command_line.h>
 
+#include <argos3/core/simulator/context/library_attribute.h>
 #include <argos3/core/simulator/loading/loading_check.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/space.h>
+#include <argos3/core/utility/configuration/argos_configuration.h>
 #include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/files/writing.h>
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/logging/log_control.h>
 #include <argos3/core/utility/plugins/dynamic_loading.h>
 #include <argos3/program/argos_command_line_arg_parser.h>
-#include <argos3/program/catalogue/libraries_of.h>
 #include <argos3/program/catalogue/log_silence.h>
 #include <argos3/program/catalogue/schema.h>
 #include <argos3/program/catalogue/version_text.h>
@@ -119,12 +120,22 @@ class CLogLevelScope {
   ELogLevel m_previous = CLogControl::GetLevel();
 };
 
+void LoadLibrariesIn(TConfigurationNode& element) {
+  LoadLibraryOf(element);
+  TConfigurationNodeIterator it;
+  for (it = it.begin(&element); it != it.end(); ++it) {
+    LoadLibrariesIn(*it);
+  }
+}
+
 // messages about loaded libraries would be among the text that is asked for
 void LoadLibrariesSilently(const SOptions& options) {
   const CLogSilence silence;
   CDynamicLoading::LoadAllLibraries();
   if (!options.ExperimentFile.empty()) {
-    LoadLibrariesOf(options.ExperimentFile);
+    CConfigurationDocument document;
+    document.LoadFile(options.ExperimentFile);
+    LoadLibrariesIn(document.GetRoot());
   }
 }
 

@@ -100,8 +100,10 @@ TOptions MakeActionOptions() {
       {"--replay", "FILE", &STexts::Replay, kActions,
        "show a recording; with -c, in the views and outputs of that file", EUse::Always,
        EWords::Recording},
-      {"-q,--query", "WORD", &SOptions::Query, kActions,
-       "list or describe plug-ins, see below; with -c also those of that file's libraries",
+      {"-q,--query", "[WORD]", &SOptions::Query, kActions,
+       "list or describe plug-ins, elements and attributes, see below; without a word, all; with "
+       "-c "
+       "also those of that file's libraries",
        EUse::Always, EWords::Plugins},
       {"--schema",
        "FORMAT",
@@ -230,7 +232,7 @@ const std::vector<SHelpSection>& GetHelpSections() {
 const std::vector<std::string>& GetUsageLines() {
   static const std::vector<std::string> lines = {
       "argos3 FILE [options]", "argos3 --replay FILE [-c FILE] [options]",
-      "argos3 -q WORD | --schema FORMAT | --generate WORD  [-c FILE]", "argos3 -h | -v"};
+      "argos3 -q [WORD] | --schema FORMAT | --generate WORD  [-c FILE]", "argos3 -h | -v"};
   return lines;
 }
 

@@ -49,7 +49,7 @@ using TOptionTarget =
  */
 struct SCommandLineOption {
   std::string Names; /**< "-c,--config-file" or "--seed" */
-  std::string Value; /**< "FILE"; empty: a flag */
+  std::string Value; /**< "FILE"; "[WORD]" may be left out; empty: a flag */
   TOptionTarget Target;
   std::string Group; /**< heading in the help */
   std::string Help;
@@ -60,6 +60,7 @@ struct SCommandLineOption {
   bool IsRepeatable() const {
     return std::holds_alternative<std::vector<std::string> SOptionTexts::*>(Target);
   }
+  bool IsValueOptional() const { return !Value.empty() && Value.front() == '['; }
   /** "--config-file". */
   std::string GetLongName() const;
   /** "-c"; empty if there is none. */

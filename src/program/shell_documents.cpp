@@ -4,7 +4,6 @@
 #include <argos3/core/utility/configuration/argos_configuration.h>
 #include <argos3/core/utility/configuration/configuration_document.h>
 #include <argos3/core/utility/text/string_utilities.h>
-#include <argos3/program/catalogue/answer.h>
 #include <argos3/program/catalogue/plugin_kinds.h>
 #include <argos3/program/option_table.h>
 
@@ -227,8 +226,10 @@ std::string ZshArgument(const SCommandLineOption& option) {
   const std::string names = shortName.empty()
                                 ? (option.IsRepeatable() ? "'*'" : "") + longName
                                 : fmt::format("'({0} {1})'{{{0},{1}}}", shortName, longName);
-  const std::string value =
-      option.Value.empty() ? "" : fmt::format(":{}:{}", ForZsh(option.Value), ZshAction(option));
+  const std::string value = option.Value.empty()
+                                ? ""
+                                : fmt::format("{}:{}:{}", option.IsValueOptional() ? ":" : "",
+                                              ForZsh(option.Value), ZshAction(option));
   return fmt::format("  {}'[{}]{}' \\\n", names, ForZsh(option.Help), value);
 }
 

@@ -1,158 +1,187 @@
 #include <argos3/program/catalogue/facts_json.h>
 
-#include <argos3/program/catalogue/json_writer.h>
-#include <argos3/program/catalogue/manual.h>
-#include <argos3/program/catalogue/recorded_grammar.h>
+#include <argos3/core/utility/text/utf8.h>
+
+#include <fmt/format.h>
+
+#include <string_view>
+#include <utility>
 
 namespace argos {
 
 namespace {
 
-void AddDeclarations(CJsonWriter& json, const std::string& key,
-                     const std::vector<SDeclaration>& declarations) {
-  json.BeginArray(key);
-  for (const SDeclaration& declaration : declarations) {
-    json.BeginObject();
-    json.Add("code", declaration.Code);
-    json.Add("text", declaration.Text);
-    json.EndObject();
+// The lines of a value; all but the first are indented by as much as they are inside it.
+using TFields = std::vector<std::pair<std::string, std::string>>;
+using TItems = std::vector<std::string>;
+
+std::string Enclosed(char open, const TItems& items, char close) {
+  std::string text;
+  for (const std::string& item : items) {
+    text += text.empty() ? "\n" : ",\n";
+    text += item;
   }
-  json.EndArray();
+  Replace(text, "\n", "\n  ");
+  return open + text + (items.empty() ? "" : "\n") + close;
 }
 
-void AddInterface(CJsonWriter& json, const SDeviceFacts& facts) {
-  json.BeginObject("interface");
-  json.Add("class", facts.Interface);
-  json.Add("header", facts.Class.Header);
-  json.Add("library", facts.Library);
-  json.Add("link", LinkTargetOf(facts.Library));
-  json.Add("text", facts.Class.Text);
-  AddDeclarations(json, "methods", facts.Class.Methods);
-  json.BeginArray("types");
-  for (const STypeText& type : facts.Class.Types) {
-    json.BeginObject();
-    json.Add("name", type.Name);
-    json.Add("text", type.Text);
-    AddDeclarations(json, "fields", type.Fields);
-    json.EndObject();
+std::string Object(const TFields& fields) {
+  TItems items;
+  for (const auto& [key, value] : fields) {
+    items.push_back(JsonQuoted(key) + ": " + value);
   }
-  json.EndArray();
-  json.EndObject();
+  return Enclosed('{', items, '}');
 }
 
-void AddDevice(CJsonWriter& json, const SDeviceFacts& facts) {
-  AddInterface(json, facts);
-  json.BeginArray("lua");
-  for (const SLuaEntry& entry : facts.Lua) {
-    json.BeginObject();
-    json.Add("path", entry.Path);
-    json.Add("type", entry.Type);
-    json.EndObject();
+template <typename LIST, typename WRITE>
+std::string Array(const LIST& list, WRITE&& write) {
+  TItems items;
+  for (const auto& item : list) {
+    items.push_back(write(item));
   }
-  json.EndArray();
-  json.Add("lua_text", facts.Class.Lua);
-  json.BeginArray("robots");
-  for (const SFit& fit : facts.Robots) {
-    json.BeginObject();
-    json.Add("robot", fit.Robot);
-    json.Add("needs", fit.Part);
-    json.EndObject();
-  }
-  json.EndArray();
+  return Enclosed('[', items, ']');
 }
 
-void AddDevicesOf(CJsonWriter& json, const std::string& robot,
-                  const std::vector<SPluginKind>& kinds, CDeviceCatalogue& catalogue) {
-  json.BeginArray("devices");
-  for (const SPluginKind& kind : kinds) {
-    if (kind.Word != "sensors" && kind.Word != "actuators") {
-      continue;
+std::string Declarations(const std::vector<SDeclaration>& declarations) {
+  return Array(declarations, [](const SDeclaration& declaration) {
+    return Object({{"code", JsonQuoted(declaration.Code)}, {"text", JsonQuoted(declaration.Text)}});
+  });
+}
+
+std::string Interface(const SDeviceFacts& facts) {
+  const auto type = [](const STypeText& text) {
+    return Object({{"name", JsonQuoted(text.Name)},
+                   {"text", JsonQuoted(text.Text)},
+                   {"fields", Declarations(text.Fields)}});
+  };
+  return Object({{"class", JsonQuoted(facts.Interface.Name)},
+                 {"header", JsonQuoted(facts.Class.Header)},
+                 {"library", JsonQuoted(facts.Interface.Library)},
+                 {"link", JsonQuoted(LinkTargetOf(facts.Interface.Library))},
+                 {"text", JsonQuoted(facts.Class.Text)},
+                 {"methods", Declarations(facts.Class.Methods)},
+                 {"types", Array(facts.Class.Types, type)}});
+}
+
+std::string Attribute(const std::string& element, const std::string& name,
+                      const SAttribute& attribute) {
+  return Object({{"element", JsonQuoted(element)},
+                 {"name", JsonQuoted(name)},
+                 {"type", JsonQuoted(NameOf(attribute.Type))},
+                 {"unit", JsonQuoted(attribute.Manual.Unit)},
+                 {"default", JsonQuoted(attribute.Manual.Default)},
+                 {"required", attribute.IsRequired ? "true" : "false"},
+                 {"text", JsonQuoted(attribute.Manual.Text)}});
+}
+
+// of an element and all inside it
+void AddAttributes(const SElement& element, const std::string& path, TItems& items) {
+  for (const auto& [name, attribute] : element.Attributes) {
+    // that is a part of the label
+    if (name != "implementation") {
+      items.push_back(Attribute(path, name, attribute));
     }
-    for (const SPluginText& plugin : kind.Plugins) {
-      for (const SFit& fit : catalogue.GetFacts(kind.Word, plugin.Label).Robots) {
-        if (fit.Robot == robot) {
-          json.BeginObject();
-          json.Add("kind", kind.Name);
-          json.Add("label", plugin.Label);
-          json.Add("needs", fit.Part);
-          json.EndObject();
-        }
-      }
-    }
   }
-  json.EndArray();
+  for (const auto& [name, child] : element.Children) {
+    AddAttributes(child, path + '/' + name.ToLabel(), items);
+  }
 }
 
-void AddAttributes(CJsonWriter& json, const SMatch& match, CRecordedGrammar& grammar) {
-  const std::string section = CSampleElements::SectionOf(*match.Kind);
-  if (section.empty()) {
-    return;
+std::string Attributes(const SElement* element, const std::string& path) {
+  TItems items;
+  if (element != nullptr) {
+    AddAttributes(*element, path, items);
   }
-  grammar.Record(section, match.Plugin->Label);
-  const CManual manual(match.Plugin->Long);
-  json.BeginArray("attributes");
-  for (const SAttributeFacts& fact : grammar.ListAttributes(section, match.Plugin->Label)) {
-    json.BeginObject();
-    json.Add("element", fact.Element);
-    json.Add("name", fact.Name);
-    json.Add("type", fact.Type);
-    json.Add("required", fact.IsRequired);
-    json.Add("text", manual.TextOf(fact.Element.substr(fact.Element.rfind('/') + 1), fact.Name));
-    json.EndObject();
-  }
-  json.EndArray();
+  return Enclosed('[', items, ']');
 }
 
-void AddPlugin(CJsonWriter& json, const SMatch& match, const std::vector<SPluginKind>& kinds,
-               CDeviceCatalogue& catalogue, CRecordedGrammar& grammar) {
-  const SPluginText& plugin = *match.Plugin;
-  const auto said = [](const std::string& text) { return IsUnsaid(text) ? std::string() : text; };
-  const std::string& word = match.Kind->Word;
-  json.BeginObject();
-  json.Add("kind", match.Kind->Name);
-  json.Add("list", word);
-  json.Add("label", plugin.Label);
-  json.Add("brief", said(plugin.Brief));
-  json.Add("author", IsOwnAuthor(plugin.Author) ? std::string() : said(plugin.Author));
-  json.Add("version", said(plugin.Version));
-  json.Add("status", said(plugin.Status));
-  json.Add("library", plugin.Library);
-  if (word == "sensors" || word == "actuators") {
-    AddDevice(json, catalogue.GetFacts(word, plugin.Label));
-  } else if (word == "entities") {
-    AddDevicesOf(json, plugin.Label, kinds, catalogue);
+std::string Plugin(const SMatch& match, CCatalogue& catalogue) {
+  const auto& [kind, plugin] = match;
+  TFields fields = {{"kind", JsonQuoted(kind->Name)},
+                    {"list", JsonQuoted(kind->Word)},
+                    {"label", JsonQuoted(plugin->Label)},
+                    {"brief", JsonQuoted(plugin->Brief)},
+                    {"author", JsonQuoted(IsOwn(*plugin) ? "" : plugin->Author)},
+                    {"version", JsonQuoted(plugin->Version)},
+                    {"status", JsonQuoted(plugin->Status)},
+                    {"library", JsonQuoted(plugin->Library)}};
+  if (kind->IsOfDevices()) {
+    const SDeviceFacts& facts = catalogue.GetDevices().Describe(*kind, plugin->Label);
+    const auto entry = [](const SLuaEntry& lua) {
+      return Object({{"path", JsonQuoted(lua.Path)}, {"type", JsonQuoted(lua.Type)}});
+    };
+    const auto robot = [](const SFit& fit) {
+      return Object({{"robot", JsonQuoted(fit.Robot)}, {"needs", JsonQuoted(fit.Part)}});
+    };
+    fields.insert(fields.end(), {{"interface", Interface(facts)},
+                                 {"lua", Array(facts.Lua, entry)},
+                                 {"lua_text", JsonQuoted(facts.Class.Lua)},
+                                 {"robots", Array(facts.Robots, robot)}});
+  } else if (kind->Word == "entities") {
+    const auto device = [](const SDeviceOfRobot& fit) {
+      return Object({{"kind", JsonQuoted(fit.Kind->Name)},
+                     {"label", JsonQuoted(fit.Label)},
+                     {"needs", JsonQuoted(fit.Part)}});
+    };
+    fields.emplace_back("devices",
+                        Array(catalogue.GetDevices().ListDevicesOf(plugin->Label), device));
   }
-  AddAttributes(json, match, grammar);
-  json.Add("manual", said(plugin.Long));
-  json.EndObject();
+  if (const SElement* const element = catalogue.FindElement(match)) {
+    fields.emplace_back("attributes", Attributes(element, TagOf(plugin->Label)));
+  }
+  fields.emplace_back("manual", JsonQuoted(plugin->Long));
+  return Object(fields);
+}
+
+std::string Element(const SElementMatch& match) {
+  const std::string path = DescribePath(match.Path);
+  std::string attributes = Attributes(match.Element, path);
+  if (!match.Attribute.empty()) {
+    attributes = Enclosed(
+        '[', {Attribute(path, match.Attribute, match.Element->Attributes.at(match.Attribute))},
+        ']');
+  }
+  return Object({{"element", JsonQuoted(path)}, {"attributes", attributes}});
 }
 
 }  // namespace
 
-std::string WriteJson(const std::string& query, const SAnswer& answer,
-                      const std::vector<SPluginKind>& kinds) {
-  CDeviceCatalogue catalogue(kinds);
-  CRecordedGrammar grammar(catalogue);
-  CJsonWriter json;
-  json.BeginObject();
-  json.Add("query", query);
-  json.BeginArray("plugins");
+std::string JsonQuoted(const std::string& text) {
+  std::string quoted = "\"";
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t size = CountUtf8Bytes(std::string_view(text).substr(at));
+    const char c = text[at];
+    if (size == 0) {
+      quoted += "\\ufffd";
+    } else if (size > 1) {
+      quoted += text.substr(at, size);
+    } else if (c == '"' || c == '\\') {
+      quoted += std::string("\\") + c;
+    } else if (c == '\n') {
+      quoted += "\\n";
+    } else if (static_cast<unsigned char>(c) < 0x20) {
+      quoted += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
+    } else {
+      quoted += c;
+    }
+    at += size == 0 ? 1 : size;
+  }
+  return quoted + '"';
+}
+
+std::string WriteJson(const std::string& query, const SAnswer& answer, CCatalogue& catalogue) {
+  std::vector<SMatch> matches = answer.Matches;
   for (const SPluginKind* const kind : answer.Lists) {
     for (const SPluginText& plugin : kind->Plugins) {
-      AddPlugin(json, {kind, &plugin}, kinds, catalogue, grammar);
+      matches.push_back({kind, &plugin});
     }
   }
-  for (const SMatch& match : answer.Matches) {
-    AddPlugin(json, match, kinds, catalogue, grammar);
-  }
-  json.EndArray();
-  json.BeginArray("suggestions");
-  for (const std::string& suggestion : answer.Suggestions) {
-    json.Add("", suggestion);
-  }
-  json.EndArray();
-  json.EndObject();
-  return json.GetText();
+  const auto describe = [&catalogue](const SMatch& match) { return Plugin(match, catalogue); };
+  return Object({{"query", JsonQuoted(query)},
+                 {"plugins", Array(matches, describe)},
+                 {"elements", Array(answer.Elements, Element)},
+                 {"suggestions", Array(answer.Suggestions, JsonQuoted)}}) +
+         '\n';
 }
 
 }  // namespace argos

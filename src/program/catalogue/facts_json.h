@@ -1,19 +1,21 @@
 #ifndef ARGOS3_PROGRAM_CATALOGUE_FACTS_JSON_H
 #define ARGOS3_PROGRAM_CATALOGUE_FACTS_JSON_H
 
-#include <argos3/program/catalogue/answer.h>
+#include <argos3/program/catalogue/catalogue.h>
 
 #include <string>
-#include <vector>
 
 namespace argos {
 
 /**
- * The facts of what was found as JSON: {"query", "plugins": [...], "suggestions": [...]}. The guide
- * (doc/guide/devices.md) describes the fields. Lists contain all their plug-ins with all facts.
+ * The facts of what was found as JSON (RFC 8259), with a line for each value: {"query", "plugins":
+ * [...], "elements": [...], "suggestions": [...]}. The guide (doc/guide/devices.md) describes the
+ * fields. Lists contain all their plug-ins with all facts.
  */
-std::string WriteJson(const std::string& query, const SAnswer& answer,
-                      const std::vector<SPluginKind>& kinds);
+std::string WriteJson(const std::string& query, const SAnswer& answer, CCatalogue& catalogue);
+
+/** The text in quotation marks, with escapes; bytes that are no UTF-8 become U+FFFD. */
+std::string JsonQuoted(const std::string& text);
 
 }  // namespace argos
 

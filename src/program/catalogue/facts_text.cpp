@@ -2,13 +2,13 @@
 
 #include <argos3/core/utility/configuration/value_range.h>
 #include <argos3/core/utility/text/string_utilities.h>
-#include <argos3/program/catalogue/device_facts.h>
 #include <argos3/program/catalogue/text_layout.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
+#include <map>
 
 namespace argos {
 
@@ -20,15 +20,11 @@ constexpr size_t kTextIndent = 6;
 constexpr size_t kUnitColumn = 40;
 
 std::string Joined(const std::vector<std::string>& texts) {
-  std::string joined;
-  for (const std::string& text : texts) {
-    joined += (joined.empty() ? "" : ", ") + text;
-  }
-  return joined;
+  return fmt::format("{}", fmt::join(texts, ", "));
 }
 
 std::string BriefOf(const SPluginText& plugin) {
-  return IsUnsaid(plugin.Brief) ? "(no description)" : plugin.Brief;
+  return plugin.Brief.empty() ? "(no description)" : plugin.Brief;
 }
 
 // "A sensor.", or what users' plug-ins say of themselves: "A sensor by A. Author, version 1.5."
@@ -40,12 +36,12 @@ std::string DescribeOrigin(const SMatch& match) {
   std::string text = isPlural ? "" : hasVowel ? "An " : "A ";
   text += name;
   text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
-  if (!IsOwnAuthor(plugin.Author)) {
-    text += IsUnsaid(plugin.Author) ? "" : " by " + plugin.Author;
-    text += IsUnsaid(plugin.Version) ? "" : ", version " + plugin.Version;
+  if (!IsOwn(plugin)) {
+    text += plugin.Author.empty() ? "" : " by " + plugin.Author;
+    text += plugin.Version.empty() ? "" : ", version " + plugin.Version;
   }
-  text += IsUnsaid(plugin.Status) || plugin.Status == "Usable" ? "" : ", status: " + plugin.Status;
-  return text + ".\n";
+  const bool isUsable = plugin.Status.empty() || plugin.Status == "Usable";
+  return text + (isUsable ? "" : ", status: " + plugin.Status) + ".\n";
 }
 
 std::string DescribeLibrary(const std::string& library) {
@@ -70,15 +66,15 @@ std::string DescribeDeclaration(const SDeclaration& declaration, size_t indent) 
 
 std::string DescribeClass(const SDeviceFacts& facts) {
   std::string text = "IN C++\n\n";
-  if (facts.Interface.empty()) {
+  if (facts.Interface.Name.empty()) {
     return text + "  The device has no control interface: controllers cannot use it.\n\n";
   }
-  text += "  " + facts.Interface + '\n';
+  text += "  " + facts.Interface.Name + '\n';
   text += facts.Class.Text.empty() ? "" : Wrapped(facts.Class.Text, kIndent);
   text += facts.Class.Header.empty()
               ? Wrapped("Its header is not known; ARGOS_INCLUDE_PATH may list its folder.", kIndent)
               : "\n  #include <" + facts.Class.Header + ">\n";
-  text += "  link " + DescribeLibrary(facts.Library) + '\n';
+  text += "  link " + DescribeLibrary(facts.Interface.Library) + '\n';
   text += facts.Class.Methods.empty() ? "" : "\n";
   for (const SDeclaration& method : facts.Class.Methods) {
     text += DescribeDeclaration(method, kIndent);
@@ -93,9 +89,11 @@ std::string DescribeClass(const SDeviceFacts& facts) {
   return text + '\n';
 }
 
+// what a robot's table has, and what the header says
 std::string DescribeLua(const SDeviceFacts& facts) {
+  const std::string& comment = facts.Class.Lua;
   std::string text = "IN LUA\n\n";
-  if (facts.Lua.empty()) {
+  if (facts.Lua.empty() && comment.empty()) {
     return text + "  Nothing.\n\n";
   }
   size_t longest = 0;
@@ -107,70 +105,48 @@ std::string DescribeLua(const SDeviceFacts& facts) {
                 ? fmt::format("  {}()\n", entry.Path)
                 : fmt::format("  {:{}}  {}\n", entry.Path, longest, entry.Type);
   }
-  return text + (facts.Class.Lua.empty() ? "" : '\n' + Wrapped(facts.Class.Lua, kIndent)) + '\n';
+  text += facts.Lua.empty() || comment.empty() ? "" : "\n";
+  return text + (comment.empty() ? "" : Wrapped(comment, kIndent)) + '\n';
 }
 
-// "magnets" of a robot that needs that element
 std::string DescribeRobots(const SDeviceFacts& facts) {
   std::string text = "ROBOTS\n\n";
-  std::vector<std::string> robots;
-  std::vector<std::string> parts;
-  for (const SFit& fit : facts.Robots) {
-    robots.push_back(fit.Robot);
-    if (!fit.Part.empty() && std::find(parts.begin(), parts.end(), fit.Part) == parts.end()) {
-      parts.push_back(fit.Part);
-    }
-  }
-  if (robots.empty()) {
+  if (facts.Robots.empty()) {
     // the innermost cause is the last line
-    const std::string& problem = facts.Problem;
-    std::string cause = problem.substr(problem.rfind('\n') + 1);
+    std::string cause = facts.Problem.substr(facts.Problem.rfind('\n') + 1);
     Replace(cause, "[FATAL] ", "");
     return text + Wrapped("None of the loaded libraries: " + cause, kIndent) + '\n';
   }
-  text += Wrapped(Joined(robots), kIndent);
-  for (const std::string& part : parts) {
-    std::vector<std::string> needy;
-    for (const SFit& fit : facts.Robots) {
-      if (fit.Part == part) {
-        needy.push_back(fit.Robot);
-      }
+  std::vector<std::string> robots;
+  std::map<std::string, std::vector<std::string>> needy;  // by what they need
+  for (const SFit& fit : facts.Robots) {
+    robots.push_back(fit.Robot);
+    if (!fit.Part.empty()) {
+      needy[fit.Part].push_back(fit.Robot);
     }
-    text += Wrapped((needy.size() == robots.size() ? "each" : Joined(needy)) + " with <" + part +
+  }
+  text += Wrapped(Joined(robots), kIndent);
+  for (const auto& [part, some] : needy) {
+    text += Wrapped((some.size() == robots.size() ? "each" : Joined(some)) + " with <" + part +
                         "> inside the robot's element",
                     kIndent);
   }
   return text + '\n';
 }
 
-std::string DescribeDevicesOf(const std::string& robot, const std::vector<SPluginKind>& kinds,
-                              CDeviceCatalogue& catalogue) {
+std::string DescribeDevicesOf(const std::string& robot, CDevices& devices) {
   std::string text;
-  for (const SPluginKind& kind : kinds) {
-    if (kind.Word != "sensors" && kind.Word != "actuators") {
-      continue;
+  const SPluginKind* previous = nullptr;
+  for (const SDeviceOfRobot& device : devices.ListDevicesOf(robot)) {
+    if (device.Kind != previous) {
+      text += (text.empty() ? "" : "\n") + StringToUpperCase(device.Kind->Word) + " THAT FIT\n\n";
+      previous = device.Kind;
     }
-    std::vector<std::string> labels;
-    for (const SPluginText& plugin : kind.Plugins) {
-      for (const SFit& fit : catalogue.GetFacts(kind.Word, plugin.Label).Robots) {
-        if (fit.Robot == robot) {
-          labels.push_back(plugin.Label +
-                           (fit.Part.empty() ? "" : ", with <" + fit.Part + "> in its element"));
-        }
-      }
-    }
-    if (!labels.empty()) {
-      text += kind.Word == "sensors" ? "SENSORS THAT FIT\n\n" : "ACTUATORS THAT FIT\n\n";
-      for (const std::string& label : labels) {
-        text += "  " + label + '\n';
-      }
-      text += '\n';
-    }
+    text += "  " + device.Label +
+            (device.Part.empty() ? "" : ", with <" + device.Part + "> in its element") + '\n';
   }
-  return text;
+  return text.empty() ? "" : text + '\n';
 }
-
-}  // namespace
 
 std::string DescribeList(const SPluginKind& kind) {
   std::string text = kind.Header + "\n\n";
@@ -180,39 +156,95 @@ std::string DescribeList(const SPluginKind& kind) {
   return text;
 }
 
-std::string DescribePlugin(const SMatch& match, const std::vector<SPluginKind>& kinds,
-                           CDeviceCatalogue& catalogue) {
+std::string DescribePlugin(const SMatch& match, CCatalogue& catalogue) {
   const SPluginText& plugin = *match.Plugin;
-  const std::string& word = match.Kind->Word;
   std::string text = "[ " + plugin.Label + " ]\n" + Wrapped(BriefOf(plugin), 0) + '\n' +
                      Wrapped(DescribeOrigin(match), 0) + '\n';
-  if (word == "sensors" || word == "actuators") {
-    const SDeviceFacts& facts = catalogue.GetFacts(word, plugin.Label);
+  if (match.Kind->IsOfDevices()) {
+    const SDeviceFacts& facts = catalogue.GetDevices().Describe(*match.Kind, plugin.Label);
     text += DescribeClass(facts) + DescribeLua(facts) + DescribeRobots(facts);
-  } else if (!IsOwnAuthor(plugin.Author) && !plugin.Library.empty()) {
+  } else if (!IsOwn(plugin) && !plugin.Library.empty()) {
     text += Wrapped("In the library " + plugin.Library, 0, kIndent) + '\n';
   }
-  if (word == "entities") {
-    text += DescribeDevicesOf(plugin.Label, kinds, catalogue);
+  if (match.Kind->Word == "entities") {
+    text += DescribeDevicesOf(plugin.Label, catalogue.GetDevices());
   }
-  if (!IsUnsaid(plugin.Long)) {
+  if (!plugin.Long.empty()) {
     text += "IN EXPERIMENT FILES\n\n" + WrappedManual(plugin.Long) + '\n';
     if (plugin.Long.find("ATTRIBUTES") != std::string::npos) {
       text += WrappedManual(kRangesDocumentation) + '\n';
     }
   }
-  for (const SPluginKind& kind : kinds) {
-    if (kind.Of == plugin.Label) {
-      text += DescribeList(kind);
-    }
+  for (const SPluginKind& kind : catalogue.GetKinds()) {
+    text += kind.Of == plugin.Label ? DescribeList(kind) : "";
   }
   return text;
 }
 
-std::string DescribeNothing(const std::string& query, const SAnswer& answer) {
-  return "Nothing found: no plug-in has a name that contains \"" + query + '"' +
-         (answer.Suggestions.empty() ? "; argos3 -q all lists all\n"
-                                     : "; did you mean " + Joined(answer.Suggestions) + "?\n");
+std::string DescribeAttribute(const std::string& name, const SAttribute& attribute) {
+  return Wrapped(fmt::format("{}  {}{}", name, NameOf(attribute.Type),
+                             attribute.IsRequired ? ", required" : ""),
+                 kIndent) +
+         (attribute.Manual.Text.empty() ? "" : Wrapped(attribute.Manual.Text, kTextIndent));
+}
+
+std::string DescribeAttributes(const SElementMatch& match) {
+  std::string text;
+  for (const auto& [name, attribute] : match.Element->Attributes) {
+    if (match.Attribute.empty() || match.Attribute == name) {
+      text += DescribeAttribute(name, attribute);
+    }
+  }
+  std::vector<std::string> children;
+  for (const auto& [name, child] : match.Element->Children) {
+    children.push_back('<' + name.Tag + '>');
+  }
+  if (match.Attribute.empty() && !children.empty()) {
+    text += Wrapped("may contain " + Joined(children), kIndent, kIndent);
+  }
+  return text.empty() ? "  It has no attributes.\n" : text;
+}
+
+// elements of which the same is said are named together
+std::string DescribeElements(const std::string& query, const std::vector<SElementMatch>& matches) {
+  std::vector<std::pair<std::string, std::vector<std::string>>> groups;
+  for (const SElementMatch& match : matches) {
+    const std::string text = DescribeAttributes(match);
+    const auto known = std::find_if(groups.begin(), groups.end(),
+                                    [&](const auto& group) { return group.first == text; });
+    auto& paths = known == groups.end()
+                      ? groups.emplace_back(text, std::vector<std::string>()).second
+                      : known->second;
+    paths.push_back(DescribePath(match.Path));
+  }
+  std::string text = "[ " + query + " ]\nIn experiment files.\n\n";
+  for (const auto& [facts, paths] : groups) {
+    text += Wrapped(Joined(paths), 0, kIndent) + facts + '\n';
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string WriteText(const std::string& query, const SAnswer& answer, CCatalogue& catalogue) {
+  if (!answer.IsFound()) {
+    return "Nothing found: no plug-in has a name that contains \"" + query +
+           "\", and no element or attribute has this name" +
+           (answer.Suggestions.empty() ? "; argos3 -q all lists all\n"
+                                       : "; did you mean " + Joined(answer.Suggestions) + "?\n");
+  }
+  std::string text;
+  for (const SPluginKind* const kind : answer.Lists) {
+    text += DescribeList(*kind);
+  }
+  const std::string line = std::string(kTextWidth - 2, '=') + '\n';
+  for (const SMatch& match : answer.Matches) {
+    text += (text.empty() ? "" : line) + DescribePlugin(match, catalogue);
+  }
+  if (!answer.Elements.empty()) {
+    text += (text.empty() ? "" : line) + DescribeElements(query, answer.Elements);
+  }
+  return text + (answer.Others.empty() ? "" : Wrapped("See also: " + Joined(answer.Others), 0, 2));
 }
 
 }  // namespace argos

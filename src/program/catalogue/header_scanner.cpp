@@ -1,185 +1,123 @@
 #include <argos3/program/catalogue/header_scanner.h>
 
-#include <argos3/core/utility/text/string_utilities.h>
-
+#include <algorithm>
 #include <cctype>
+#include <regex>
 #include <sstream>
 
 namespace argos {
 
 namespace {
 
-bool IsBlank(char c) {
-  return std::isspace(static_cast<unsigned char>(c)) != 0;
-}
-
 std::string OnOneLine(const std::string& text) {
+  std::istringstream words(text);
   std::string line;
-  for (const char c : text) {
-    if (!IsBlank(c)) {
-      line += c;
-    } else if (!line.empty() && line.back() != ' ') {
-      line += ' ';
-    }
-  }
-  if (!line.empty() && line.back() == ' ') {
-    line.pop_back();
+  for (std::string word; words >> word;) {
+    line += (line.empty() ? "" : " ") + word;
   }
   return line;
+}
+
+// the place behind what begins at a place: a comment, a string, or brackets with their contents
+size_t EndOf(const std::string& text, size_t begin) {
+  const auto behind = [&text](const char* sign, size_t from) {
+    const size_t at = text.find(sign, from);
+    return at == std::string::npos ? text.size() : at + std::char_traits<char>::length(sign);
+  };
+  const char c = text[begin];
+  if (text.compare(begin, 2, "//") == 0) {
+    return behind("\n", begin);
+  }
+  if (text.compare(begin, 2, "/*") == 0) {
+    return behind("*/", begin + 2);
+  }
+  if (c == '"' || c == '\'') {
+    size_t at = begin + 1;
+    while (at < text.size() && text[at] != c) {
+      at += text[at] == '\\' ? 2 : 1;
+    }
+    return std::min(at + 1, text.size());
+  }
+  if (c != '{' && c != '(' && c != '[') {
+    return begin + 1;
+  }
+  size_t at = begin + 1;
+  while (at < text.size() && text[at] != '}' && text[at] != ')' && text[at] != ']') {
+    at = EndOf(text, at);
+  }
+  return std::min(at + 1, text.size());
+}
+
+// behind the line, and those that continue it after a backslash
+size_t EndOfLine(const std::string& text, size_t begin) {
+  size_t end = text.find('\n', begin);
+  while (end != std::string::npos && text[end - 1] == '\\') {
+    end = text.find('\n', end + 1);
+  }
+  return end == std::string::npos ? text.size() : end + 1;
 }
 
 }  // namespace
 
 std::string PlainComment(const std::string& comment) {
+  static const std::regex kNoise("@(?:param(?:\\[\\w+\\])?|p|brief) ");
+  static const std::regex kTags("@(return|throw)s? ");
   std::istringstream lines(comment);
   std::string text;
   bool endsParagraph = true;
   for (std::string line; std::getline(lines, line);) {
-    size_t begin = line.find_first_not_of(" \t/*<");
-    begin = std::min(begin, line.size());
-    line = OnOneLine(line.substr(begin));
+    line = OnOneLine(line.substr(std::min(line.find_first_not_of(" \t/*<"), line.size())));
     if (line.size() >= 2 && line.compare(line.size() - 2, 2, "*/") == 0) {
       line = OnOneLine(line.substr(0, line.size() - 2));
     }
     if (line.empty()) {
       text += endsParagraph ? "" : "\n";
       endsParagraph = true;
-      continue;
-    }
-    const bool isTag = line[0] == '@';
-    text += endsParagraph ? "" : isTag ? "\n" : " ";
-    text += line;
-    endsParagraph = false;
-  }
-  Replace(text, "@param[in] ", "");
-  Replace(text, "@param[out] ", "");
-  Replace(text, "@param ", "");
-  Replace(text, "@p ", "");
-  Replace(text, "@returns ", "returns ");
-  Replace(text, "@return ", "returns ");
-  Replace(text, "@throws CARGoSException", "throws CARGoSException");
-  Replace(text, "@throws ", "throws ");
-  Replace(text, "@brief ", "");
-  return text;
-}
-
-bool CHeaderScanner::StartsWith(const char* word) const {
-  return m_text.compare(m_at, std::char_traits<char>::length(word), word) == 0;
-}
-
-void CHeaderScanner::SkipBlanks() {
-  while (m_at < m_text.size() && (IsBlank(m_text[m_at]) || m_text[m_at] == ';')) {
-    ++m_at;
-  }
-}
-
-void CHeaderScanner::SkipLine() {
-  // lines that end with a backslash continue
-  do {
-    m_at = std::min(m_text.find('\n', m_at), m_text.size() - 1) + 1;
-  } while (m_at >= 2 && m_text[m_at - 2] == '\\' && m_at < m_text.size());
-}
-
-bool CHeaderScanner::SkipComment() {
-  if (StartsWith("//")) {
-    SkipLine();
-    return true;
-  }
-  if (!StartsWith("/*")) {
-    return false;
-  }
-  const size_t end = std::min(m_text.find("*/", m_at), m_text.size() - 2) + 2;
-  if (StartsWith("/**")) {
-    m_comment = PlainComment(m_text.substr(m_at, end - m_at));
-  }
-  m_at = end;
-  return true;
-}
-
-// @return the place behind the bracket that closes the one at @p begin
-std::size_t CHeaderScanner::EndOfBrackets(std::size_t begin) const {
-  int depth = 0;
-  for (size_t at = begin; at < m_text.size(); ++at) {
-    const char c = m_text[at];
-    if (m_text.compare(at, 2, "//") == 0) {
-      at = std::min(m_text.find('\n', at), m_text.size());
-    } else if (m_text.compare(at, 2, "/*") == 0) {
-      at = std::min(m_text.find("*/", at), m_text.size()) + 1;
-    } else if (c == '"' || c == '\'') {
-      for (++at; at < m_text.size() && m_text[at] != c; ++at) {
-        at += m_text[at] == '\\' ? 1 : 0;
-      }
-    } else if (c == '{' || c == '(' || c == '[') {
-      ++depth;
-    } else if ((c == '}' || c == ')' || c == ']') && --depth == 0) {
-      return at + 1;
-    }
-  }
-  return m_text.size();
-}
-
-void CHeaderScanner::ReadDeclaration() {
-  std::string code;
-  while (m_at < m_text.size() && m_text[m_at] != ';') {
-    const char c = m_text[m_at];
-    if (StartsWith("//") || StartsWith("/*")) {
-      const std::string comment = m_comment;
-      SkipComment();
-      m_comment = comment;
-    } else if (c == '(') {
-      const size_t end = EndOfBrackets(m_at);
-      code += m_text.substr(m_at, end - m_at);
-      m_at = end;
-    } else if (c == '{') {
-      const size_t end = EndOfBrackets(m_at);
-      m_body = m_text.substr(m_at + 1, end - m_at - 2);
-      m_at = end;
-      break;
     } else {
-      code += c;
-      ++m_at;
+      text += endsParagraph ? "" : line[0] == '@' ? "\n" : " ";
+      text += line;
+      endsParagraph = false;
     }
   }
-  m_code = OnOneLine(code);
+  return std::regex_replace(std::regex_replace(text, kNoise, ""), kTags, "$1s ");
 }
 
-void CHeaderScanner::ReadCommentBehind() {
-  size_t at = m_at;
-  while (at < m_text.size() && (m_text[at] == ';' || m_text[at] == ' ')) {
-    ++at;
-  }
-  if (m_text.compare(at, 4, "/**<") == 0) {
-    m_at = at;
-    SkipComment();
-  }
-}
-
-bool CHeaderScanner::Next() {
-  m_label.clear();
-  m_code.clear();
-  m_body.clear();
-  m_comment.clear();
-  for (SkipBlanks(); m_at < m_text.size(); SkipBlanks()) {
-    if (m_text[m_at] == '#') {
-      SkipLine();
-      m_comment.clear();
-      continue;
+std::vector<SHeaderItem> SplitDeclarations(const std::string& text) {
+  std::vector<SHeaderItem> items;
+  SHeaderItem item;
+  const auto finish = [&] {
+    item.Code = OnOneLine(item.Code);
+    if (!item.Code.empty()) {
+      items.push_back(item);
     }
-    if (SkipComment()) {
-      continue;
-    }
-    for (const char* const label : {"public:", "protected:", "private:"}) {
-      if (StartsWith(label)) {
-        m_label = std::string(label, std::char_traits<char>::length(label) - 1);
-        m_at += m_label.size() + 1;
-        return true;
+    item = SHeaderItem();
+  };
+  for (size_t at = 0, end = 0; at < text.size(); at = end) {
+    const char c = text[at];
+    const bool isStart = item.Code.empty();
+    end = EndOf(text, at);
+    if (c == '#' && isStart) {
+      item.Comment.clear();
+      end = EndOfLine(text, at);
+    } else if (text.compare(at, 2, "//") == 0 || text.compare(at, 2, "/*") == 0) {
+      const bool isBehind = text.compare(at, 4, "/**<") == 0;
+      if (isStart && text.compare(at, 3, "/**") == 0 && !(isBehind && items.empty())) {
+        (isBehind ? items.back() : item).Comment = PlainComment(text.substr(at, end - at));
       }
+    } else if (c == '{') {
+      item.Body = text.substr(at + 1, end - at - 2);
+      finish();
+    } else if (c == ';') {
+      finish();
+    } else if (c == ':' &&
+               (item.Code == "public" || item.Code == "protected" || item.Code == "private")) {
+      finish();
+    } else if (!isStart || std::isspace(static_cast<unsigned char>(c)) == 0) {
+      item.Code += text.substr(at, end - at);
     }
-    ReadDeclaration();
-    ReadCommentBehind();
-    return true;
   }
-  return false;
+  finish();
+  return items;
 }
 
 }  // namespace argos

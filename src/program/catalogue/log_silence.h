@@ -11,30 +11,23 @@ namespace argos {
 /** Discards what is written to LOG and LOGERR during its lifetime. */
 class CLogSilence {
  public:
-  CLogSilence() : m_out(LOG), m_err(LOGERR) {}
+  CLogSilence() : m_out(Redirect(LOG, &m_dropped)), m_err(Redirect(LOGERR, &m_dropped)) {}
+  ~CLogSilence() {
+    Redirect(LOG, m_out);
+    Redirect(LOGERR, m_err);
+  }
+  CLogSilence(const CLogSilence&) = delete;
+  CLogSilence& operator=(const CLogSilence&) = delete;
 
  private:
-  class COne {
-   public:
-    explicit COne(CARGoSLog& log) : m_log(log) {
-      m_log.Flush();
-      m_previous = m_log.GetStream().rdbuf(&m_dropped);
-    }
-    ~COne() {
-      m_log.Flush();
-      m_log.GetStream().rdbuf(m_previous);
-    }
-    COne(const COne&) = delete;
-    COne& operator=(const COne&) = delete;
+  static std::streambuf* Redirect(CARGoSLog& log, std::streambuf* target) {
+    log.Flush();
+    return log.GetStream().rdbuf(target);
+  }
 
-   private:
-    CARGoSLog& m_log;
-    std::stringbuf m_dropped;
-    std::streambuf* m_previous = nullptr;
-  };
-
-  COne m_out;
-  COne m_err;
+  std::stringbuf m_dropped;
+  std::streambuf* m_out;
+  std::streambuf* m_err;
 };
 
 }  // namespace argos

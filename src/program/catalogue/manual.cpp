@@ -2,6 +2,7 @@
 
 #include <argos3/core/utility/configuration/configuration_document.h>
 
+#include <regex>
 #include <sstream>
 
 namespace argos {
@@ -10,6 +11,28 @@ namespace {
 
 size_t IndentOf(const std::string& line) {
   return std::min(line.find_first_not_of(' '), line.size());
+}
+
+// "x,y,z", m, default "0,0,0": of the centre
+SAttributeText Parsed(const std::string& text) {
+  static const std::string kWord =
+      "(?:[kcm]?[gmsN]|rad|degrees|pixels|bytes|ticks|MiB|Hz|MHz|V|ms)(?:\\^[0-9])?";
+  static const std::regex kUnit("^(?:\"[^\"]*\", )?(" + kWord + "(?:(?:/| | per | or )" + kWord +
+                                ")*)(?:[,.:;].*)?$");
+  static const std::regex kDefault(
+      "[Dd]efault:? (?:\"([^\"]*)\"|([^:;,]*?)(?:[:;,]|\\.(?= |$)|$))|\"?([^ \",;]+)\"? "
+      "\\(default\\)|\"?([^ \",;]+)\"?, the default");
+  SAttributeText parsed{"", "", text};
+  std::smatch match;
+  if (std::regex_match(text, match, kUnit)) {
+    parsed.Unit = match[1];
+  }
+  if (std::regex_search(text, match, kDefault)) {
+    for (size_t i = 1; i < match.size(); ++i) {
+      parsed.Default += match[i];
+    }
+  }
+  return parsed;
 }
 
 }  // namespace
@@ -85,36 +108,37 @@ void CManual::ReadTables(const std::string& text) {
   finish();
 }
 
+// names are those of attributes, "tag@attribute", or "@attribute" of the tag before it
 void CManual::NoteRow(const std::string& names, const std::string& text) {
   if (text.empty() || names.find_first_of("<>=\"") != std::string::npos) {
     return;
   }
   std::istringstream list(names);
-  std::string element;
+  std::string tag;
   for (std::string name; std::getline(list, name, ',');) {
     name = name.substr(IndentOf(name));
     if (name.empty() || name.find(' ') != std::string::npos) {
       continue;
     }
     const size_t at = name.find('@');
-    if (at == 0) {
-      name = element + name;
-    } else if (at != std::string::npos) {
-      const size_t slash = name.rfind('/', at);
-      name = slash == std::string::npos ? name : name.substr(slash + 1);
-      element = name.substr(0, name.find('@'));
+    if (at == std::string::npos) {
+      m_texts.emplace(std::pair("", name), text);
+      continue;
     }
-    m_texts.emplace(name, text);
+    if (at > 0) {
+      const std::string path = name.substr(0, at);
+      tag = path.substr(path.rfind('/') + 1);
+    }
+    if (!tag.empty()) {
+      m_texts.emplace(std::pair(tag, name.substr(at + 1)), text);
+    }
   }
 }
 
-std::string CManual::TextOf(const std::string& tag, const std::string& attribute) const {
-  const auto exact = m_texts.find(tag + '@' + attribute);
-  if (exact != m_texts.end()) {
-    return exact->second;
-  }
-  const auto found = m_texts.find(attribute);
-  return found == m_texts.end() ? "" : found->second;
+SAttributeText CManual::TextOf(const std::string& tag, const std::string& attribute) const {
+  auto found = m_texts.find({tag, attribute});
+  found = found == m_texts.end() ? m_texts.find({"", attribute}) : found;
+  return found == m_texts.end() ? SAttributeText() : Parsed(found->second);
 }
 
 }  // namespace argos

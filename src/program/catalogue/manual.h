@@ -2,6 +2,7 @@
 #define ARGOS3_PROGRAM_CATALOGUE_MANUAL_H
 
 #include <argos3/core/utility/configuration/argos_configuration.h>
+#include <argos3/program/catalogue/elements.h>
 
 #include <map>
 #include <memory>
@@ -23,8 +24,8 @@ class CManual {
   /** The outermost elements of the examples, in their order. */
   const std::vector<TConfigurationNode>& GetExamples() const { return m_examples; }
 
-  /** What a table of attributes says about @p attribute of the element @p tag; "" if nothing. */
-  std::string TextOf(const std::string& tag, const std::string& attribute) const;
+  /** What tables say of the attribute of elements with that tag, or of any tag. */
+  SAttributeText TextOf(const std::string& tag, const std::string& attribute) const;
 
  private:
   void ReadExamples(const std::string& text);
@@ -33,7 +34,8 @@ class CManual {
 
   std::vector<std::unique_ptr<CConfigurationDocument>> m_documents;
   std::vector<TConfigurationNode> m_examples;
-  std::map<std::string, std::string> m_texts;  // by "attribute" or "element@attribute"
+  std::map<std::pair<std::string, std::string>, std::string>
+      m_texts;  // by tag or "", and attribute
 };
 
 }  // namespace argos

@@ -22,13 +22,9 @@ bool IsCommonBase(const std::string& name) {
   return name == "CCI_Sensor" || name == "CCI_Actuator";
 }
 
-// "class A" of "template <class B> class A : public C"
-struct SHead {
-  bool IsStruct = false;
-  std::string Name;
-  std::string Bases;
-};
+using SHead = CPublicHeaders::SHead;
 
+// "class A" of "template <class B> class A : public C"
 bool ReadHead(const std::string& code, SHead& head) {
   static const std::regex kPattern(
       "^(?:template ?<.*> ?)?(class|struct) (\\w+)(?: final)?(?: ?: ?(.*))?$");
@@ -59,33 +55,32 @@ std::string Cleaned(const std::string& code) {
   return std::regex_replace(code, kNoise, "");
 }
 
-STypeText DescribeType(const std::string& name, const std::string& text, const std::string& body) {
-  STypeText type{name, text, {}};
-  CHeaderScanner members(body);
-  bool isPublic = true;
-  while (members.Next()) {
-    if (!members.GetLabel().empty()) {
-      isPublic = members.GetLabel() == "public";
-    } else if (isPublic && members.GetCode().find('(') == std::string::npos &&
-               members.GetCode().rfind("typedef", 0) != 0 &&
-               members.GetCode().rfind("enum", 0) != 0 &&
-               members.GetCode().rfind("using", 0) != 0) {
-      std::string code = members.GetCode();
-      code = code.substr(0, code.find(" ="));
-      type.Fields.push_back({code, members.GetComment()});
-    }
-  }
-  return type;
+bool IsAccess(const std::string& code) {
+  return code == "public" || code == "protected" || code == "private";
 }
 
-STypeText DescribeEnum(const std::string& name, const std::string& text, const std::string& body) {
-  STypeText type{name, text, {}};
+STypeText DescribeType(const std::string& name, const SHeaderItem& type) {
+  static const std::regex kNoField(".*\\(.*|(typedef|enum|using)\\b.*");
+  STypeText text{name, type.Comment, {}};
+  bool isPublic = true;
+  for (const SHeaderItem& member : SplitDeclarations(type.Body)) {
+    if (IsAccess(member.Code)) {
+      isPublic = member.Code == "public";
+    } else if (isPublic && !std::regex_match(member.Code, kNoField)) {
+      text.Fields.push_back({member.Code.substr(0, member.Code.find(" =")), member.Comment});
+    }
+  }
+  return text;
+}
+
+STypeText DescribeEnum(const std::string& name, const SHeaderItem& type) {
   static const std::regex kValue(
       "(\\w+)\\s*(?:=[^,/]*)?,?[ ]*(?:/\\*\\*<\\s*((?:[^*]|\\*[^/])*)\\*/)?");
-  for (std::sregex_iterator it(body.begin(), body.end(), kValue), end; it != end; ++it) {
-    type.Fields.push_back({(*it)[1], PlainComment((*it)[2])});
+  STypeText text{name, type.Comment, {}};
+  for (std::sregex_iterator it(type.Body.begin(), type.Body.end(), kValue), end; it != end; ++it) {
+    text.Fields.push_back({(*it)[1], PlainComment((*it)[2])});
   }
-  return type;
+  return text;
 }
 
 std::string ReadFile(const fs::path& path) {
@@ -157,45 +152,32 @@ void CPublicHeaders::AddFolder(const std::string& folder, bool onlyInterfaces) {
 }
 
 void CPublicHeaders::AddHeader(const std::string& header, const std::string& text) {
-  CHeaderScanner declarations(text);
-  while (declarations.Next()) {
-    if (declarations.GetCode().rfind("namespace", 0) == 0) {
-      AddHeader(header, declarations.GetBody());
-      continue;
-    }
+  for (const SHeaderItem& item : SplitDeclarations(text)) {
     SHead head;
-    if (!declarations.GetBody().empty() && ReadHead(declarations.GetCode(), head)) {
-      m_classes.try_emplace(head.Name, SDefinition{header, declarations.GetComment(), head.Bases,
-                                                   declarations.GetBody(), head.IsStruct});
+    if (item.Code.rfind("namespace", 0) == 0) {
+      AddHeader(header, item.Body);
+    } else if (!item.Body.empty() && ReadHead(item.Code, head)) {
+      m_classes.try_emplace(head.Name, SDefinition{header, head, item.Comment, item.Body});
     }
   }
 }
 
-void CPublicHeaders::AddMembers(const SDefinition& definition, SClassText& description) const {
-  CHeaderScanner members(definition.Body);
-  bool isPublic = definition.IsStruct;
-  const auto self = std::find_if(m_classes.begin(), m_classes.end(),
-                                 [&](const auto& known) { return &known.second == &definition; });
-  while (members.Next()) {
-    if (!members.GetLabel().empty()) {
-      isPublic = members.GetLabel() == "public";
-      continue;
-    }
-    const std::string& code = members.GetCode();
+void CPublicHeaders::AddMembers(const SDefinition& definition, SClassText& description) {
+  bool isPublic = definition.Head.IsStruct;
+  for (const SHeaderItem& member : SplitDeclarations(definition.Body)) {
+    const std::string& code = member.Code;
     SHead head;
-    if (members.GetComment().rfind("robot.", 0) == 0) {
-      description.Lua += members.GetComment() + '\n';
+    if (member.Comment.rfind("robot.", 0) == 0) {
+      description.Lua += member.Comment + '\n';
     }
-    if (!isPublic) {
-      continue;
-    }
-    if (ReadHead(code, head) && !members.GetBody().empty()) {
-      description.Types.push_back(DescribeType(head.Name, members.GetComment(), members.GetBody()));
-    } else if (code.rfind("enum ", 0) == 0 && !members.GetBody().empty()) {
-      const std::string name = code.substr(code.find_last_of(' ') + 1);
-      description.Types.push_back(DescribeEnum(name, members.GetComment(), members.GetBody()));
-    } else if (IsForControllers(code, self->first)) {
-      description.Methods.push_back({Cleaned(code), members.GetComment()});
+    if (IsAccess(code)) {
+      isPublic = code == "public";
+    } else if (isPublic && !member.Body.empty() && ReadHead(code, head)) {
+      description.Types.push_back(DescribeType(head.Name, member));
+    } else if (isPublic && !member.Body.empty() && code.rfind("enum ", 0) == 0) {
+      description.Types.push_back(DescribeEnum(code.substr(code.find_last_of(' ') + 1), member));
+    } else if (isPublic && IsForControllers(code, definition.Head.Name)) {
+      description.Methods.push_back({Cleaned(code), member.Comment});
     }
   }
 }
@@ -220,7 +202,7 @@ SClassText CPublicHeaders::Describe(const std::string& name) const {
     AddMembers(definition->second, description);
     // bases, and arguments of bases that are templates, which may be their bases
     static const std::regex kWord("\\w+");
-    const std::string& bases = definition->second.Bases;
+    const std::string& bases = definition->second.Head.Bases;
     for (std::sregex_iterator it(bases.begin(), bases.end(), kWord), end; it != end; ++it) {
       waiting.push_back(it->str());
     }

@@ -48,18 +48,24 @@ class CPublicHeaders {
   /** Without methods if no header defines the class. @param name  "CCI_LEDsActuator" */
   SClassText Describe(const std::string& name) const;
 
+  /** The beginning of a definition. */
+  struct SHead {
+    bool IsStruct = false;
+    std::string Name;
+    std::string Bases;
+  };
+
  private:
   struct SDefinition {
     std::string Header;
+    SHead Head;
     std::string Text;
-    std::string Bases;
     std::string Body;
-    bool IsStruct = false;
   };
 
   void AddFolder(const std::string& folder, bool onlyInterfaces);
   void AddHeader(const std::string& header, const std::string& text);
-  void AddMembers(const SDefinition& definition, SClassText& description) const;
+  static void AddMembers(const SDefinition& definition, SClassText& description);
 
   std::map<std::string, SDefinition> m_classes;  // by name
 };

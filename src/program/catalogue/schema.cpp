@@ -1,418 +1,287 @@
 #include <argos3/program/catalogue/schema.h>
 
-#include <argos3/program/catalogue/answer.h>
-#include <argos3/program/catalogue/manual.h>
-#include <argos3/program/catalogue/recorded_grammar.h>
-#include <argos3/program/catalogue/schema_pattern.h>
+#include <argos3/program/catalogue/grammar.h>
+#include <argos3/program/catalogue/relax_ng_compact.h>
 
+#include <argos3/core/utility/configuration/configuration_document.h>
 #include <argos3/core/utility/text/string_utilities.h>
 
-#include <algorithm>
+#include <fmt/format.h>
 
 namespace argos {
 
 namespace {
 
-using EKind = SSchemaPattern::EKind;
+// Patterns of RELAX NG are its elements, as XML; an empty text is the pattern of nothing.
+using TPatterns = std::vector<std::string>;
 
 // numbers as ParseNumber() reads them
-constexpr const char* kReal = "[+\\-]?([0-9]+\\.?[0-9]*|\\.[0-9]+)([eE][+\\-]?[0-9]+)?";
+constexpr const char* kReal = "\\s*([+\\-]?([0-9]+\\.?[0-9]*|\\.[0-9]+)([eE][+\\-]?[0-9]+)?)\\s*";
+// whole numbers may be written as 25.0 or 1e3
+constexpr const char* kDigits = "[0-9]+(\\.0*)?([eE][+]?[0-9]+)?\\s*";
+// what users' code reads
+constexpr const char* kAnything =
+    "<zeroOrMore><choice><attribute><anyName/><text/></attribute>"
+    "<element><anyName/><ref name=\"anything\"/></element><text/></choice></zeroOrMore>";
 
-std::string Blanks(const std::string& pattern) {
-  return "\\s*" + pattern + "\\s*";
+constexpr const char* kColour = "\\s*([A-Za-z][A-Za-z0-9]*|[0-9]+\\s*(,\\s*[0-9]+\\s*){2,3})\\s*";
+constexpr const char* kGrammar =
+    "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!-- Made by argos3 from what the plug-ins read: "
+    "the option \"schema\". Do not edit. -->\n<grammar "
+    "xmlns=\"http://relaxng.org/ns/structure/1.0\" "
+    "xmlns:a=\"http://relaxng.org/ns/compatibility/annotations/1.0\" "
+    "datatypeLibrary=\"http://www.w3.org/2001/XMLSchema-datatypes\">{}</grammar>\n";
+
+std::string Escaped(std::string text) {
+  Replace(text, "&", "&amp;");
+  Replace(text, "<", "&lt;");
+  Replace(text, ">", "&gt;");
+  Replace(text, "\"", "&quot;");
+  return text;
 }
 
-// n numbers
-std::string List(int n, const std::string& separator) {
-  const std::string number = Blanks(std::string("(") + kReal + ")");
-  std::string list = number;
-  for (int i = 1; i < n; ++i) {
-    list += separator + number;
+std::string Reference(const std::string& name) {
+  return fmt::format(R"(<ref name="{}"/>)", Escaped(name));
+}
+
+std::string Matching(const std::string& pattern) {
+  return fmt::format(R"(<data type="string"><param name="pattern">{}</param></data>)", pattern);
+}
+
+std::string AnyNumberOf(const TPatterns& choices) {
+  return choices.empty()
+             ? ""
+             : WithTag("zeroOrMore", WithTag("choice", fmt::format("{}", fmt::join(choices, ""))));
+}
+
+// an element or attribute. @param contents  empty: none. @param name  empty: any but those in
+// except
+std::string Named(const std::string& kind, const std::string& name, const std::string& text,
+                  const std::string& contents, const TPatterns& except = {}) {
+  std::string names;
+  for (const std::string& other : except) {
+    names += WithTag("name", Escaped(other));
   }
-  return list;
+  names = names.empty() ? "<anyName/>" : WithTag("anyName", WithTag("except", names));
+  return fmt::format("<{0}{1}>{2}{3}{4}</{0}>", kind,
+                     name.empty() ? "" : fmt::format(R"( name="{}")", Escaped(name)),
+                     name.empty() ? names : "",
+                     text.empty() ? "" : WithTag("a:documentation", Escaped(text)),
+                     contents.empty() ? "<empty/>" : contents);
 }
 
-SSchemaPattern Reference(const std::string& name) {
-  return {EKind::Reference, name};
-}
-
-SSchemaPattern AnyNumberOf(std::vector<SSchemaPattern> choices) {
-  if (choices.empty()) {
-    return {EKind::Empty};
-  }
-  return {EKind::ZeroOrMore, "", "", {{EKind::Choice, "", "", std::move(choices)}}};
-}
-
-SSchemaPattern OfType(const std::string& type) {
-  static const std::map<std::string, std::string> definitions = {
-      {"real", "real"},       {"integer", "integer"}, {"natural", "natural"},
-      {"boolean", "boolean"}, {"colour", "colour"},   {"x,y", "xy"},
-      {"x,y,z", "xyz"},       {"z,y,x", "zyx"},       {"min:max", "range"}};
+std::string ValueOf(EValueType type) {
+  static const std::map<EValueType, std::string> definitions = {
+      {EValueType::AnyNumber, "real"},
+      {EValueType::RealNumber, "real"},
+      {EValueType::WholeNumber, "integer"},
+      {EValueType::NaturalNumber, "natural"},
+      {EValueType::Boolean, "boolean"},
+      {EValueType::Colour, "colour"},
+      {EValueType::XY, "xy"},
+      {EValueType::XYZ, "xyz"},
+      {EValueType::ZYX, "zyx"},
+      {EValueType::Range, "range"}};
   const auto found = definitions.find(type);
-  return found == definitions.end() ? SSchemaPattern{EKind::Text} : Reference(found->second);
+  return found == definitions.end() ? "<text/>" : Reference(found->second);
 }
 
-void AddTypes(SSchema& schema) {
-  const auto add = [&schema](const std::string& name, const std::string& pattern) {
-    schema.Definitions[name] = {EKind::Matching, pattern};
-  };
-  add("real", List(1, ""));
-  // whole numbers may be written as 25.0 or 1e3
-  add("integer", Blanks("[+\\-]?[0-9]+(\\.0*)?([eE][+]?[0-9]+)?"));
-  add("natural", Blanks("[+]?[0-9]+(\\.0*)?([eE][+]?[0-9]+)?"));
-  add("xy", List(2, ","));
-  add("xyz", List(3, ","));
-  add("zyx", List(3, ","));
-  add("range", List(2, ":"));
-  add("colour", Blanks("([A-Za-z][A-Za-z0-9]*|[0-9]+\\s*(,\\s*[0-9]+\\s*){2,3})"));
-  schema.Definitions["boolean"] = {
-      EKind::Choice, "", "", {{EKind::Value, "true"}, {EKind::Value, "false"}}};
-  // what users' code reads
-  schema.Definitions["anything"] = {EKind::ZeroOrMore,
-                                    "",
-                                    "",
-                                    {{EKind::Choice,
-                                      "",
-                                      "",
-                                      {{EKind::Attribute, "", "", {{EKind::Text}}},
-                                       {EKind::Element, "", "", {Reference("anything")}},
-                                       {EKind::Text}}}}};
+std::string Attribute(const std::string& name, const SAttribute& facts) {
+  const std::string pattern = Named("attribute", name, facts.Manual.Text, ValueOf(facts.Type));
+  return facts.IsRequired ? pattern : WithTag("optional", pattern);
 }
 
-/* Turns the recorded requests into definitions. */
+/* Turns the recorded elements into definitions of a grammar. */
 class CSchemaMaker {
  public:
-  CSchemaMaker(CRecordedGrammar& grammar, const std::vector<SPluginKind>& kinds);
-  SSchema Make();
+  explicit CSchemaMaker(CGrammar& grammar) : m_grammar(grammar), m_root(grammar.MakeRoot()) {}
+
+  /** The grammar, as XML of RELAX NG. */
+  std::string Make();
 
  private:
-  struct SDescribed {
-    std::string Brief;
-    CManual Manual;
-  };
+  const SPluginText* FindPlugin(const std::string& section, const SElementName& name) const;
 
-  void MergeDevices();
-  void MergeEntities();
-  void MergeOverlays(const SRequestedElement& element);
-  const SDescribed* Find(const std::string& section, const std::string& key) const;
-  bool IsOpen(const std::string& path, const SRequestedElement& element) const;
+  std::string Element(const SElementName& name, const SElement& element, const TElementPath& path,
+                      std::string text = "");
+  std::string Contents(const SElement& element, const TElementPath& path);
+  TPatterns Plugins(const SElement& section, const std::string& name);
+  std::string Controllers(const SElement& section);
+  std::string Entities(const SElement& arena);
+  std::string Root(bool withTypes);
 
-  SSchemaPattern Element(const std::string& key, const SRequestedElement& element,
-                         const std::string& path, const SDescribed* described,
-                         const std::string& text = "");
-  SSchemaPattern Attribute(const std::string& tag, const std::string& name,
-                           const SRequestedAttribute& attribute, const std::string& path,
-                           const SDescribed* described) const;
-  SSchemaPattern Contents(const SRequestedElement& element, const std::string& path,
-                          const SDescribed* described);
-  SSchemaPattern Special(const SRequestedElement& element, const std::string& path);
-  std::vector<SSchemaPattern> Plugins(const SRequestedElement& section, const std::string& name,
-                                      const std::string& path);
-  SSchemaPattern Controllers(const SRequestedElement& section);
-  SSchemaPattern Arena(bool withTypes);
-  SSchemaPattern Root(bool withTypes);
-
-  CRecordedGrammar& m_grammar;
-  SRequestedElement m_root;  // a copy, completed
-  SSchema m_schema;
-  std::map<std::string, SDescribed> m_described;  // by section and key
-  SRequestedElement m_entities;  // all, as children
-  SRequestedElement m_overlays;
+  CGrammar& m_grammar;
+  SElement m_root;
   bool m_withTypes = false;
+  std::map<std::string, std::string> m_definitions;
 };
 
-CSchemaMaker::CSchemaMaker(CRecordedGrammar& grammar, const std::vector<SPluginKind>& kinds)
-    : m_grammar(grammar) {
-  for (const SPluginKind& kind : kinds) {
-    const std::string section = CSampleElements::SectionOf(kind);
-    for (const SPluginText& plugin : kind.Plugins) {
-      if (!section.empty()) {
-        m_described.emplace(
-            section + '/' + plugin.Label,
-            SDescribed{IsUnsaid(plugin.Brief) ? "" : plugin.Brief, CManual(plugin.Long)});
+// null if there is none. Outputs may also be in <visualization>.
+const SPluginText* CSchemaMaker::FindPlugin(const std::string& section,
+                                            const SElementName& name) const {
+  for (const SPluginKind& kind : m_grammar.GetDevices().GetKinds()) {
+    if (kind.Section == section || kind.Word == section ||
+        (section == "outputs" && kind.Section == "visualization")) {
+      for (const SPluginText& plugin : kind.Plugins) {
+        if (plugin.Label == name.ToLabel()) {
+          return &plugin;
+        }
       }
     }
   }
-  m_root.Merge(m_grammar.GetRoot());
-  MergeDevices();
-  MergeEntities();
-  MergeOverlays(m_root);
+  return nullptr;
 }
 
-// what devices have in common, such as <noise>, is read by the same code in each
-void CSchemaMaker::MergeDevices() {
-  std::vector<SRequestedElement*> devices;
-  for (const auto& [label, controller] : m_root.Child("controllers").Children) {
-    for (const char* const section : {"actuators", "sensors"}) {
-      for (const auto& [key, device] : controller->Child(section).Children) {
-        devices.push_back(device.get());
-      }
-    }
+std::string CSchemaMaker::Element(const SElementName& name, const SElement& element,
+                                  const TElementPath& path, std::string text) {
+  const SPluginText* const known = FindPlugin("elements", name);
+  text = text.empty() && known != nullptr ? known->Brief : text;
+  // what users' code reads, and what was only looked for
+  static const std::set<std::string> kOpen = {"params", "loop_functions", "user_functions"};
+  if (!element.IsVisited || kOpen.count(name.Tag) > 0) {
+    return Named("element", name.Tag, text, Reference("anything"));
   }
-  SRequestedElement common;
-  for (const SRequestedElement* const device : devices) {
-    for (const auto& [tag, child] : device->Children) {
-      if (child->IsVisited) {
-        common.Child(tag).Merge(*child);
-      }
-    }
-  }
-  for (SRequestedElement* const device : devices) {
-    for (const auto& [tag, child] : device->Children) {
-      if (!child->IsVisited && common.Find(tag) != nullptr) {
-        child->Merge(*common.Find(tag));
-      }
-    }
-  }
-}
-
-// robots inside and outside <distribute> are the same; what one robot contains, others can contain
-void CSchemaMaker::MergeEntities() {
-  const SRequestedElement* const arena = m_root.Find("arena");
-  if (arena == nullptr) {
-    return;
-  }
-  const auto merge = [this](const SRequestedElement& parent) {
-    for (const auto& [tag, entity] : parent.Children) {
-      if (m_described.count("arena/" + tag) > 0) {
-        m_entities.Child(tag).Merge(*entity);
-      }
-    }
-  };
-  merge(*arena);
-  const SRequestedElement* const distribute = arena->Find("distribute");
-  const SRequestedElement* const entity =
-      distribute == nullptr ? nullptr : distribute->Find("entity");
-  if (entity != nullptr) {
-    merge(*entity);
-  }
-  SRequestedElement parts;
-  const std::vector<std::string>& robots = m_grammar.GetCatalogue().GetRobots();
-  for (const std::string& robot : robots) {
-    for (const auto& [tag, part] : m_entities.Child(robot).Children) {
-      if (part->IsVisited) {
-        parts.Child(tag).Merge(*part);
-      }
-    }
-  }
-  for (const std::string& robot : robots) {
-    SRequestedElement& element = m_entities.Child(robot);
-    for (const auto& [tag, part] : parts.Children) {
-      const bool isEngine = m_described.count("physics_engines/" + tag) > 0;
-      if (isEngine || element.Find(tag) != nullptr) {
-        element.Child(tag).Merge(*part);
-      }
-    }
-  }
-}
-
-void CSchemaMaker::MergeOverlays(const SRequestedElement& element) {
-  for (const auto& [tag, child] : element.Children) {
-    if (tag == "overlays") {
-      m_overlays.Merge(*child);
-    } else {
-      MergeOverlays(*child);
-    }
-  }
-}
-
-const CSchemaMaker::SDescribed* CSchemaMaker::Find(const std::string& section,
-                                                   const std::string& key) const {
-  const auto found = m_described.find(section + '/' + key);
-  return found == m_described.end() ? nullptr : &found->second;
-}
-
-// true for what users' code reads, and what was only looked for
-bool CSchemaMaker::IsOpen(const std::string& path, const SRequestedElement& element) const {
-  const std::string tag = path.substr(path.rfind('/') + 1);
-  return !element.IsVisited || tag == "params" || tag == "loop_functions" ||
-         tag == "user_functions";
-}
-
-SSchemaPattern CSchemaMaker::Attribute(const std::string& tag, const std::string& name,
-                                       const SRequestedAttribute& attribute,
-                                       const std::string& path, const SDescribed* described) const {
-  SSchemaPattern pattern = {EKind::Attribute, name};
-  pattern.Text = described == nullptr ? "" : described->Manual.TextOf(tag, name);
-  pattern.Parts.push_back(OfType(TypeOf(attribute)));
-  return m_grammar.IsRequired(path, name)
-             ? pattern
-             : SSchemaPattern{EKind::Optional, "", "", {std::move(pattern)}};
-}
-
-SSchemaPattern CSchemaMaker::Contents(const SRequestedElement& element, const std::string& path,
-                                      const SDescribed* described) {
-  std::vector<SSchemaPattern> choices;
-  const std::string tag = path.substr(path.rfind('/') + 1);
-  if (tag == "overlays") {
-    choices = Plugins(m_overlays, "overlays", path);
-  } else {
-    for (const auto& [key, child] : element.Children) {
-      choices.push_back(Element(key, *child, path + '/' + key, described));
-    }
+  std::string parts;
+  TPatterns names;
+  for (const auto& [attribute, facts] : element.Attributes) {
+    const bool isLabel = attribute == "implementation" && !name.Implementation.empty();
+    parts += isLabel ? Named("attribute", attribute, "", WithTag("value", name.Implementation))
+                     : Attribute(attribute, facts);
+    names.push_back(attribute);
   }
   if (element.IsOpen) {
-    choices.push_back({EKind::Element, "", "", {Reference("anything")}});
+    parts += WithTag("zeroOrMore", Named("attribute", "", "", "<text/>", names));
   }
-  if (element.HasText || element.IsOpen) {
-    choices.push_back({EKind::Text});
-  }
-  return AnyNumberOf(std::move(choices));
+  return Named("element", name.Tag, text, parts + Contents(element, path));
 }
 
-SSchemaPattern CSchemaMaker::Element(const std::string& key, const SRequestedElement& element,
-                                     const std::string& path, const SDescribed* described,
-                                     const std::string& text) {
-  const std::string tag = TagOf(key);
-  SSchemaPattern pattern = {EKind::Element, tag, text};
-  if (IsOpen(path, element)) {
-    pattern.Parts = {Reference("anything")};
-    return pattern;
-  }
-  for (const auto& [name, attribute] : element.Attributes) {
-    if (name == "implementation" && tag != key) {
-      const std::string implementation = key.substr(tag.size() + 2, key.size() - tag.size() - 3);
-      pattern.Parts.push_back({EKind::Attribute, name, "", {{EKind::Value, implementation}}});
-    } else {
-      pattern.Parts.push_back(Attribute(tag, name, attribute, path, described));
-    }
-  }
-  if (element.IsOpen) {
-    SSchemaPattern any = {EKind::Attribute, "", "", {{EKind::Text}}};
-    for (const auto& [name, attribute] : element.Attributes) {
-      any.Except.push_back(name);
-    }
-    pattern.Parts.push_back({EKind::ZeroOrMore, "", "", {std::move(any)}});
-  }
-  pattern.Parts.push_back(Special(element, path));
-  if (pattern.Parts.back().Kind == EKind::Empty) {
-    pattern.Parts.back() = Contents(element, path, described);
-  }
-  if (pattern.Parts.back().Kind == EKind::Empty && pattern.Parts.size() > 1) {
-    pattern.Parts.pop_back();
-  }
-  return pattern;
-}
-
-// sections whose children are plug-ins; Empty for other elements
-SSchemaPattern CSchemaMaker::Special(const SRequestedElement& element, const std::string& path) {
-  if (path == "controllers") {
+std::string CSchemaMaker::Contents(const SElement& element, const TElementPath& path) {
+  static const std::set<std::string> kSections = {"physics_engines", "media", "visualization",
+                                                  "outputs", "robot_types"};
+  const std::string& tag = path.back().Tag;
+  const bool isSection = path.size() == 1;
+  if (isSection && tag == "controllers") {
     return Controllers(element);
   }
-  if (path == "arena") {
-    return Arena(m_withTypes);
+  if (isSection && tag == "arena") {
+    return Entities(element);
   }
-  if (path == "arena/distribute/entity") {
+  if (path.size() == 3 && tag == "entity") {
     return Reference(m_withTypes ? "entities_and_robots" : "entities");
   }
-  for (const char* const section :
-       {"physics_engines", "media", "visualization", "outputs", "robot_types"}) {
-    if (path == section) {
-      return AnyNumberOf(Plugins(element, section, path));
-    }
+  if (tag == "overlays" || (isSection && kSections.count(tag) > 0)) {
+    return AnyNumberOf(Plugins(element, tag));
   }
-  return {EKind::Empty};
+  TPatterns choices;
+  for (const auto& [name, child] : element.Children) {
+    choices.push_back(Element(name, child, path / name));
+  }
+  if (element.IsOpen) {
+    choices.push_back(Named("element", "", "", Reference("anything")));
+  }
+  if (element.HasText || element.IsOpen) {
+    choices.emplace_back("<text/>");
+  }
+  return AnyNumberOf(choices);
 }
 
-std::vector<SSchemaPattern> CSchemaMaker::Plugins(const SRequestedElement& section,
-                                                  const std::string& name,
-                                                  const std::string& path) {
-  std::vector<SSchemaPattern> plugins;
-  for (const auto& [key, element] : section.Children) {
-    // outputs may be in both sections
-    const SDescribed* described = Find(name, key);
-    described = described == nullptr && name == "outputs" ? Find("visualization", key) : described;
-    if (described == nullptr) {
+TPatterns CSchemaMaker::Plugins(const SElement& section, const std::string& name) {
+  TPatterns references;
+  for (const auto& [element, facts] : section.Children) {
+    const SPluginText* const plugin = FindPlugin(name, element);
+    if (plugin == nullptr) {
       continue;
     }
-    std::string id = name + '.' + key;
-    Replace(id, " (", ".");
-    Replace(id, ")", "");
-    SRequestedElement known;
-    known.Merge(*element);
-    if (m_grammar.IsUnknown(name, key) && name != "outputs") {
+    SElement known = facts;
+    if (m_grammar.IsUnknown(name, element) && name != "outputs") {
       known.IsOpen = true;
       known.IsVisited = true;
     }
-    m_schema.Definitions[id] = Element(key, known, path + '/' + key, described, described->Brief);
-    plugins.push_back(Reference(id));
+    const std::string id =
+        fmt::format("{}.{}{}{}", name, element.Tag, element.Implementation.empty() ? "" : ".",
+                    element.Implementation);
+    m_definitions[id] = Element(element, known, PathOf(name, element), plugin->Brief);
+    references.push_back(Reference(id));
   }
-  return plugins;
+  return references;
 }
 
 // any name: libraries that a file names may have further controllers
-SSchemaPattern CSchemaMaker::Controllers(const SRequestedElement& section) {
-  SRequestedElement all;
-  for (const auto& [label, controller] : section.Children) {
-    all.Merge(*controller);
+std::string CSchemaMaker::Controllers(const SElement& section) {
+  const SElement* const controller = section.Find({"lua_controller"});
+  if (controller == nullptr) {
+    return "";
   }
-  SSchemaPattern controller = {EKind::Element, "", "A controller of robots: its tag is its label."};
-  for (const auto& [name, attribute] : all.Attributes) {
-    controller.Parts.push_back(
-        Attribute("", name, attribute, "controllers/lua_controller", nullptr));
-  }
-  std::vector<SSchemaPattern> parts = {{EKind::Element,
-                                        "params",
-                                        "Attributes and elements for the controller.",
-                                        {Reference("anything")}}};
+  TPatterns parts = {Named("element", "params", "Attributes and elements for the controller.",
+                           Reference("anything"))};
   for (const char* const devices : {"actuators", "sensors"}) {
-    SSchemaPattern list = {EKind::Element, devices};
-    list.Parts.push_back(AnyNumberOf(Plugins(
-        all.Child(devices), devices, std::string("controllers/lua_controller/") + devices)));
-    parts.push_back(std::move(list));
+    const SElement* const list = controller->Find({devices});
+    parts.push_back(
+        Named("element", devices, "", list == nullptr ? "" : AnyNumberOf(Plugins(*list, devices))));
   }
-  controller.Parts.push_back(AnyNumberOf(std::move(parts)));
-  return AnyNumberOf({std::move(controller)});
+  std::string attributes;
+  for (const auto& [name, facts] : controller->Attributes) {
+    attributes += Attribute(name, facts);
+  }
+  return AnyNumberOf({Named("element", "", "A controller of robots: its tag is its label.",
+                            attributes + AnyNumberOf(parts))});
 }
 
-SSchemaPattern CSchemaMaker::Arena(bool withTypes) {
-  std::vector<SSchemaPattern> choices;
-  std::vector<std::string> tags = {"distribute"};
-  for (SSchemaPattern& plugin : Plugins(m_entities, "arena", "arena")) {
-    tags.push_back(plugin.Name.substr(plugin.Name.find('.') + 1));
-    choices.push_back(std::move(plugin));
+// what the arena contains
+std::string CSchemaMaker::Entities(const SElement& arena) {
+  TPatterns choices = Plugins(arena, "arena");
+  m_definitions["entities"] = AnyNumberOf(choices);
+  if (m_withTypes) {
+    TPatterns tags;
+    for (const auto& [name, entity] : arena.Children) {
+      tags.push_back(name.Tag);
+    }
+    // the tag of a robot of <robot_types> is the id of its type
+    choices.push_back(
+        Named("element", "", "A robot of a type in robot_types.", Reference("anything"), tags));
+    m_definitions["entities_and_robots"] = AnyNumberOf(choices);
   }
-  m_schema.Definitions["entities"] = AnyNumberOf(choices);
-  const SRequestedElement* const arena = m_root.Find("arena");
-  const SRequestedElement* const distribute =
-      arena == nullptr ? nullptr : arena->Find("distribute");
-  // the tag of a robot of <robot_types> is the id of its type
-  const SSchemaPattern typed = {
-      EKind::Element, "", "A robot of a type in robot_types.", {Reference("anything")}, tags};
-  if (withTypes) {
-    choices.push_back(typed);
-    m_schema.Definitions["entities_and_robots"] = AnyNumberOf(choices);
+  const SElementName distribute = {"distribute"};
+  if (const SElement* const element = arena.Find(distribute)) {
+    choices.push_back(Element(distribute, *element, PathOf("arena", distribute)));
   }
-  if (distribute != nullptr) {
-    choices.push_back(Element("distribute", *distribute, "arena/distribute", nullptr,
-                              "Places a number of entities at random or in a grid."));
-  }
-  return AnyNumberOf(std::move(choices));
+  return AnyNumberOf(choices);
 }
 
-SSchemaPattern CSchemaMaker::Root(bool withTypes) {
+std::string CSchemaMaker::Root(bool withTypes) {
   m_withTypes = withTypes;
-  SSchemaPattern root = {EKind::Element, "argos-configuration"};
-  std::vector<SSchemaPattern> sections;
-  for (const auto& [tag, section] : m_root.Children) {
-    if (tag != "robot_types") {
-      sections.push_back(Element(tag, *section, tag, nullptr));
+  TPatterns sections;
+  for (const auto& [name, section] : m_root.Children) {
+    if (name.Tag != "robot_types") {
+      sections.push_back(Element(name, section, {name}));
     }
   }
-  SSchemaPattern rest = AnyNumberOf(sections);
-  root.Parts.push_back(rest);
-  const SRequestedElement* const types = m_root.Find("robot_types");
+  std::string contents = AnyNumberOf(sections);
+  const SElement* const types = m_root.Find({"robot_types"});
   if (withTypes && types != nullptr) {
-    root.Parts.push_back(Element("robot_types", *types, "robot_types", nullptr));
-    root.Parts.push_back(rest);
+    contents += Element({"robot_types"}, *types, {{"robot_types"}}) + contents;
   }
-  return root;
+  return Named("element", "argos-configuration", "", contents);
 }
 
-SSchema CSchemaMaker::Make() {
-  AddTypes(m_schema);
-  m_schema.Definitions["start"] = {EKind::Choice, "", "", {Root(false), Root(true)}};
-  return std::move(m_schema);
+std::string CSchemaMaker::Make() {
+  const std::string start = WithTag("choice", Root(false) + Root(true));
+  m_definitions.insert({{"real", Matching(kReal)},
+                        {"integer", Matching("\\s*[+\\-]?" + std::string(kDigits))},
+                        {"natural", Matching("\\s*[+]?" + std::string(kDigits))},
+                        {"xy", Matching(fmt::format("{0},{0}", kReal))},
+                        {"xyz", Matching(fmt::format("{0},{0},{0}", kReal))},
+                        {"zyx", Matching(fmt::format("{0},{0},{0}", kReal))},
+                        {"range", Matching(fmt::format("{0}:{0}", kReal))},
+                        {"colour", Matching(kColour)},
+                        {"boolean", "<choice><value>true</value><value>false</value></choice>"},
+                        {"anything", kAnything}});
+  std::string xml = WithTag("start", start);
+  for (const auto& [name, pattern] : m_definitions) {
+    xml += fmt::format(R"(<define name="{}">{}</define>)", Escaped(name),
+                       pattern.empty() ? "<empty/>" : pattern);
+  }
+  return fmt::format(kGrammar, xml);
 }
 
 }  // namespace
@@ -423,11 +292,12 @@ bool IsSchemaFormat(const std::string& format) {
 
 std::string MakeSchema(const std::string& format) {
   const std::vector<SPluginKind> kinds = ListPluginKinds();
-  CDeviceCatalogue catalogue(kinds);
-  CRecordedGrammar grammar(catalogue);
+  CDevices devices(kinds);
+  CGrammar grammar(devices);
   grammar.RecordAll();
-  const SSchema schema = CSchemaMaker(grammar, kinds).Make();
-  return format == "rnc" ? WriteRelaxNgCompact(schema) : WriteRelaxNg(schema);
+  CConfigurationDocument document;
+  document.Parse(CSchemaMaker(grammar).Make(), "schema");
+  return format == "rnc" ? WriteCompactSyntax(document.GetRoot()) : document.ToText();
 }
 
 }  // namespace argos

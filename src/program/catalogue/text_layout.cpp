@@ -1,5 +1,7 @@
 #include <argos3/program/catalogue/text_layout.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <sstream>
 #include <vector>
@@ -9,109 +11,64 @@ namespace argos {
 namespace {
 
 // where texts begin in tables with very long names
-constexpr std::size_t kMostIndent = 40;
+constexpr std::size_t kMaxColumn = 40;
 constexpr std::size_t kShallowIndent = 8;
+
+using TLines = std::vector<std::string>;
 
 std::size_t IndentOf(const std::string& line) {
   return std::min(line.find_first_not_of(' '), line.size());
 }
 
-// lines until the next empty one
-using TBlock = std::vector<std::string>;
-
-bool IsXml(const TBlock& block) {
-  const std::size_t indent = IndentOf(block.front());
-  return indent > 0 && block.front().compare(indent, 1, "<") == 0;
+bool IsItem(const std::string& line) {
+  return line.rfind("- ", 0) == 0;
 }
 
-bool IsWide(const TBlock& block) {
-  return std::any_of(block.begin(), block.end(),
-                     [](const std::string& line) { return line.size() > kTextWidth; });
+// XML, and what is narrow enough
+bool IsKept(const TLines& lines) {
+  const std::size_t indent = IndentOf(lines.front());
+  return (indent > 0 && lines.front().compare(indent, 1, "<") == 0) ||
+         std::none_of(lines.begin(), lines.end(),
+                      [](const std::string& line) { return line.size() > kTextWidth; });
 }
 
-// "name    text": the column of the text; 0 if there is none
-std::size_t TextColumn(const std::string& line) {
-  const std::size_t gap = line.find("  ", IndentOf(line));
-  return gap == std::string::npos ? 0 : std::min(line.find_first_not_of(' ', gap), line.size());
-}
-
-void WrapRow(const std::string& row, const std::string& more, std::string& text) {
-  const std::size_t column = TextColumn(row);
-  const std::size_t indent = IndentOf(row);
-  if (column == 0) {
-    text += row + '\n';
-    text += more.empty() ? "" : Wrapped(more, indent + 6);
-    return;
+// a paragraph, an item of a list, or a row of a table, "  name    text", with the lines that
+// continue it
+std::string WrapUnit(const std::string& first, const std::string& rest) {
+  const std::size_t indent = IndentOf(first);
+  std::string text = rest.empty() ? "" : " ";
+  text += rest;
+  if (indent == 0) {
+    return Wrapped(first + text, 0, IsItem(first) ? 2 : 0);
   }
-  std::string rest = row.substr(column);
-  rest += more.empty() ? "" : " ";
-  rest += more;
-  if (column > kMostIndent) {
-    const std::string name = row.substr(0, row.find_last_not_of(' ', column - 1) + 1);
-    text += name + '\n' + Wrapped(rest, kShallowIndent);
-  } else {
-    text += row.substr(0, column) + Wrapped(rest, column).substr(column);
+  const std::size_t gap = first.find("  ", indent);
+  if (gap == std::string::npos) {
+    return first + '\n' + (rest.empty() ? "" : Wrapped(rest, indent + 6));
   }
+  const std::size_t column = std::min(first.find_first_not_of(' ', gap), first.size());
+  const std::string described = first.substr(column) + text;
+  if (column > kMaxColumn) {
+    return first.substr(0, gap) + '\n' + Wrapped(described, kShallowIndent);
+  }
+  return first.substr(0, column) + Wrapped(described, column).substr(column);
 }
 
-// rows, each followed by lines that are indented more
-void WrapTable(const TBlock& block, std::string& text) {
+// lines that are all indented, or none of them
+std::string WrapLines(const TLines& lines) {
+  std::string text;
   std::size_t i = 0;
-  while (i < block.size()) {
-    const std::string& row = block[i];
-    std::string more;
-    for (++i; i < block.size() && IndentOf(block[i]) > IndentOf(row); ++i) {
-      more += more.empty() ? "" : " ";
-      more += block[i].substr(IndentOf(block[i]));
+  while (i < lines.size()) {
+    const std::string& first = lines[i];
+    std::string rest;
+    for (++i; i < lines.size() && !IsItem(lines[i]) &&
+              (IndentOf(first) == 0 || IndentOf(lines[i]) > IndentOf(first));
+         ++i) {
+      rest += rest.empty() ? "" : " ";
+      rest += lines[i].substr(IndentOf(lines[i]));
     }
-    WrapRow(row, more, text);
+    text += WrapUnit(first, rest);
   }
-}
-
-void WrapParagraph(const TBlock& block, std::string& text) {
-  std::string paragraph;
-  const auto finish = [&] {
-    const bool isItem = paragraph.rfind("- ", 0) == 0;
-    text += paragraph.empty() ? "" : Wrapped(paragraph, 0, isItem ? 2 : 0);
-    paragraph.clear();
-  };
-  for (const std::string& line : block) {
-    if (line.rfind("- ", 0) == 0) {
-      finish();
-    }
-    paragraph += paragraph.empty() ? "" : " ";
-    paragraph += line.substr(IndentOf(line));
-  }
-  finish();
-}
-
-// all lines indented, or none
-void WrapRun(const TBlock& block, std::string& text) {
-  if (IsXml(block) || !IsWide(block)) {
-    for (const std::string& line : block) {
-      text += line + '\n';
-    }
-  } else if (IndentOf(block.front()) == 0) {
-    WrapParagraph(block, text);
-  } else {
-    WrapTable(block, text);
-  }
-}
-
-void WrapBlock(const TBlock& block, std::string& text) {
-  if (block.front().rfind("- ", 0) == 0 && IsWide(block)) {
-    WrapParagraph(block, text);
-    return;
-  }
-  const auto isIndented = [](const std::string& line) { return line.front() == ' '; };
-  auto begin = block.begin();
-  while (begin != block.end()) {
-    const bool first = isIndented(*begin);
-    const auto end = std::find_if(
-        begin, block.end(), [&](const std::string& line) { return isIndented(line) != first; });
-    WrapRun(TBlock(begin, end), text);
-    begin = end;
-  }
+  return text;
 }
 
 }  // namespace
@@ -119,44 +76,47 @@ void WrapBlock(const TBlock& block, std::string& text) {
 std::string Wrapped(const std::string& text, std::size_t indent, std::size_t hanging) {
   std::string wrapped;
   std::istringstream lines(text);
-  bool isFirst = true;
+  std::string start(indent, ' ');
   for (std::string line; std::getline(lines, line);) {
     std::istringstream words(line);
     std::string current;
     for (std::string word; words >> word;) {
-      const std::string start = std::string(indent + (isFirst ? 0 : hanging), ' ');
-      if (current.empty()) {
-        current = start + word;
-      } else if (current.size() + 1 + word.size() <= kTextWidth) {
-        current += ' ' + word;
-      } else {
+      if (!current.empty() && current.size() + 1 + word.size() > kTextWidth) {
         wrapped += current + '\n';
-        isFirst = false;
-        current = std::string(indent + hanging, ' ') + word;
+        start.resize(indent + hanging, ' ');
+        current.clear();
       }
+      current += (current.empty() ? start : " ") + word;
     }
     wrapped += current + '\n';
-    isFirst = false;
+    start.resize(indent + hanging, ' ');
   }
   return wrapped;
 }
 
 std::string WrappedManual(const std::string& manual) {
   std::string text;
-  TBlock block;
+  TLines run;
   const auto finish = [&] {
-    if (!block.empty()) {
-      WrapBlock(block, text);
-      block.clear();
+    if (!run.empty() && IsKept(run)) {
+      text += fmt::format("{}\n", fmt::join(run, "\n"));
+    } else if (!run.empty()) {
+      text += WrapLines(run);
     }
+    run.clear();
   };
   std::istringstream lines(manual);
   for (std::string line; std::getline(lines, line);) {
-    if (IndentOf(line) == line.size()) {
+    const bool isEmpty = IndentOf(line) == line.size();
+    const bool isOther = !run.empty() && (IndentOf(line) > 0) != (IndentOf(run.back()) > 0);
+    // the lines of an item may be indented
+    if (isEmpty || (isOther && !IsItem(run.front()))) {
       finish();
+    }
+    if (isEmpty) {
       text += '\n';
     } else {
-      block.push_back(line);
+      run.push_back(line);
     }
   }
   finish();

@@ -77,7 +77,7 @@ void CConfigurationStore::InheritOrigin(tinyxml2::XMLElement& copy,
   const auto* originalRecord = static_cast<const SConfigurationEntry*>(original.GetUserData());
   if (CRequestRecorder::Current() != nullptr) {
     entry.OriginPath =
-        std::make_shared<const std::vector<std::string>>(CRequestRecorder::PathOf(original));
+        std::make_shared<const std::vector<SElementName>>(CRequestRecorder::PathOf(original));
   }
   if (originalRecord != nullptr) {
     entry.Origin = originalRecord->Origin;

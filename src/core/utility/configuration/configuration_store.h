@@ -4,6 +4,7 @@
 // private: the only header that includes the XML library
 
 #include <argos3/core/utility/configuration/configuration_node.h>
+#include <argos3/core/utility/configuration/element_name.h>
 
 #include <tinyxml2.h>
 
@@ -40,7 +41,7 @@ struct SConfigurationEntry {
   // the entry of the element of which it is a copy, or this one
   const SConfigurationEntry* Origin = this;
   // where the original is or was, for CRequestRecorder; null unless it is a recorded copy
-  std::shared_ptr<const std::vector<std::string>> OriginPath;
+  std::shared_ptr<const std::vector<SElementName>> OriginPath;
   // shared with the document from which the element was copied, which may have been destroyed
   std::shared_ptr<const std::string> File;
   // of the document from which the element was copied, likewise; null unless that is lenient

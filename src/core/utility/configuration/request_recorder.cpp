@@ -13,10 +13,9 @@ thread_local CRequestRecorder* currentRecorder = nullptr;
 // no number ends with it
 constexpr const char* kLooseEnd = " ?";
 
-std::string KeyOf(const tinyxml2::XMLElement& element) {
+SElementName NameOf(const tinyxml2::XMLElement& element) {
   const char* const implementation = element.Attribute("implementation");
-  const std::string tag = element.Value();
-  return implementation == nullptr ? tag : tag + " (" + implementation + ")";
+  return {element.Value(), implementation == nullptr ? "" : implementation};
 }
 
 }  // namespace
@@ -33,16 +32,16 @@ void SRequestedAttribute::Merge(const SRequestedAttribute& other) {
   IsMissed = IsMissed || other.IsMissed;
 }
 
-SRequestedElement& SRequestedElement::Child(const std::string& key) {
-  std::unique_ptr<SRequestedElement>& child = Children[key];
+SRequestedElement& SRequestedElement::Child(const SElementName& name) {
+  std::unique_ptr<SRequestedElement>& child = Children[name];
   if (child == nullptr) {
     child = std::make_unique<SRequestedElement>();
   }
   return *child;
 }
 
-const SRequestedElement* SRequestedElement::Find(const std::string& key) const {
-  const auto child = Children.find(key);
+const SRequestedElement* SRequestedElement::Find(const SElementName& name) const {
+  const auto child = Children.find(name);
   return child == Children.end() ? nullptr : child->second.get();
 }
 
@@ -50,8 +49,8 @@ void SRequestedElement::Merge(const SRequestedElement& other) {
   for (const auto& [name, attribute] : other.Attributes) {
     Attributes[name].Merge(attribute);
   }
-  for (const auto& [key, child] : other.Children) {
-    Child(key).Merge(*child);
+  for (const auto& [name, child] : other.Children) {
+    Child(name).Merge(*child);
   }
   IsVisited = IsVisited || other.IsVisited;
   HasText = HasText || other.HasText;
@@ -70,12 +69,12 @@ CRequestRecorder* CRequestRecorder::Current() {
   return currentRecorder;
 }
 
-std::vector<std::string> CRequestRecorder::PathOf(const tinyxml2::XMLElement& element) {
+std::vector<SElementName> CRequestRecorder::PathOf(const tinyxml2::XMLElement& element) {
   const auto* const record = static_cast<const SConfigurationEntry*>(element.GetUserData());
   if (record != nullptr && record->OriginPath != nullptr) {
     return *record->OriginPath;
   }
-  std::vector<std::string> path;
+  std::vector<SElementName> path;
   const tinyxml2::XMLNode* const parent = element.Parent();
   if (parent == nullptr) {
     return path;
@@ -86,18 +85,18 @@ std::vector<std::string> CRequestRecorder::PathOf(const tinyxml2::XMLElement& el
       return path;
     }
   }
-  path.push_back(KeyOf(element));
+  path.push_back(NameOf(element));
   return path;
 }
 
 SRequestedElement* CRequestRecorder::Find(const SConfigurationEntry& record) {
-  const std::vector<std::string> path = PathOf(*record.Element);
+  const std::vector<SElementName> path = PathOf(*record.Element);
   if (path.empty()) {
     return nullptr;
   }
   SRequestedElement* found = &m_requests;
-  for (const std::string& key : path) {
-    found = &found->Child(key);
+  for (const SElementName& name : path) {
+    found = &found->Child(name);
   }
   found->IsVisited = true;
   return found;
@@ -152,7 +151,7 @@ void CRequestRecorder::NoteChild(const SConfigurationEntry& record, const std::s
   SRequestedElement* const element = Find(record);
   // an element that exists is noted when something is read of it
   if (element != nullptr && record.Element->FirstChildElement(tag.c_str()) == nullptr) {
-    element->Child(tag);
+    element->Child({tag});
   }
 }
 

@@ -1,6 +1,8 @@
 #ifndef ARGOS3_CORE_UTILITY_CONFIGURATION_REQUEST_RECORDER_H
 #define ARGOS3_CORE_UTILITY_CONFIGURATION_REQUEST_RECORDER_H
 
+#include <argos3/core/utility/configuration/element_name.h>
+
 #include <map>
 #include <memory>
 #include <string>
@@ -33,15 +35,14 @@ struct SRequestedAttribute {
 /** What was requested of an element, and of those inside it. */
 struct SRequestedElement {
   std::map<std::string, SRequestedAttribute> Attributes;
-  /** By tag; of elements with the attribute "implementation": "tag (implementation)". */
-  std::map<std::string, std::unique_ptr<SRequestedElement>> Children;
+  std::map<SElementName, std::unique_ptr<SRequestedElement>> Children;
   bool IsVisited = false; /**< there was such an element; otherwise it was only looked for */
   bool HasText = false;
   bool IsOpen = false; /**< any attributes and elements are read */
 
-  SRequestedElement& Child(const std::string& key);
+  SRequestedElement& Child(const SElementName& name);
   /** Null if there is none. */
-  const SRequestedElement* Find(const std::string& key) const;
+  const SRequestedElement* Find(const SElementName& name) const;
   void Merge(const SRequestedElement& other);
 };
 
@@ -66,8 +67,8 @@ class CRequestRecorder {
   /** The one of this thread, or null. */
   static CRequestRecorder* Current();
 
-  /** Keys from the root of the document; of copies, those of the original; empty without root. */
-  static std::vector<std::string> PathOf(const tinyxml2::XMLElement& element);
+  /** Names from the root of the document; of copies, those of the original; empty without root. */
+  static std::vector<SElementName> PathOf(const tinyxml2::XMLElement& element);
 
   // called by the elements
   void NoteAttribute(const SConfigurationEntry& record, const std::string& name);

@@ -58,6 +58,26 @@ class CPluginKind {
   static std::map<std::string, SKind> GetAll();
 };
 
+/**
+ * Describes an element of experiment files that is no plug-in, such as <distribute>, to queries and
+ * schemas. For objects at namespace level of the library that reads the element.
+ */
+class CElementText {
+ public:
+  /**
+   * @param tag     of the element.
+   * @param author  as of a plug-in.
+   * @param brief   one sentence.
+   * @param manual  as the long description of a plug-in: examples in XML, and a table of attributes
+   *   ("name  text", "tag@name  text" for elements inside it).
+   */
+  CElementText(const std::string& tag, const std::string& author, const std::string& brief,
+               const std::string& manual);
+
+  /** All that were added, by tag. */
+  static std::vector<SPluginText> GetAll();
+};
+
 }  // namespace argos
 
 #endif

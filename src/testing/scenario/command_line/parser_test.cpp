@@ -191,6 +191,14 @@ TEST_CASE("command line: mistakes that beginners make with dashes and values", "
   CHECK(query.ExperimentFile == "f.argos");
 }
 
+TEST_CASE("command line: a query without a word is one for all", "[command_line]") {
+  CHECK(Parse({"-q"}).Query == "all");
+  CHECK(Parse({"-q", "--json"}).Query == "all");
+  CHECK(Parse({"-c", "f.argos", "--query"}).Query == "all");
+  CHECK(Parse({"-q", "leds"}).Query == "leds");
+  CHECK_THAT(ErrorOf({"-q", "leds", "-q"}), Contains("--query is given 2 times"));
+}
+
 TEST_CASE("command line: there must be exactly one action", "[command_line]") {
   CHECK_THAT(ErrorOf({}), Contains("one of FILE, --replay FILE, -q WORD, --schema FORMAT, "
                                    "--generate WORD, -h, -v must be given"));

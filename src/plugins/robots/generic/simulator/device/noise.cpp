@@ -3,6 +3,7 @@
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/utility/math/random_stream.h>
+#include <argos3/core/utility/plugins/plugin_kind.h>
 #include <argos3/plugins/simulator/entities/value_checks.h>
 
 #include <algorithm>
@@ -23,6 +24,39 @@ struct STerm {
 
 const std::vector<std::string> kModels = {"uniform", "gaussian", "rayleigh"};
 constexpr const char* kSpreads[] = {"level", "std_dev", "sigma"};  // of each model
+
+const CElementText kNoiseText(
+    "noise", "the authors of this project", "Noise of a sensor or an actuator.",
+    R"(A child of devices with numbers. Several of them add up. The random numbers of a robot's device depend on the seed, the
+robot's id and the device only.
+
+OPTIONAL XML
+
+  <controllers>
+    <my_controller id="c1">
+      <actuators />
+      <sensors>
+        <proximity implementation="default">
+          <noise model="gaussian" std_dev="0.02" bias="0.01" relative="false" />
+        </proximity>
+      </sensors>
+      <params />
+    </my_controller>
+  </controllers>
+
+ATTRIBUTES
+
+  model     "uniform", "gaussian" or "rayleigh", required: the distribution of what is added.
+  level     >= 0, required for "uniform": numbers are drawn evenly from [-level,level].
+  std_dev   >= 0, required for "gaussian": standard deviation; the mean is 0.
+  sigma     >= 0, required for "rayleigh": its parameter; numbers are positive.
+  bias      real number, default 0: is added to each number.
+  relative  "true" or "false", default "false": if "true", what is added is multiplied by the value.
+  on        text: the quantity of the device that gets the noise, if it has several; the manual of the device lists
+            them. Default: all.
+
+All values are in the units of the quantity.
+)");
 
 STerm ReadTerm(TConfigurationNode& node) {
   STerm term;

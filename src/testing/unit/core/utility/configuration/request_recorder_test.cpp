@@ -50,7 +50,7 @@ TEST_CASE("requests: names and types are recorded, values do not change", "[core
   CHECK(text == "text");
   CHECK(negative == -3);
 
-  const SRequestedElement* const found = recorder.GetRequests().Find("root");
+  const SRequestedElement* const found = recorder.GetRequests().Find({"root"});
   REQUIRE(found != nullptr);
   CHECK(Attribute(*found, "a").Expected == "a real number");
   CHECK(Attribute(*found, "n").Expected == "an integer from 0 to 255");
@@ -60,10 +60,10 @@ TEST_CASE("requests: names and types are recorded, values do not change", "[core
   CHECK(Attribute(*found, "absent").Sample == "1");
   CHECK_FALSE(Attribute(*found, "absent").IsMissed);
   CHECK(Attribute(*found, "needed").IsMissed);
-  REQUIRE(found->Find("child") != nullptr);
-  CHECK(Attribute(*found->Find("child"), "x").Expected.rfind("an integer from -", 0) == 0);
-  REQUIRE(found->Find("other") != nullptr);
-  CHECK_FALSE(found->Find("other")->IsVisited);
+  REQUIRE(found->Find({"child"}) != nullptr);
+  CHECK(Attribute(*found->Find({"child"}), "x").Expected.rfind("an integer from -", 0) == 0);
+  REQUIRE(found->Find({"other"}) != nullptr);
+  CHECK_FALSE(found->Find({"other"})->IsVisited);
 }
 
 TEST_CASE("requests: those of a copy belong to the original", "[core][configuration]") {
@@ -75,10 +75,10 @@ TEST_CASE("requests: those of a copy belong to the original", "[core][configurat
     CHECK_FALSE(NodeAttributeExists(GetNode(*copy, "part"), "size"));
   }
   const SRequestedElement* const device =
-      recorder.GetRequests().Find("root")->Find("device (default)");
+      recorder.GetRequests().Find({"root"})->Find({"device", "default"});
   REQUIRE(device != nullptr);
-  REQUIRE(device->Find("part") != nullptr);
-  CHECK(device->Find("part")->Attributes.count("size") == 1);
+  REQUIRE(device->Find({"part"}) != nullptr);
+  CHECK(device->Find({"part"})->Attributes.count("size") == 1);
 }
 
 TEST_CASE("requests: iterating over attributes means any", "[core][configuration]") {
@@ -89,7 +89,7 @@ TEST_CASE("requests: iterating over attributes means any", "[core][configuration
   for (it = it.begin(&GetNode(document.GetRoot(), "params")); it != it.end(); ++it) {
     CHECK(it->Name() == "speed");
   }
-  CHECK(recorder.GetRequests().Find("root")->Find("params")->IsOpen);
+  CHECK(recorder.GetRequests().Find({"root"})->Find({"params"})->IsOpen);
 }
 
 TEST_CASE("requests: without a recorder nothing is loose", "[core][configuration]") {

@@ -1,0 +1,184 @@
+#include <argos3/program/catalogue/devices.h>
+
+#include <argos3/core/simulator/entity/actuator.h>
+#include <argos3/core/simulator/entity/controllable_entity.h>
+#include <argos3/core/simulator/entity/sensor.h>
+#include <argos3/core/simulator/simulator.h>
+#include <argos3/core/simulator/space/space.h>
+#include <argos3/core/utility/configuration/configuration_document.h>
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <sstream>
+
+namespace argos {
+
+namespace {
+
+template <typename DEVICE>
+SInterfaceClass InterfaceOf(const std::string& label) {
+  CSimulator simulator;
+  const CSimulator::CScope scope(simulator);
+  const std::unique_ptr<DEVICE> device(CFactory<DEVICE>::New(label));
+  const DEVICE& object = *device;
+  return FindInterfaceClass(typeid(object));
+}
+
+// of a robot's example: all but what each robot has
+std::string ContentsOf(const SSample& robot) {
+  CConfigurationDocument document;
+  document.Parse(robot.Text, "(example)");
+  std::ostringstream contents;
+  TConfigurationNodeIterator it;
+  for (it = it.begin(&document.GetRoot()); it != it.end(); ++it) {
+    if (it->Value() != "body" && it->Value() != "controller") {
+      contents << *it;
+    }
+  }
+  return contents.str();
+}
+
+// an error that says what a robot lacks has its name in quotation marks
+bool Names(const std::string& error, const std::string& part) {
+  return error.find('"' + part + '"') != std::string::npos;
+}
+
+}  // namespace
+
+SInterfaceClass FindInterface(const SPluginKind& kind, const std::string& label) {
+  return kind.Word == "sensors" ? InterfaceOf<CSimulatedSensor>(label)
+                                : InterfaceOf<CSimulatedActuator>(label);
+}
+
+CDevices::CDevices(const std::vector<SPluginKind>& kinds) : m_kinds(kinds), m_samples(kinds) {}
+
+// two, so that there are messages to receive
+std::string CDevices::Robots(const std::string& label, const std::string& parts) const {
+  const auto contents = m_contents.find(label);
+  std::string robots;
+  for (const char* const place : {"0", "0.5"}) {
+    robots += fmt::format(
+        R"(<{0} id="r{1}"><body position="{1},0,0" /><controller config="c1" />{2}{3}</{0}>)",
+        label, place, contents == m_contents.end() ? "" : contents->second, parts);
+  }
+  return robots;
+}
+
+bool CDevices::IsRobot(const std::string& label) {
+  bool has = false;
+  SSampleExperiment sample = m_samples.MakeExperiment({"arena", {label}, Robots(label, "")});
+  const std::string error = m_loader.Load(sample, [&](CSimulator& simulator) {
+    has = !simulator.GetSpace().GetControllableEntities().empty();
+  });
+  return error.empty() && has;
+}
+
+const std::vector<std::string>& CDevices::GetRobots() {
+  if (m_areRobotsKnown) {
+    return m_robots;
+  }
+  m_areRobotsKnown = true;
+  for (const SPluginKind& kind : m_kinds) {
+    for (const SPluginText& plugin : kind.Plugins) {
+      const std::vector<SSample> examples = m_samples.Of("arena", {plugin.Label});
+      bool isRobot = kind.Word == "entities" && IsRobot(plugin.Label);
+      if (kind.Word == "entities" && !isRobot && !examples.empty()) {
+        m_contents[plugin.Label] = ContentsOf(examples.front());
+        isRobot = IsRobot(plugin.Label);
+      }
+      if (isRobot) {
+        m_robots.push_back(plugin.Label);
+      }
+    }
+  }
+  return m_robots;
+}
+
+const SDeviceFacts& CDevices::Describe(const SPluginKind& kind, const std::string& label) {
+  const auto [known, isNew] = m_facts.try_emplace({kind.Section, label});
+  SDeviceFacts& facts = known->second;
+  if (!isNew) {
+    return facts;
+  }
+  facts.Interface = FindInterface(kind, label);
+  facts.Class = m_headers.Describe(facts.Interface.Name);
+  const SSample device = m_samples.Of(kind.Section, SElementName::FromLabel(label)).front();
+  for (const std::string& robot : GetRobots()) {
+    TryOn(robot, device, facts);
+  }
+  if (facts.Robots.empty() && !GetRobots().empty()) {
+    facts.Arena = Robots(GetRobots().front(), "");
+  }
+  return facts;
+}
+
+// without and with the parts that examples have; parts may depend on each other, as in examples
+void CDevices::TryOn(const std::string& robot, const SSample& device, SDeviceFacts& facts) {
+  const std::string error = TryIn(Robots(robot, ""), device, facts);
+  if (error.empty()) {
+    facts.Robots.push_back({robot, ""});
+    return;
+  }
+  facts.Problem = facts.Problem.empty() ? error : facts.Problem;
+  for (const auto& [tag, part] : m_samples.GetParts()) {
+    if (Names(error, tag) && TryIn(Robots(robot, part), device, facts).empty()) {
+      facts.Robots.push_back({robot, tag});
+      return;
+    }
+  }
+  for (const SSample& example : m_samples.Of("arena", {robot})) {
+    for (const auto& [tag, part] : m_samples.GetParts()) {
+      if (Names(error, tag) && example.Text.find('<' + tag + '>') != std::string::npos &&
+          TryIn(example.Text, device, facts).empty()) {
+        facts.Robots.push_back({robot, tag});
+        return;
+      }
+    }
+  }
+}
+
+std::string CDevices::TryIn(const std::string& arena, const SSample& device, SDeviceFacts& facts) {
+  SSampleExperiment experiment = m_samples.MakeExperiment(device);
+  experiment.SetRobots(arena);
+  const std::string error = m_loader.Load(experiment, [&facts](CSimulator& simulator) {
+    const auto& robots = simulator.GetSpace().GetControllableEntities();
+    if (robots.empty()) {
+      THROW_ARGOSEXCEPTION("there is no robot with a controller");
+    }
+    if (facts.Lua.empty()) {
+      simulator.UpdateSpace();
+      simulator.UpdateSpace();
+      facts.Lua = ListLuaDevices(robots.front()->GetController());
+    }
+  });
+  facts.Arena = error.empty() && facts.Arena.empty() ? arena : facts.Arena;
+  return error;
+}
+
+std::vector<SDeviceOfRobot> CDevices::ListDevicesOf(const std::string& robot) {
+  std::vector<SDeviceOfRobot> devices;
+  for (const SPluginKind& kind : m_kinds) {
+    for (size_t i = 0; kind.IsOfDevices() && i < kind.Plugins.size(); ++i) {
+      const std::string& label = kind.Plugins[i].Label;
+      for (const SFit& fit : Describe(kind, label).Robots) {
+        if (fit.Robot == robot) {
+          devices.push_back({&kind, label, fit.Part});
+        }
+      }
+    }
+  }
+  return devices;
+}
+
+SSampleExperiment CDevices::MakeExperiment(const SSample& sample) {
+  SSampleExperiment experiment = m_samples.MakeExperiment(sample);
+  for (const SPluginKind& kind : m_kinds) {
+    if (kind.IsOfDevices() && kind.Section == sample.Section) {
+      experiment.SetRobots(Describe(kind, sample.Name.ToLabel()).Arena);
+    }
+  }
+  return experiment;
+}
+
+}  // namespace argos

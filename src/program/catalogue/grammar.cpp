@@ -1,0 +1,418 @@
+#include <argos3/program/catalogue/grammar.h>
+
+#include <argos3/core/utility/configuration/configuration_document.h>
+#include <argos3/program/catalogue/manual.h>
+
+#include <algorithm>
+#include <cctype>
+#include <sstream>
+#include <string_view>
+
+namespace argos {
+
+namespace {
+
+constexpr const char* kRoot = "argos-configuration";
+constexpr const char* kNoValue = "no_such_value";
+
+// all elements of a tree; the order does not change while attributes are removed
+void CollectElements(TConfigurationNode& element, std::vector<TConfigurationNode>& all) {
+  all.push_back(element);
+  TConfigurationNodeIterator it;
+  for (it = it.begin(&element); it != it.end(); ++it) {
+    CollectElements(*it, all);
+  }
+}
+
+/* The elements of a sample, which can be changed. */
+class CChange {
+ public:
+  explicit CChange(const SSample& sample) : m_sample(sample) {
+    m_document.Parse(sample.Text, "(example)");
+    CollectElements(m_document.GetRoot(), m_elements);
+  }
+
+  std::vector<TConfigurationNode>& GetElements() { return m_elements; }
+  SSample MakeSample() {
+    std::ostringstream text;
+    text << m_document.GetRoot();
+    return {m_sample.Section, m_sample.Name, text.str()};
+  }
+
+ private:
+  const SSample& m_sample;
+  CConfigurationDocument m_document;
+  std::vector<TConfigurationNode> m_elements;
+};
+
+bool IsWord(const std::string& text) {
+  return !text.empty() && std::all_of(text.begin(), text.end(), [](unsigned char c) {
+    return std::isalpha(c) != 0 || c == '_';
+  });
+}
+
+// words in quotation marks, and those of a list after "known: ", each once
+std::set<std::string> ListedWords(const std::string& error) {
+  std::set<std::string> words;
+  constexpr std::string_view kKnown = "; known: ";
+  const size_t list = error.rfind(kKnown);
+  if (list != std::string::npos) {
+    std::istringstream items(error.substr(list + kKnown.size()));
+    for (std::string item; items >> item;) {
+      item.erase(item.find_last_not_of(',') + 1);
+      if (IsWord(item)) {
+        words.insert(item);
+      }
+    }
+  }
+  for (size_t begin = error.find('"'); begin != std::string::npos;) {
+    const size_t end = error.find('"', begin + 1);
+    if (end == std::string::npos) {
+      break;
+    }
+    const std::string word = error.substr(begin + 1, end - begin - 1);
+    if (IsWord(word) && word != kNoValue) {
+      words.insert(word);
+      begin = error.find('"', end + 1);
+    } else {
+      begin = end;  // it may begin a word, if marks are not paired
+    }
+  }
+  return words;
+}
+
+// an attribute whose absence was an error, and a valid text for it
+void FindMissed(const SRequestedElement& element, std::pair<std::string, std::string>& missed) {
+  for (const auto& [name, attribute] : element.Attributes) {
+    if (attribute.IsMissed) {
+      missed = {name, attribute.Sample};
+    }
+  }
+  for (const auto& [name, child] : element.Children) {
+    FindMissed(*child, missed);
+  }
+}
+
+/* The manuals of plug-ins, for the elements that these read. */
+class CManuals {
+ public:
+  explicit CManuals(const std::vector<SPluginKind>& kinds) {
+    for (const SPluginKind& kind : kinds) {
+      for (const SPluginText& plugin : kind.Plugins) {
+        const SElementName name = SElementName::FromLabel(plugin.Label);
+        if (kind.Word == "elements" || kind.Word == "loop_functions") {
+          m_ofTags.emplace(kind.Word == "elements" ? name.Tag : kind.Word, CManual(plugin.Long));
+        } else {
+          m_ofPlugins.emplace(std::pair(kind.Section.empty() ? kind.Word : kind.Section, name),
+                              CManual(plugin.Long));
+        }
+      }
+    }
+  }
+
+  // manuals: of elements around it, the innermost first
+  void Describe(SElement& element, const SElementName& name, const std::string& parent,
+                std::vector<const CManual*> manuals = {}) const {
+    if (const CManual* const manual = Find(name, parent)) {
+      manuals.insert(manuals.begin(), manual);
+    }
+    for (auto& [attribute, facts] : element.Attributes) {
+      for (const CManual* const manual : manuals) {
+        if (facts.Manual.Text.empty()) {
+          facts.Manual = manual->TextOf(name.Tag, attribute);
+        }
+      }
+      if (attribute == "library" && facts.Manual.Text.empty()) {
+        facts.Manual.Text = "path or name of the library that contains the plug-in.";
+      }
+    }
+    for (auto& [child, facts] : element.Children) {
+      Describe(facts, child, name.Tag, manuals);
+    }
+  }
+
+ private:
+  // null if there is none
+  const CManual* Find(const SElementName& name, const std::string& parent) const {
+    // what is distributed is in the arena, and outputs may be among the views
+    const std::string section = parent == "entity"    ? "arena"
+                                : parent == "outputs" ? "visualization"
+                                                      : parent;
+    const auto plugin = m_ofPlugins.find({section, name});
+    const auto tag = m_ofTags.find(name.Tag);
+    return plugin != m_ofPlugins.end() ? &plugin->second
+           : tag != m_ofTags.end()     ? &tag->second
+                                       : nullptr;
+  }
+
+  std::map<std::pair<std::string, SElementName>, CManual> m_ofPlugins;  // by section
+  std::map<std::string, CManual> m_ofTags;
+};
+
+void CollectOverlays(const SElement& element, SElement& all) {
+  for (const auto& [name, child] : element.Children) {
+    if (name.Tag == "overlays") {
+      all.Merge(child);
+    }
+    CollectOverlays(child, all);
+  }
+}
+
+}  // namespace
+
+TElementPath operator/(TElementPath path, const SElementName& name) {
+  path.push_back(name);
+  return path;
+}
+
+TElementPath PathOf(const std::string& section, const SElementName& name) {
+  if (section.empty()) {
+    return {name};
+  }
+  if (section == "sensors" || section == "actuators") {
+    return {{"controllers"}, {"lua_controller"}, {section}, name};
+  }
+  return {{section}, name};
+}
+
+std::string DescribePath(const TElementPath& path) {
+  // any controller may have the devices
+  const bool isOfDevice = path.size() > 3 && path[0].Tag == "controllers";
+  std::string text;
+  for (size_t i = isOfDevice ? 2 : 0; i < path.size(); ++i) {
+    text += (text.empty() ? "" : "/") + path[i].ToLabel();
+  }
+  return text;
+}
+
+// use: of what is read, also if there is an error. @return the error
+std::string CGrammar::Load(SSampleExperiment& experiment, const TUse& use) {
+  const CRequestRecorder recorder;
+  std::string error = m_devices.GetLoader().Load(experiment);
+  if (const SRequestedElement* const root = recorder.GetRequests().Find({kRoot})) {
+    use(*root);
+  }
+  return error;
+}
+
+std::string CGrammar::RecordSample(const SSample& sample, const TUse& use) {
+  SSampleExperiment experiment = m_devices.MakeExperiment(sample);
+  std::string error = Load(experiment, [&](const SRequestedElement& root) {
+    m_root.Merge(SElement(root));
+    if (use) {
+      use(root);
+    }
+  });
+  if (error.empty()) {
+    CConfigurationDocument document;
+    document.Parse(experiment.ToXml(), "sample.argos");
+    NoteAlways(document.GetRoot(), {});
+  }
+  return error;
+}
+
+void CGrammar::NoteAlways(TConfigurationNode& element, const TElementPath& path) {
+  std::optional<std::set<std::string>>& always = m_requirements[path].Always;
+  std::set<std::string> names;
+  for (const std::string& name : element.GetAttributeNames()) {
+    if (!always || always->count(name) > 0) {
+      names.insert(name);
+    }
+  }
+  always = std::move(names);
+  TConfigurationNodeIterator it;
+  for (it = it.begin(&element); it != it.end(); ++it) {
+    NoteAlways(*it, path / SElementName{it->Value(), it->GetAttribute("implementation")});
+  }
+}
+
+void CGrammar::NoteMissed(const SRequestedElement& element, const TElementPath& path) {
+  for (const auto& [name, attribute] : element.Attributes) {
+    if (attribute.IsMissed) {
+      m_requirements[path].Missed.insert(name);
+    }
+  }
+  for (const auto& [name, child] : element.Children) {
+    NoteMissed(*child, path / name);
+  }
+}
+
+void CGrammar::MarkRequired(SElement& element, const TElementPath& path) const {
+  const auto known = m_requirements.find(path);
+  for (auto& [name, attribute] : element.Attributes) {
+    attribute.IsRequired = known != m_requirements.end() && known->second.Always &&
+                           known->second.Always->count(name) > 0 &&
+                           known->second.Missed.count(name) > 0;
+  }
+  for (auto& [name, child] : element.Children) {
+    MarkRequired(child, path / name);
+  }
+}
+
+// loads a sample again without each of its attributes
+void CGrammar::RecordWithout(const SSample& sample) {
+  CChange whole(sample);
+  for (size_t i = 0; i < whole.GetElements().size(); ++i) {
+    for (const std::string& name : whole.GetElements()[i].GetAttributeNames()) {
+      CChange change(sample);
+      change.GetElements()[i].RemoveAttribute(name);
+      if (name != "implementation") {
+        SSampleExperiment experiment = m_devices.MakeExperiment(change.MakeSample());
+        Load(experiment, [this](const SRequestedElement& root) { NoteMissed(root, {}); });
+      }
+    }
+  }
+}
+
+// Loads it again with the other values that the error of a wrong one lists: a model of noise, for
+// example, decides which other attributes are read.
+void CGrammar::RecordVariants(const SSample& sample) {
+  CChange whole(sample);
+  for (size_t i = 0; i < whole.GetElements().size(); ++i) {
+    for (const std::string& name : whole.GetElements()[i].GetAttributeNames()) {
+      const std::string value = whole.GetElements()[i].GetAttribute(name);
+      if (!IsWord(value) || name == "id" || name == "config" || name == "implementation") {
+        continue;
+      }
+      CChange wrong(sample);
+      wrong.GetElements()[i].SetAttribute(name, std::string(kNoValue));
+      SSampleExperiment experiment = m_devices.MakeExperiment(wrong.MakeSample());
+      for (const std::string& other : ListedWords(m_devices.GetLoader().Load(experiment))) {
+        if (other != value && other != name) {
+          RecordVariant(sample, i, name, other);
+        }
+      }
+    }
+  }
+}
+
+// adds attributes that the value needs
+void CGrammar::RecordVariant(const SSample& sample, size_t index, const std::string& name,
+                             const std::string& value) {
+  constexpr int kMaxAdditions = 4;
+  CChange change(sample);
+  TConfigurationNode& element = change.GetElements()[index];
+  element.SetAttribute(name, value);
+  for (int i = 0; i < kMaxAdditions; ++i) {
+    std::pair<std::string, std::string> missed;
+    const std::string error =
+        RecordSample(change.MakeSample(),
+                     [&missed](const SRequestedElement& root) { FindMissed(root, missed); });
+    if (error.empty() || missed.second.empty() || element.HasAttribute(missed.first)) {
+      return;
+    }
+    element.SetAttribute(missed.first, missed.second);
+  }
+}
+
+void CGrammar::Record(const std::string& section, const SElementName& name) {
+  bool isFirst = true;
+  for (const SSample& sample : m_devices.GetSamples().Of(section, name)) {
+    if (RecordSample(sample).empty()) {
+      m_known.insert(PathOf(section, name));
+    }
+    RecordVariants(sample);
+    if (isFirst) {
+      RecordWithout(sample);
+    }
+    isFirst = false;
+  }
+}
+
+void CGrammar::RecordAll() {
+  std::set<std::pair<std::string, SElementName>> done;
+  for (const SSample& sample : m_devices.GetSamples().GetAll()) {
+    if (done.insert({sample.Section, sample.Name}).second) {
+      Record(sample.Section, sample.Name);
+    }
+  }
+}
+
+// what devices have in common, such as <noise>, is read by the same code in each
+void CGrammar::MergeDevices(SElement& root) {
+  std::vector<SElement*> devices;
+  for (auto& [label, controller] : root.Children[{"controllers"}].Children) {
+    for (const char* const section : {"actuators", "sensors"}) {
+      for (auto& [name, device] : controller.Children[{section}].Children) {
+        devices.push_back(&device);
+      }
+    }
+  }
+  SElement common;
+  for (const SElement* const device : devices) {
+    for (const auto& [name, child] : device->Children) {
+      if (child.IsVisited) {
+        common.Children[name].Merge(child);
+      }
+    }
+  }
+  for (SElement* const device : devices) {
+    for (auto& [name, child] : device->Children) {
+      if (!child.IsVisited && common.Find(name) != nullptr) {
+        child.Merge(*common.Find(name));
+      }
+    }
+  }
+}
+
+// robots inside and outside <distribute> are the same; what one robot contains, others can contain
+void CGrammar::MergeEntities(SElement& root) {
+  SElement& arena = root.Children[{"arena"}];
+  std::map<SElementName, SElement> inside;
+  inside.swap(arena.Children[{"distribute"}].Children[{"entity"}].Children);
+  for (const auto& [name, entity] : inside) {
+    arena.Children[name].Merge(entity);
+  }
+  std::set<SElementName> engines;
+  for (const SPluginKind& kind : m_devices.GetKinds()) {
+    for (const SPluginText& plugin : kind.Plugins) {
+      if (kind.Word == "physics_engines") {
+        engines.insert({plugin.Label});
+      }
+    }
+  }
+  const SElement& controllers = root.Children[{"controllers"}].Children[{"lua_controller"}];
+  SElement parts;
+  for (const std::string& robot : m_devices.GetRobots()) {
+    SElement& controller = arena.Children[{robot}].Children[{"controller"}];
+    if (controller.Find({"params"}) != nullptr && controllers.Find({"params"}) != nullptr) {
+      controller.Children[{"params"}].Merge(*controllers.Find({"params"}));
+    }
+    for (const auto& [name, part] : arena.Children[{robot}].Children) {
+      if (part.IsVisited) {
+        parts.Children[name].Merge(part);
+      }
+    }
+  }
+  for (const std::string& robot : m_devices.GetRobots()) {
+    SElement& element = arena.Children[{robot}];
+    for (const auto& [name, part] : parts.Children) {
+      if (engines.count(name) > 0 || element.Find(name) != nullptr) {
+        element.Children[name].Merge(part);
+      }
+    }
+  }
+}
+
+SElement CGrammar::MakeRoot() {
+  SElement root = m_root;
+  MarkRequired(root, {});
+  CManuals(m_devices.GetKinds()).Describe(root, {}, "");
+  MergeDevices(root);
+  MergeEntities(root);
+  // all views have the same overlays
+  SElement overlays;
+  CollectOverlays(root, overlays);
+  for (auto& [name, view] : root.Children[{"visualization"}].Children) {
+    if (view.Find({"overlays"}) != nullptr) {
+      view.Children[{"overlays"}].Merge(overlays);
+    }
+  }
+  return root;
+}
+
+bool CGrammar::IsUnknown(const std::string& section, const SElementName& name) const {
+  return m_known.count(PathOf(section, name)) == 0;
+}
+
+}  // namespace argos
