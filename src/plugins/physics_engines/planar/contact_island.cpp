@@ -1,11 +1,28 @@
 #include <argos3/plugins/simulator/physics_engines/planar/contact_island.h>
 
+#include <argos3/plugins/simulator/physics_engines/planar/island_newton.h>
+
 #include <algorithm>
 #include <cmath>
 
 namespace argos {
 
 namespace {
+
+// Sweeps before the first steps of Newton's method, and between these, which grow by factors of 2:
+// where Newton's method fails, the contacts that slide and the drives at their bounds are not known
+// yet.
+constexpr UInt32 kFirstRun = 2;
+constexpr UInt32 kSecondRun = 8;
+constexpr UInt32 kLongestRun = 64;
+constexpr UInt32 kNewtonSteps = 6;
+// A step may make the last change so many times as great, because the way to the solution of such
+// equations is often uphill. Else it is taken back, and the next one is shorter.
+constexpr double kWorse = 6.0;
+constexpr double kDamping = 1e-2;
+constexpr double kLeastDamping = 1e-3;
+constexpr double kLessDamping = 0.3;
+constexpr double kMoreDamping = 10.0;
 
 // @return the share of the last direction that the next one contains: 0, a restart of the method,
 // if the energy of the change has grown.
@@ -30,19 +47,74 @@ void CContactIsland<NUMBER>::ForAll(VISIT&& visit) {
 }
 
 template <typename NUMBER>
-UInt32 CContactIsland<NUMBER>::Solve(NUMBER tolerance, UInt32 mostSweeps) {
+void CContactIsland<NUMBER>::Start() {
   ForAll([](auto& searched) { searched.Start(); });
+}
+
+template <typename NUMBER>
+UInt32 CContactIsland<NUMBER>::Solve(NUMBER tolerance, UInt32 mostSweeps) {
+  m_tolerance = tolerance;
+  m_mostSweeps = mostSweeps;
+  m_sweeps = 0;
+  CIslandNewton<NUMBER> newton(m_bodies, m_contacts);
+  NUMBER change = Run(newton.Fits() ? kFirstRun : mostSweeps);
+  for (UInt32 run = kSecondRun; !IsDone(change); run = std::min(2 * run, kLongestRun)) {
+    change = StepByNewton(newton, change);
+    if (!IsDone(change)) {
+      change = Run(m_sweeps + run);
+    }
+  }
+  return m_sweeps;
+}
+
+// The conjugate gradient method, until so many sweeps are made. @return the greatest change of a
+// velocity in the last one, m/s.
+template <typename NUMBER>
+NUMBER CContactIsland<NUMBER>::Run(UInt32 end) {
+  Start();
   NUMBER before = NUMBER(0);
-  for (UInt32 sweep = 1;; ++sweep) {
+  for (;;) {
     SChange change;
     SweepDrives(change);
     SweepContacts(change);
-    if (change.Velocity <= tolerance || sweep == mostSweeps) {
-      return sweep;
+    ++m_sweeps;
+    if (IsDone(change.Velocity) || m_sweeps >= end) {
+      return change.Velocity;
     }
     StepOn(ComputeShare(change.Energy, before));
     before = change.Energy;
   }
+}
+
+// @param change  in the last sweep, m/s. @return the same of the last one that is kept.
+template <typename NUMBER>
+NUMBER CContactIsland<NUMBER>::StepByNewton(CIslandNewton<NUMBER>& newton, NUMBER change) {
+  Start();
+  NUMBER damping = NUMBER(kDamping);
+  for (UInt32 step = 0; step < kNewtonSteps && m_sweeps < m_mostSweeps; ++step) {
+    SChange next;
+    SweepDrives(next);
+    if (!newton.Step(damping)) {
+      break;
+    }
+    SweepDrives(next);
+    next = SChange();
+    SweepContacts(next);
+    ++m_sweeps;
+    if (next.Velocity <= NUMBER(kWorse) * change) {
+      change = next.Velocity;
+      if (change <= m_tolerance) {
+        return change;
+      }
+      Start();
+      damping = std::max(NUMBER(kLeastDamping), NUMBER(kLessDamping) * damping);
+    } else {
+      ForAll([](auto& searched) { searched.Return(); });
+      damping *= NUMBER(kMoreDamping);
+    }
+  }
+  ForAll([](auto& searched) { searched.Return(); });
+  return change;
 }
 
 template <typename NUMBER>
@@ -110,18 +182,7 @@ void CContactIsland<NUMBER>::SweepContacts(SChange& change) {
       tangent = std::clamp(impulse[kAxisTangent] - slip * contact.TangentMass, -most, most);
     }
     const NUMBER changeT = tangent - impulse[kAxisTangent];
-    impulse[kAxisNormal] = normal;
-    impulse[kAxisTangent] = tangent;
-    const NUMBER impulseX = changeN * contact.NX - changeT * contact.NY;
-    const NUMBER impulseY = changeN * contact.NY + changeT * contact.NX;
-    a[kAxisX] -= bodyA.InverseMass * impulseX;
-    a[kAxisY] -= bodyA.InverseMass * impulseY;
-    a[kAxisTurn] -=
-        bodyA.InverseInertia * (changeN * contact.NormalLeverA + changeT * contact.TangentLeverA);
-    b[kAxisX] += bodyB.InverseMass * impulseX;
-    b[kAxisY] += bodyB.InverseMass * impulseY;
-    b[kAxisTurn] +=
-        bodyB.InverseInertia * (changeN * contact.NormalLeverB + changeT * contact.TangentLeverB);
+    ChangeImpulse(bodyA, bodyB, contact, normal, tangent);
     const NUMBER speedN = changeN * contact.InverseMass;
     const NUMBER speedT = changeT * contact.InverseTangentMass;
     greatest = std::max({greatest, std::abs(speedN), std::abs(speedT)});

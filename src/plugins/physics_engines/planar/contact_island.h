@@ -25,6 +25,8 @@ struct SSearched {
     std::copy_n(Now, COUNT, Before);
     std::fill_n(Step, COUNT, NUMBER(0));
   }
+  /** Goes back to where the search began. */
+  void Return() { std::copy_n(Before, COUNT, Now); }
   /** Adds a share of the step before; the change of the last sweep and that are the next one. */
   void StepOn(NUMBER share) {
     for (int i = 0; i < COUNT; ++i) {
@@ -62,11 +64,41 @@ struct SIslandContact {
   NUMBER Friction = NUMBER(0);  // coefficient
 };
 
+/** Changes the impulses of a contact, and so the velocities of its bodies. */
+template <typename NUMBER>
+void ChangeImpulse(SIslandBody<NUMBER>& bodyA, SIslandBody<NUMBER>& bodyB,
+                   SIslandContact<NUMBER>& contact, NUMBER normal, NUMBER tangent) {
+  NUMBER* const a = bodyA.Velocity.Now;
+  NUMBER* const b = bodyB.Velocity.Now;
+  NUMBER* const impulse = contact.Impulse.Now;
+  const NUMBER changeN = normal - impulse[kAxisNormal];
+  const NUMBER changeT = tangent - impulse[kAxisTangent];
+  impulse[kAxisNormal] = normal;
+  impulse[kAxisTangent] = tangent;
+  const NUMBER impulseX = changeN * contact.NX - changeT * contact.NY;
+  const NUMBER impulseY = changeN * contact.NY + changeT * contact.NX;
+  a[kAxisX] -= bodyA.InverseMass * impulseX;
+  a[kAxisY] -= bodyA.InverseMass * impulseY;
+  a[kAxisTurn] -=
+      bodyA.InverseInertia * (changeN * contact.NormalLeverA + changeT * contact.TangentLeverA);
+  b[kAxisX] += bodyB.InverseMass * impulseX;
+  b[kAxisY] += bodyB.InverseMass * impulseY;
+  b[kAxisTurn] +=
+      bodyB.InverseInertia * (changeN * contact.NormalLeverB + changeT * contact.TangentLeverB);
+}
+
+template <typename NUMBER>
+class CIslandNewton;
+
 /**
  * Solves the contacts of bodies in a plane that press each other, whose masses may differ by orders
- * of magnitude: a nonsmooth nonlinear conjugate gradient method, whose steps are sweeps of
- * projected Gauss-Seidel over drives and contacts (M. Silcowitz-Hansen, S. Niebe, K. Erleben, A
- * Nonsmooth Nonlinear Conjugate Gradient Method for Interactive Contact Force Problems, 2010).
+ * of magnitude.
+ *
+ * Runs of a nonsmooth nonlinear conjugate gradient method, whose steps are sweeps of projected
+ * Gauss-Seidel over drives and contacts (M. Silcowitz-Hansen, S. Niebe, K. Erleben, A Nonsmooth
+ * Nonlinear Conjugate Gradient Method for Interactive Contact Force Problems, 2010). Between runs,
+ * small islands take steps of Newton's method from there (CIslandNewton), each with a sweep, as
+ * long as they do not lead away from the solution.
  *
  * @tparam NUMBER  float or double.
  */
@@ -91,12 +123,18 @@ class CContactIsland {
 
   template <typename VISIT>
   void ForAll(VISIT&& visit);
+  void Start();
+  NUMBER Run(UInt32 end);
+  NUMBER StepByNewton(CIslandNewton<NUMBER>& newton, NUMBER change);
+  bool IsDone(NUMBER change) const { return change <= m_tolerance || m_sweeps >= m_mostSweeps; }
   void SweepDrives(SChange& change);
   void SweepContacts(SChange& change);
   void StepOn(NUMBER share);
 
   std::span<SIslandBody<NUMBER>> m_bodies;
   std::span<SIslandContact<NUMBER>> m_contacts;
+  NUMBER m_tolerance = NUMBER(0);  // m/s
+  UInt32 m_sweeps = 0, m_mostSweeps = 0;
 };
 
 }  // namespace argos
