@@ -82,26 +82,6 @@ void CImpulseSolver::Prepare() {
     PrepareBlock(block);
     Apply(block, block.Impulses);
   }
-  for (const SBlock& block : Blocks) {
-    if (block.Patch > 0.0) {
-      RubPatch(block);
-    }
-  }
-}
-
-// Two solids that touch in a point spin against each other until the friction of the patch around
-// it stops them: with the present normal impulse, once, because nothing else depends on it.
-void CImpulseSolver::RubPatch(const SBlock& block) {
-  SBody& first = Bodies[block.First];
-  SBody& second = Bodies[block.Second];
-  const CVector3& normal = block.Directions[0];
-  const CVector3 firstSpin = first.InverseInertia * normal;
-  const CVector3 secondSpin = second.InverseInertia * normal;
-  const Real resistance = normal.DotProduct(firstSpin + secondSpin);
-  const Real impulse = Clamped(-normal.DotProduct(first.Turn - second.Turn) / resistance,
-                               block.Friction * block.Patch * block.Impulses[0]);
-  first.Turn += firstSpin * impulse;
-  second.Turn -= secondSpin * impulse;
 }
 
 void CImpulseSolver::PrepareBlock(SBlock& block) {
@@ -147,6 +127,14 @@ void CImpulseSolver::PrepareBlock(SBlock& block) {
   if (block.Softness == 0.0) {
     block.Softness = kSoftness * block.Resistance.XX;
   }
+  if (block.Patch > 0.0) {
+    const auto resistTurn = [&](const CVector3& axis) {
+      return axis.DotProduct(first.InverseInertia * axis + second.InverseInertia * axis);
+    };
+    block.SpinResistance = resistTurn(block.Directions[0]);
+    block.RollResistance =
+        std::max(resistTurn(block.Directions[1]), resistTurn(block.Directions[2]));
+  }
   if (rotor != nullptr) {
     for (size_t i = 0; i < 3; ++i) {
       block.RotorCoupling[i] =
@@ -155,6 +143,30 @@ void CImpulseSolver::PrepareBlock(SBlock& block) {
     const TTriple& c = block.RotorCoupling;
     block.DrivenResistance.AddDyad(CVector3(c[0], c[1], c[2]), -1.0 / rotor->Resistance);
   }
+}
+
+// What two solids that touch in a point press on is a patch: its friction stops them from spinning
+// against each other, and the pressure, which moves ahead of its middle, from rolling.
+void CImpulseSolver::RubPatch(SBlock& block) {
+  SBody& first = Bodies[block.First];
+  SBody& second = Bodies[block.Second];
+  const CVector3& normal = block.Directions[0];
+  const CVector3 turn = first.Turn - second.Turn;
+  const Real spin = turn.DotProduct(normal);
+  const Real spinImpulse = Clamped(block.SpinImpulse - spin / block.SpinResistance,
+                                   block.Friction * block.Patch * block.Impulses[0]);
+  CVector3 rollImpulse = block.RollImpulse - (turn - normal * spin) / block.RollResistance;
+  const Real most = block.RollArm * block.Impulses[0];
+  const Real square = rollImpulse.SquareLength();
+  if (square > most * most) {
+    rollImpulse *= most / std::sqrt(square);
+  }
+  const CVector3 change =
+      normal * (spinImpulse - block.SpinImpulse) + rollImpulse - block.RollImpulse;
+  block.SpinImpulse = spinImpulse;
+  block.RollImpulse = rollImpulse;
+  first.Turn += first.InverseInertia * change;
+  second.Turn -= second.InverseInertia * change;
 }
 
 TTriple CImpulseSolver::ComputeErrors(const SBlock& block) const {
@@ -241,6 +253,9 @@ Real CImpulseSolver::SolveBlock(SBlock& block) {
   }
   Apply(block, block.Changes);
   block.Impulses = next;
+  if (block.Patch > 0.0) {
+    RubPatch(block);
+  }
   return greatest;
 }
 

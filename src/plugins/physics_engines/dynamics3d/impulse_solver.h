@@ -74,8 +74,10 @@ class CImpulseSolver {
     // of a contact along the normal: m/s for an impulse of 1 N s; 0: kSoftness of its resistance
     Real Softness = 0.0;
     Real Friction = 0.0;  // of a contact: coefficient
-    // m, of a contact: radius of the patch on which it rubs against spinning about the normal
+    // m, of a contact: radius of the patch on which it rubs against spinning about the normal, and
+    // how far the pressure moves ahead of its middle against rolling
     Real Patch = 0.0;
+    Real RollArm = 0.0;
     Real ForceLimit = 0.0;  // N s, of a drive
     Real TorqueLimit = 0.0;  // N m s, of a drive
     std::array<Real, 3> Impulses{};  // N s; at the start: of the last substep
@@ -89,6 +91,10 @@ class CImpulseSolver {
     SSymmetric3 Resistance;  // changes of the three speeds for impulses of 1
     SSymmetric3 DrivenResistance;  // with a motor that keeps its speed
     std::array<Real, 3> Changes{};  // of the impulses in the last sweep
+    // of the patch, about the normal and across it: changes of the turn for an impulse of 1
+    Real SpinResistance = 0.0, RollResistance = 0.0;
+    Real SpinImpulse = 0.0;  // N m s
+    CVector3 RollImpulse;  // N m s
   };
 
   /** Allocates for an island of that many bodies and blocks. */
@@ -114,7 +120,7 @@ class CImpulseSolver {
   Real Sweep();
   void Extrapolate();
   Real SolveBlock(SBlock& block);
-  void RubPatch(const SBlock& block);
+  void RubPatch(SBlock& block);
   Real SolveRotor(SRotor& rotor);
   std::array<Real, 3> ComputeErrors(const SBlock& block) const;
   void Apply(const SBlock& block, const std::array<Real, 3>& change);

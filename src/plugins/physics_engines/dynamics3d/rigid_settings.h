@@ -107,6 +107,9 @@ constexpr UInt32 kTumblingSweeps = 12;
 constexpr Real kRelativeTolerance = 1e-3;
 // radius of the patch of a contact of two objects in one point, as a share of the narrowest side
 constexpr Real kPatchShare = 0.01;
+// share of that radius by which the pressure moves ahead where they roll: a ball of radius R is
+// resisted by 0.004 of its weight, as wood on a hard floor (assumed)
+constexpr Real kRollShare = 0.2;
 
 // a supported island rests if no body is faster than by this share of gravity in a substep; a body
 // that is pulled by less than this share of its weight does not begin to move

@@ -280,6 +280,7 @@ void CRigidStepper::AddContact(const SSubstep& substep, const SRigidContact& con
   SetAcross(block.Directions);
   block.Friction = surface.mu;
   block.Patch = contact.Patch;
+  block.RollArm = kRollShare * contact.Patch;
   block.Impulses[0] = contact.Force * substep.Length;
   const CVector3 friction = contact.Friction * substep.Length;
   block.Impulses[1] = friction.DotProduct(block.Directions[1]);

@@ -17,6 +17,7 @@
 namespace argos::rigid_stack_test {
 
 using Catch::Matchers::WithinAbs;
+using Catch::Matchers::WithinRel;
 
 namespace {
 
@@ -324,6 +325,44 @@ TEST_CASE("rigid stack: a ball that spins on the floor comes to rest",
   CHECK(world.Motion(Name(0)).Rotation.GetZ() < 11.0);
   world.Step(20);
   CHECK_THAT(world.Motion(Name(0)).Rotation.GetZ(), WithinAbs(0.0, 1e-9));
+}
+
+TEST_CASE("rigid stack: a ball that rolls on the floor is slowed down evenly, and stops",
+          "[contract][engine][rigid]") {
+  constexpr Real kSpeed = 0.05;  // m/s
+  constexpr Real kSlowing = 5.0 / 7.0 * 0.004 * kSceneGravity;  // m/s^2, of rolling resistance
+  CRigidScene world(GroundedEngine("sleep='false'"), PileXml(1));
+  world.Step();
+  const CDynamics3DModel& ball = ModelOf(world, Name(0));
+  const CVector3 start = ball.GetCentreOfMass();
+  SBodyMotion motion;
+  motion.Velocity.Set(0.6 * kSpeed, 0.8 * kSpeed, 0.0);
+  motion.Rotation.Set(-0.8 * kSpeed / kBall, 0.6 * kSpeed / kBall, 0.0);
+  world.Body(Name(0)).GetPhysicsModel(0).GetEngine().SetMotion(world.Body(Name(0)), motion);
+  world.Step(10);
+  CHECK_THAT(ball.GetVelocity().Length(), WithinRel(kSpeed - kSlowing, 0.02));
+  world.Step(20);
+  CHECK(ball.GetVelocity().Length() < 1e-9);
+  CHECK_THAT(Distance(start, ball.GetCentreOfMass()),
+             WithinRel(0.5 * kSpeed * kSpeed / kSlowing, 0.02));
+}
+
+TEST_CASE("rigid stack: a pile of balls comes to rest and falls asleep",
+          "[contract][engine][rigid]") {
+  constexpr int kBalls = 150;
+  CRigidScene world(GroundedEngine(), PileXml(kBalls));
+  world.Step(100);
+  CHECK(FindDeepest(world, kBalls) < 0.02 * kBall);
+  std::vector<CVector3> places;
+  for (int i = 0; i < kBalls; ++i) {
+    places.push_back(world.Position(Name(i)));
+  }
+  world.Step(20);
+  int moved = 0;
+  for (int i = 0; i < kBalls; ++i) {
+    moved += world.Position(Name(i)) == places[i] ? 0 : 1;
+  }
+  CHECK(moved == 0);
 }
 
 TEST_CASE("rigid stack: a pile of balls loses energy, and its balls stay beside each other",
