@@ -84,7 +84,7 @@ OPTIONAL XML CONFIGURATION
 
   <axes color="black" width="1.5" size="24" />
 
-  color  of lines and numbers, default black.
+  color  of lines and numbers, default black, or white in a dark view.
   width  of lines, pixels, > 0, default 1.5.
   size   of the numbers, pixels, > 0, default 2.5 % of the height of the picture.
 )",

@@ -48,7 +48,7 @@ OPTIONAL XML CONFIGURATION
 
   corner  "top_left" (default), "top_right", "bottom_left" or "bottom_right" of the picture.
   tick    bool, default true: also write the number of the tick.
-  color   of the text, default black. A contour of contrasting shade keeps it readable on any ground.
+  color   of the text, default black, or white in a dark view. A contour of contrasting shade keeps it readable on any ground.
   size    pixels, > 0, default 2.5 % of the height of the picture.
 )",
                  "Usable")

@@ -21,7 +21,18 @@ constexpr Real kLineHeight = 1.35;
 
 }  // namespace
 
+CColor GetInk(TConfigurationNode& overlay) {
+  std::string look;
+  TConfigurationNode* const overlays = overlay.Parent(false);
+  TConfigurationNode* const view = overlays == nullptr ? nullptr : overlays->Parent(false);
+  if (view != nullptr) {
+    GetNodeAttributeOrDefault(*view, "look", look, look);
+  }
+  return look == "dark" ? CColor::WHITE : CColor::BLACK;
+}
+
 void SOverlayText::Read(TConfigurationNode& node) {
+  Color = GetInk(node);
   GetNodeAttributeOrDefault(node, "color", Color, Color);
   if (NodeAttributeExists(node, "size")) {
     ReadPositive(node, "size", "pixels", Size);

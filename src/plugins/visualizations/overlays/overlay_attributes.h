@@ -11,7 +11,7 @@ namespace argos {
 
 /** The attributes `color` and `size` (pixels) of an overlay's texts. */
 struct SOverlayText {
-  CColor Color = CColor::BLACK;
+  CColor Color = CColor::BLACK; /**< without an attribute, see GetInk() */
   Real Size = 0.0; /**< pixels; 0: by the height of the picture */
   bool IsBold = false;
 
@@ -34,6 +34,9 @@ struct SPictureCorner {
     return IsRight ? STextStyle::EAlignment::Right : STextStyle::EAlignment::Left;
   }
 };
+
+/** White in a view with `look="dark"`, else black: of texts and lines without a colour. */
+CColor GetInk(TConfigurationNode& overlay);
 
 /** Reads the optional attribute `width` (pixels). @throws CARGoSException if it is not > 0. */
 void ReadLineWidth(TConfigurationNode& node, Real& width);

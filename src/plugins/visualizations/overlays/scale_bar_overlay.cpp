@@ -24,20 +24,22 @@ class CScaleBarOverlay : public COverlay {
     const CVector3 size = arena.GetMax() - arena.GetMin();
     const Real length = m_length > 0.0 ? m_length : RoundLengthDown(kShare * size.GetX());
     const Real margin = kMargin * std::min(size.GetX(), size.GetY());
-    const CVector3 start(arena.GetMin().GetX() + margin, arena.GetMin().GetY() + margin, 0.0);
+    // outside of the arena, where nothing covers it
+    const CVector3 start(arena.GetMin().GetX(), arena.GetMin().GetY() - kGap * margin, 0.0);
     const CVector3 end = start + CVector3(length, 0.0, 0.0);
     const CVector3 serif(0.0, 0.25 * margin, 0.0);
     drawing.DrawLine(start, end, m_text.Color, m_width);
     for (const CVector3& tip : {start, end}) {
       drawing.DrawLine(tip - serif, tip + serif, m_text.Color, m_width);
     }
-    drawing.DrawText(0.5 * (start + end) + 1.5 * serif, FormatLength(length), m_text.Color,
-                     m_text.MakeStyle(drawing, STextStyle::EAlignment::Center));
+    drawing.DrawText(end + 2.0 * CVector3(serif.GetY(), 0.0, 0.0) - serif, FormatLength(length),
+                     m_text.Color, m_text.MakeStyle(drawing, STextStyle::EAlignment::Left));
   }
 
  private:
   static constexpr Real kShare = 0.25;  // of the arena, at most
   static constexpr Real kMargin = 0.05;  // of the arena
+  static constexpr Real kGap = 0.35;  // between arena and bar, of the margin
 
   SOverlayText m_text;
   Real m_length = 0.0;  // m; 0: by the size of the arena
@@ -47,8 +49,8 @@ class CScaleBarOverlay : public COverlay {
 REGISTER_OVERLAY(
     CScaleBarOverlay, "scale_bar", "the authors of this project", "1.0",
     "Draws a bar of known length on the ground.",
-    R"(The bar lies along x near the arena's corner of least x and y, at z = 0, so that it is true to scale in
-any view.
+    R"(The bar lies along x, outside of the arena at its corner of least x and y, where nothing covers it, at z = 0, so that
+it is true to scale in any view.
 
 REQUIRED XML CONFIGURATION
 
@@ -61,7 +63,7 @@ OPTIONAL XML CONFIGURATION
   <scale_bar length="1" color="black" width="3" size="24" />
 
   length  m, > 0. Default: 1, 2 or 5 times a power of ten, at most a quarter of the arena.
-  color   of bar and text, default black.
+  color   of bar and text, default black, or white in a dark view.
   width   of the bar, pixels, > 0, default 3.
   size    of the text, pixels, > 0, default 2.5 % of the height of the picture.
 )",

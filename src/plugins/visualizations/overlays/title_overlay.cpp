@@ -41,7 +41,7 @@ OPTIONAL XML CONFIGURATION
   <title text="Flocking, 20 foot-bots" color="black" size="24" />
 
   text   UTF-8, required.
-  color  default black.
+  color  default black, or white in a dark view.
   size   pixels, > 0, default 2.5 % of the height of the picture.
 )",
                  "Usable")

@@ -6,6 +6,7 @@
 #include <argos3/core/simulator/visualization/overlay.h>
 #include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/plugins/simulator/entities/value_checks.h>
+#include <argos3/plugins/simulator/visualizations/overlays/color_rule.h>
 #include <argos3/plugins/simulator/visualizations/overlays/overlay_attributes.h>
 #include <argos3/plugins/simulator/visualizations/overlays/robots_in_view.h>
 
@@ -42,21 +43,18 @@ class CTrailsOverlay : public COverlay {
 
   CRobotsInView m_robots;
   std::unordered_map<std::string, STrail> m_trails;  // by id of the robot
-  size_t m_numSeen = 0;  // robots, since the start
   Real m_duration = 0.0;  // s; 0: all of the run
   UInt32 m_ticks = 0;  // of the duration
   Real m_width = 2.0;  // pixels
   Real m_step = 0.005;  // m, between points
   bool m_fades = true;
-  bool m_hasColor = false;
-  CColor m_color;
+  CColorRule m_color;
 };
 
 void CTrailsOverlay::Init(TConfigurationNode& tree) {
   m_robots.Init(tree);
   ReadLineWidth(tree, m_width);
-  m_hasColor = NodeAttributeExists(tree, "color");
-  GetNodeAttributeOrDefault(tree, "color", m_color, m_color);
+  m_color.Init(tree);
   GetNodeAttributeOrDefault(tree, "fade", m_fades, m_fades);
   GetNodeAttributeOrDefault(tree, "duration", m_duration, m_duration);
   RequireNotNegative(m_duration, OwnerOf(tree), "attribute \"duration\" (s)");
@@ -89,11 +87,8 @@ void CTrailsOverlay::Observe(CSimulator& simulator) {
   CSpace& space = simulator.GetSpace();
   const UInt32 tick = space.GetSimulationClock();
   for (const CRobotsInView::SRobot& robot : m_robots.List(space)) {
-    const auto [found, isNew] = m_trails.try_emplace(robot.Root->GetId());
-    STrail& trail = found->second;
-    if (isNew) {
-      trail.Color = m_hasColor ? m_color : GetPaletteColor(m_numSeen++);
-    }
+    STrail& trail = m_trails[robot.Root->GetId()];
+    trail.Color = m_color.Choose(*robot.Root);
     Append(trail, robot.Pose.Position, tick);
     trail.LastSeen = tick;
   }
@@ -148,12 +143,15 @@ since the last one, and is interrupted where a robot was placed elsewhere.
 OPTIONAL XML CONFIGURATION
 
   <trails of="foot-bot" duration="10" fade="true" width="2" color="blue" />
+  <trails color_by="battery" min="0" max="1" />
 
   of        types of robots, separated by commas: "foot-bot,e-puck". Default: all robots.
   duration  s, >= 0: the last part of the path that is drawn; default 0: all of it.
   fade      bool, default true: the older, the more transparent.
   width     pixels, > 0, default 2.
   color     of all trails; by default each robot has one of seven colours that can be told apart.
+  color_by  in place of color: robot, type, team (the robot's controller), led (its brightest one), or a field of tables, such
+            as value:food or battery, from min (default 0: dark blue) to max (default 1: yellow).
 )",
                  "Usable")
 

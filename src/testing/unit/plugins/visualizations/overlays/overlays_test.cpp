@@ -162,7 +162,7 @@ TEST_CASE("overlays: title and legend", "[overlays]") {
   CHECK(discs[0].Position.GetX() + 0.5 * discs[0].Pixels < kWidth);
 }
 
-TEST_CASE("overlays: ids are above the robots, of the requested types", "[overlays]") {
+TEST_CASE("overlays: ids are beside the robots, of the requested types", "[overlays]") {
   CTestWorld world = MakeWorld();
   COverlaysOf all(world, "<ids/>");
   REQUIRE(all.DrawAll(EKind::Text).size() == 3);
@@ -170,7 +170,9 @@ TEST_CASE("overlays: ids are above the robots, of the requested types", "[overla
   CHECK(all.DrawText(2) == "deaf");
   const SDrawnShape text = all.DrawAll(EKind::Text)[0];
   auto& robot = world.Get<CEPuckEntity>("right");
-  CHECK(text.Position.GetX() == robot.GetEmbodiedEntity().GetOriginAnchor().Position.GetX());
+  // an e-puck's radius is 3.5 cm
+  CHECK(text.Position.GetX() - robot.GetEmbodiedEntity().GetOriginAnchor().Position.GetX() ==
+        Approx(0.055));
   CHECK(text.Position.GetZ() > robot.GetEmbodiedEntity().GetBoundingBox().MaxCorner.GetZ());
   COverlaysOf footBots(world, "<ids of='foot-bot'/>");
   REQUIRE(footBots.DrawAll(EKind::Text).size() == 1);
@@ -296,6 +298,75 @@ TEST_CASE("overlays: bar and axes fit the arena", "[overlays]") {
   CHECK(axes.DrawText(9) == "x (m)");
 }
 
+TEST_CASE("overlays: marks, trails and ids have the colours of a rule", "[overlays]") {
+  CTestWorld world = MakeWorld();
+  const auto colorsOf = [&](const std::string& rule) {
+    std::vector<CColor> colors;
+    for (const SDrawnShape& mark :
+         COverlaysOf(world, "<marks " + rule + "/>").DrawAll(EKind::Circle)) {
+      colors.push_back(mark.Color);
+    }
+    return colors;
+  };
+  const auto robots = colorsOf("");
+  REQUIRE(robots.size() == 3);
+  CHECK((robots[0] != robots[1] && robots[0] != robots[2] && robots[1] != robots[2]));
+  CHECK(colorsOf("color_by='robot'") == robots);
+  // two e-pucks and a foot-bot, with one controller
+  CHECK(colorsOf("color_by='type'") == std::vector<CColor>{robots[0], robots[0], robots[1]});
+  CHECK(colorsOf("color_by='team'") == std::vector<CColor>(3, robots[0]));
+  CHECK(colorsOf("color='#0a0b0c'") == std::vector<CColor>(3, CColor(10, 11, 12)));
+  // no LED is lit: no mark
+  CHECK(colorsOf("color_by='led'").empty());
+  world.Get<CEPuckEntity>("up").GetLEDEquippedEntity().SetLEDColor(3, CColor::ORANGE);
+  CHECK(colorsOf("color_by='led'") == std::vector<CColor>{CColor::ORANGE});
+  // x is 0, 0 and -1 m; values beyond the ends have the colours of the ends
+  const CColor low(68, 1, 84);
+  const CColor high(253, 231, 37);
+  CHECK(colorsOf("color_by='pose' min='-3' max='-2'") == std::vector<CColor>(3, high));
+  CHECK(colorsOf("color_by='pose' min='0' max='1'") == std::vector<CColor>(3, low));
+  CHECK(colorsOf("color_by='pose' min='-1' max='1'")[0] == CColor(33, 144, 141));
+  // halfway between two places of the scale
+  CHECK(colorsOf("color_by='pose' min='-1' max='15'")[0] == CColor(70, 23, 103));
+  world.Get<CEPuckEntity>("up").GetControllableEntity().GetController().RecordValue("food", 2.0);
+  CHECK(colorsOf("color_by='value:food' max='2'") == std::vector<CColor>{high});
+
+  COverlaysOf trails(world, "<trails color_by='type' fade='false'/>");
+  trails.Step(3);
+  CHECK(trails.DrawAll(EKind::Line)[0].Color == robots[0]);
+  CHECK(trails.DrawAll(EKind::Line).back().Color == robots[1]);
+  CHECK(COverlaysOf(world, "<ids color_by='type'/>").DrawAll(EKind::Text)[2].Color == robots[1]);
+
+  CHECK_THAT(ErrorOf("<marks color_by='sped'/>"),
+             Contains("test.argos:2") && Contains("neither robot, type, team or led, nor a field"));
+  CHECK_THAT(ErrorOf("<marks color_by='pose' min='1'/>"),
+             Contains("\"min\" must be below \"max\", got 1 and 1"));
+  CHECK_THAT(ErrorOf("<trails color='red' color_by='type'/>"),
+             Contains("cannot be given together"));
+}
+
+TEST_CASE("overlays: texts are white in a dark view", "[overlays]") {
+  CTestWorld world = MakeWorld();
+  const CSimulator::CScope scope(world.GetSimulator());
+  for (const auto& [look, color] :
+       {std::pair("dark", CColor::WHITE), std::pair("light", CColor::BLACK)}) {
+    CConfigurationDocument document;
+    document.Parse(std::string("<view look='") + look +
+                       "'><overlays><ids/><clock/><title text='t' color='red'/></overlays></view>",
+                   "test.argos");
+    CViewDrawing view;
+    view.Init(document.GetRoot());
+    view.Observe(world.GetSimulator());
+    const std::vector<SDrawnShape>& shapes =
+        view.Draw(world.GetSimulator(), kWidth, kHeight).GetShapes();
+    REQUIRE(shapes.size() == 5);
+    for (size_t i = 0; i < 4; ++i) {
+      CHECK(shapes[i].Color == color);
+    }
+    CHECK(shapes[4].Color == CColor::RED);
+  }
+}
+
 TEST_CASE("overlays: errors give the place in the file", "[overlays]") {
   CHECK_THAT(ErrorOf("<trail/>"), Contains("test.argos:2: <trail>") && Contains("trails"));
   CHECK_THAT(ErrorOf("<clock corner='left'/>"),
@@ -321,9 +392,9 @@ TEST_CASE("overlays: bar, axes and their marks have the scale of arenas of any s
   CHECK(axes.DrawAll(EKind::Line)[1].Size.Length() == Approx(0.03));
   COverlaysOf bar(world, "<scale_bar/>");
   const std::vector<SDrawnShape> lines = bar.DrawAll(EKind::Line);
-  // 5 % of the shorter side from the corner
+  // outside of the corner, by 0.35 times 5 % of the shorter side
   const CVector3 corner = isWide ? CVector3(-8.0, -1.0, 0.0) : CVector3(-1.0, -8.0, 0.0);
-  CHECK(IsAt(lines[0].Position, corner + CVector3(0.1, 0.1, 0.0)));
+  CHECK(IsAt(lines[0].Position, corner + CVector3(0.0, -0.035, 0.0)));
   CHECK(lines[0].Size.Length() == Approx(isWide ? 2.0 : 0.5));
 }
 
