@@ -201,6 +201,20 @@ function(argos_add_plugin name)
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
   set_property(GLOBAL APPEND PROPERTY ARGOS_RUN_TARGETS ${target})
   install(TARGETS ${target} EXPORT ARGoSTargets LIBRARY DESTINATION ${ARGOS_LIBRARY_SUBDIR})
+  argos_index_labels(${target})
+endfunction()
+
+# Writes the labels that a library registers beside it, so that it is opened only when one of them is needed. A build that
+# cannot run its programs does without: then all libraries are opened at the start.
+function(argos_index_labels target)
+  if(NOT ARGOS_BUILD_FOR_SIMULATOR OR APPLE OR (CMAKE_CROSSCOMPILING AND NOT CMAKE_CROSSCOMPILING_EMULATOR))
+    return()
+  endif()
+  # by which the index is known to belong to the library
+  target_link_options(${target} PRIVATE LINKER:--build-id)
+  add_custom_command(TARGET ${target} POST_BUILD COMMAND argos3_write_labels "$<TARGET_FILE:${target}>" VERBATIM)
+  install(FILES "$<TARGET_FILE_DIR:${target}>/$<TARGET_FILE_PREFIX:${target}>$<TARGET_FILE_BASE_NAME:${target}>.labels"
+    DESTINATION ${ARGOS_LIBRARY_SUBDIR})
 endfunction()
 
 # argos_add_module(<name> SOURCES ... [LINK ...] [FOLDER <f>])

@@ -167,7 +167,7 @@ void ApplyRunOptions(CSimulator& simulator, const SOptions& options) {
 }
 
 void LoadExperiment(CSimulator& simulator, const SOptions& options) {
-  CDynamicLoading::LoadAllLibraries();
+  CDynamicLoading::LoadAllLibrariesByLabel();
   ApplyRunOptions(simulator, options);
   if (!options.RecordFile.empty()) {
     simulator.AddOutput("recording", {{"file", options.RecordFile}});

@@ -83,6 +83,16 @@ std::vector<std::string> ListLibraries(CConfigurationDocument& document) {
   return libraries;
 }
 
+std::set<std::string> ListPluginLabels(CConfigurationDocument& document) {
+  std::set<std::string> labels;
+  ForEachElement(document.GetRoot(), [&labels](CConfigurationNode& node) {
+    labels.insert(node.Value());
+    labels.insert(node.Value() + " (" + node.GetAttribute("implementation") + ')');
+    labels.insert(node.GetAttribute("label"));
+  });
+  return labels;
+}
+
 void MakePluginPathAbsolute() {
   const char* const value = std::getenv("ARGOS_PLUGIN_PATH");
   if (value == nullptr) {

@@ -6,6 +6,7 @@
 
 #include <argos3/core/utility/configuration/configuration_document.h>
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,9 @@ std::string MakeInputPathAbsolute(const SSetting& setting, const std::string& st
 
 /** @return the values of all attributes `library`, each once, in the order of the file. */
 std::vector<std::string> ListLibraries(CConfigurationDocument& document);
+
+/** @return the labels of plug-ins that the elements of an experiment name, and other words. */
+std::set<std::string> ListPluginLabels(CConfigurationDocument& document);
 
 /** Makes the relative folders of ARGOS_PLUGIN_PATH absolute. */
 void MakePluginPathAbsolute();

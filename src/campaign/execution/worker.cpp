@@ -24,9 +24,11 @@ namespace argos {
 namespace {
 
 void LoadLibraries(const SRunSetup& setup) {
-  CDynamicLoading::LoadAllLibraries();
+  CDynamicLoading::LoadAllLibrariesByLabel();
   CConfigurationDocument document;
   ParseExperiment(setup, document);
+  // here, and not in the process of each run
+  CDynamicLoading::LoadLibrariesOfLabels(ListPluginLabels(document));
   for (const std::string& library : ListLibraries(document)) {
     try {
       CDynamicLoading::LoadLibrary(library);

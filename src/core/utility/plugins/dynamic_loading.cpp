@@ -7,8 +7,11 @@
 #include <argos3/core/utility/files/input_file.h>
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/logging/log_control.h>
+#include <argos3/core/utility/plugins/deferred_libraries.h>
+#include <argos3/core/utility/plugins/elf_file.h>
 #include <argos3/core/utility/plugins/library_search.h>
 #include <argos3/core/utility/plugins/process_wide.h>
+#include <argos3/core/utility/plugins/registered_labels.h>
 #include <argos3/core/utility/plugins/registration.h>
 #include <argos3/core/utility/text/string_utilities.h>
 
@@ -59,20 +62,24 @@ void DescribeLibrary(const void* path, CSignalSafeText& text) {
   text.Append("library \"").Append(*static_cast<const std::string*>(path)).Append("\"");
 }
 
-// demangles the C++ symbols in a message of the dynamic linker
-std::string WithReadableSymbols(const std::string& message) {
+// the symbol in a text, from a position on
+std::string SymbolAt(const std::string& text, size_t start) {
   constexpr char kNameCharacters[] =
       "_$.0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz";
+  return text.substr(start, text.find_first_not_of(kNameCharacters, start) - start);
+}
+
+// demangles the C++ symbols in a message of the dynamic linker
+std::string WithReadableSymbols(const std::string& message) {
   const size_t start = message.find("_Z");
   if (start == std::string::npos) {
     return message;
   }
-  const size_t end = std::min(message.find_first_not_of(kNameCharacters, start), message.size());
+  const std::string symbol = SymbolAt(message, start);
   int status = 0;
   const std::unique_ptr<char, void (*)(void*)> name(
-      abi::__cxa_demangle(message.substr(start, end - start).c_str(), nullptr, nullptr, &status),
-      &std::free);
-  return status == 0 ? message.substr(0, start) + name.get() + message.substr(end) : message;
+      abi::__cxa_demangle(symbol.c_str(), nullptr, nullptr, &status), &std::free);
+  return status == 0 ? std::string(message).replace(start, symbol.size(), name.get()) : message;
 }
 
 constexpr char kNoSuchFile[] = "no such file";
@@ -97,7 +104,7 @@ CDynamicLoading::TDLHandle TryOpen(const std::string& path, std::string& reason)
     void* (*const volatile open)(const char*, int) = &dlopen;
     CDynamicLoading::TDLHandle handle = open(path.c_str(), RTLD_NOW | RTLD_GLOBAL);
     if (handle == nullptr) {
-      reason = WithReadableSymbols(dlerror());
+      reason = dlerror();
     }
     return handle;
   } catch (...) {
@@ -113,6 +120,14 @@ std::string NameOfMissing(const std::string& reason) {
   return end == std::string::npos ? "" : reason.substr(0, end);
 }
 
+constexpr char kUndefinedSymbol[] = "undefined symbol: ";
+
+// the symbol of the message "libx.so: undefined symbol: ..."; "" for other messages
+std::string NameOfUndefined(const std::string& reason) {
+  const size_t found = reason.find(kUndefinedSymbol);
+  return found == std::string::npos ? "" : SymbolAt(reason, found + sizeof(kUndefinedSymbol) - 1);
+}
+
 // what can be done about a failure to open a library
 std::string DescribeWayOut(const std::string& reason) {
   const std::string missing = NameOfMissing(reason);
@@ -121,7 +136,7 @@ std::string DescribeWayOut(const std::string& reason) {
            "\", which is neither beside it nor among the plug-ins: put the folder of that library "
            "into ARGOS_PLUGIN_PATH or LD_LIBRARY_PATH, or link with -Wl,-rpath,FOLDER";
   }
-  if (reason.find("undefined symbol") != std::string::npos) {
+  if (!NameOfUndefined(reason).empty()) {
     return "\n    Link it with the library that has this symbol, or load that one before";
   }
   return "";
@@ -157,13 +172,84 @@ bool LoadNeeded(const std::string& name, const std::string& neededBy) {
   return false;
 }
 
-// Opens a library after those that it is linked with; returns null and sets the reason on failure.
+CDynamicLoading::TDLHandle OpenWithNeeded(const std::string& path, std::string& reason);
+
+// keeps a library that is open
+void AddLoaded(const std::string& file, const std::string& name,
+               CDynamicLoading::TDLHandle handle) {
+  LoadedLibraries()[ResolvePath(file).string()] = SLoadedLibrary{handle, {name}};
+  if (CLogControl::GetLevel() == ELogLevel::Debug) {
+    LOG << "[DEBUG] Loaded library \"" << file << "\"" << std::endl;
+  }
+}
+
+// Opens deferred libraries. The caller then throws the problems of their registrations.
+void OpenDeferred(const std::vector<std::string>& paths) {
+  const CLateRegistrations late;
+  for (const std::string& path : paths) {
+    // a library that is linked with it may have brought one of this name along
+    const std::string name = fs::path(path).filename().string();
+    CDynamicLoading::TDLHandle handle = dlopen(name.c_str(), RTLD_LAZY | RTLD_NOLOAD);
+    std::string reason;
+    if (handle == nullptr) {
+      handle = OpenWithNeeded(path, reason);
+    }
+    if (handle == nullptr) {
+      THROW_ARGOSEXCEPTION("The library \""
+                           << path << "\" cannot be loaded: " << WithReadableSymbols(reason)
+                           << DescribeWayOut(reason));
+    }
+    AddLoaded(path, path, handle);
+  }
+}
+
+// the same, and throws these problems
+void LoadDeferred(const std::vector<std::string>& paths) {
+  for (const std::string& path : paths) {
+    OpenDeferred({path});
+    ThrowRegistrationProblems("The library \"" + path + "\" cannot be used:");
+  }
+}
+
+// Opens deferred libraries in turn until one has a symbol. @return true if one has it.
+bool OpenDeferredWithSymbol(const std::string& symbol) {
+  for (;;) {
+    const std::string path = CDeferredLibraries::TakeFirst();
+    if (path.empty()) {
+      return false;
+    }
+    OpenDeferred({path});
+    if (dlsym(RTLD_DEFAULT, symbol.c_str()) != nullptr) {
+      return true;
+    }
+  }
+}
+
+// Opens the deferred libraries that a library is linked with: the dynamic linker could find others
+// of the same names.
+void OpenDeferredNeededBy(const std::string& path) {
+  for (const std::string& name : ListNeeded(path)) {
+    OpenDeferred(CDeferredLibraries::TakeFile(name));
+  }
+}
+
+// Opens a library after those that it needs; returns null and sets the reason on failure. Users'
+// libraries need symbols of this project's libraries that they are often not linked with.
 CDynamicLoading::TDLHandle OpenWithNeeded(const std::string& path, std::string& reason) {
+  // deferred libraries have a run path
+  if (!detail::IsRegisteringLate()) {
+    OpenDeferredNeededBy(path);
+  }
   CDynamicLoading::TDLHandle handle = TryOpen(path, reason);
   std::set<std::string> tried;
   while (handle == nullptr) {
     const std::string missing = NameOfMissing(reason);
-    if (missing.empty() || !tried.insert(missing).second || !LoadNeeded(missing, path)) {
+    const std::string symbol = NameOfUndefined(reason);
+    const bool isNew = tried.insert(missing + symbol).second;
+    const bool hasChanged =
+        isNew && (missing.empty() ? !symbol.empty() && OpenDeferredWithSymbol(symbol)
+                                  : LoadNeeded(missing, path));
+    if (!hasChanged) {
       break;
     }
     handle = TryOpen(path, reason);
@@ -184,20 +270,42 @@ CDynamicLoading::TDLHandle TryPlace(const std::string& lib, const std::string& p
     }
     std::string reason;
     const CDynamicLoading::TDLHandle handle = OpenWithNeeded(candidate, reason);
+    if (!detail::IsRegisteringLate()) {
+      // whose labels it has registered, too
+      OpenDeferred(CDeferredLibraries::TakeContested());
+    }
     // registrations may be invalid even if the library failed to load
     ThrowRegistrationProblems("The library \"" + candidate + "\" cannot be used:");
     if (handle != nullptr) {
-      LoadedLibraries()[path] = SLoadedLibrary{handle, {lib}};
-      if (CLogControl::GetLevel() == ELogLevel::Debug) {
-        LOG << "[DEBUG] Loaded library \"" << candidate << "\"" << std::endl;
-      }
+      AddLoaded(candidate, lib, handle);
       return handle;
     }
     if (reason != kNoSuchFile) {
-      problems += "\n  " + candidate + ": " + reason + DescribeWayOut(reason);
+      problems += "\n  " + candidate + ": " + WithReadableSymbols(reason) + DescribeWayOut(reason);
     }
   }
   return nullptr;
+}
+
+constexpr char kIncompatible[] = "the libraries linked to the program are not compatible";
+
+// A library may use symbols of one that follows: those that fail are tried again after the others.
+void LoadInTurn(std::vector<fs::path> files) {
+  while (!files.empty()) {
+    std::vector<fs::path> failed;
+    std::string problems;
+    for (const fs::path& file : files) {
+      const std::string path = fs::absolute(file).string();
+      if (TryPlace(path, path, problems) == nullptr) {
+        failed.push_back(file);
+      }
+    }
+    if (failed.size() == files.size()) {
+      THROW_ARGOSEXCEPTION("The library \"" << fs::absolute(failed.front()).string()
+                                            << "\" cannot be loaded; tried:" << problems);
+    }
+    files.swap(failed);
+  }
 }
 
 }  // namespace
@@ -260,24 +368,28 @@ void CDynamicLoading::LoadAllLibraries() {
   const std::lock_guard<std::recursive_mutex> lock(detail::GetLoadingMutex());
   // before the first library, because libraries may look labels up while they are loaded
   LoadingOnDemand().IsDone = true;
-  ThrowRegistrationProblems("the libraries linked to the program are not compatible");
-  // a library may use symbols of one that follows: those that fail are tried again after the others
+  ThrowRegistrationProblems(kIncompatible);
+  LoadDeferred(CDeferredLibraries::TakeAll());
+  LoadInTurn(ListAllLibraries());
+}
+
+void CDynamicLoading::LoadAllLibrariesByLabel() {
+  const std::lock_guard<std::recursive_mutex> lock(detail::GetLoadingMutex());
+  LoadingOnDemand().IsDone = true;
+  ThrowRegistrationProblems(kIncompatible);
   std::vector<fs::path> files = ListAllLibraries();
-  while (!files.empty()) {
-    std::vector<fs::path> failed;
-    std::string problems;
-    for (const fs::path& file : files) {
-      const std::string path = fs::absolute(file).string();
-      if (TryPlace(path, path, problems) == nullptr) {
-        failed.push_back(file);
-      }
-    }
-    if (failed.size() == files.size()) {
-      THROW_ARGOSEXCEPTION("The library \"" << fs::absolute(failed.front()).string()
-                                            << "\" cannot be loaded; tried:" << problems);
-    }
-    files.swap(failed);
-  }
+  std::erase_if(files, [](const fs::path& file) {
+    const std::string path = fs::absolute(file).string();
+    const auto& loaded = LoadedLibraries();
+    return (loaded.empty() || loaded.count(ResolvePath(path).string()) == 0) &&
+           CDeferredLibraries::Add(path);
+  });
+  LoadInTurn(std::move(files));
+}
+
+void CDynamicLoading::LoadLibrariesOfLabels(const std::set<std::string>& labels) {
+  const std::lock_guard<std::recursive_mutex> lock(detail::GetLoadingMutex());
+  LoadDeferred(CDeferredLibraries::TakeLabels(labels));
 }
 
 void CDynamicLoading::LoadAllLibrariesOnDemand() {
@@ -285,19 +397,42 @@ void CDynamicLoading::LoadAllLibrariesOnDemand() {
   LoadingOnDemand().IsEnabled = true;
 }
 
-void detail::LoadPluginsFor(const std::string& label) {
+namespace detail {
+
+void LoadPluginsFor(const std::type_info& kind, const std::string& label) {
   const std::lock_guard<std::recursive_mutex> lock(GetLoadingMutex());
+  const std::vector<std::string> deferred = CDeferredLibraries::Take(kind, label);
+  LoadDeferred(deferred);
+  if (!deferred.empty()) {
+    return;
+  }
   if (!LoadingOnDemand().IsEnabled || LoadingOnDemand().IsDone) {
     return;
   }
   LOG << "[INFO] Loading all plug-ins, because \"" << label << "\" is not registered" << std::endl;
   try {
-    CDynamicLoading::LoadAllLibraries();
+    CDynamicLoading::LoadAllLibrariesByLabel();
+    LoadPluginsFor(kind, label);
   } catch (CARGoSException& error) {
     THROW_ARGOSEXCEPTION_NESTED(
         "\"" << label << "\" is not registered, and not all plug-ins can be loaded", error);
   }
 }
+
+void LoadPluginsOfKind(const std::type_info& kind) {
+  const std::lock_guard<std::recursive_mutex> lock(GetLoadingMutex());
+  LoadDeferred(CDeferredLibraries::TakeKind(kind));
+}
+
+std::vector<std::string> ListUnopenedLabels(const std::type_info& kind) {
+  return CDeferredLibraries::ListLabels(kind);
+}
+
+void ForgetUnopenedLabels(const std::type_info& kind) {
+  CDeferredLibraries::Forget(kind);
+}
+
+}  // namespace detail
 
 void CDynamicLoading::UnloadAllLibraries() {
   const std::lock_guard<std::recursive_mutex> lock(detail::GetLoadingMutex());

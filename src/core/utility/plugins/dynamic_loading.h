@@ -3,6 +3,7 @@
 
 #include <argos3/core/config.h>
 
+#include <set>
 #include <string>
 
 namespace argos {
@@ -70,9 +71,21 @@ class CDynamicLoading {
   static void LoadAllLibraries();
 
   /**
-   * From here on the first label that no factory knows calls LoadAllLibraries(), once per process
-   * and not if it was called already. For programs that embed the simulator: loading an experiment
-   * calls this function, so that a program needs to link no plug-in.
+   * The same, but opens each library that has an index of its labels (label_index.h), such as all
+   * of this project, only when it is needed: when the first of its labels is looked up, when a
+   * library that is linked with it or needs its symbols is loaded, or when a library registers one
+   * of its labels, too. The labels of all are known. Errors of such libraries are thrown by these
+   * look-ups.
+   */
+  static void LoadAllLibrariesByLabel();
+
+  /** Opens the libraries that LoadAllLibrariesByLabel() has left and that have these labels. */
+  static void LoadLibrariesOfLabels(const std::set<std::string>& labels);
+
+  /**
+   * From here on the first label that no factory knows calls LoadAllLibrariesByLabel(), once per
+   * process and not if all libraries were loaded already. For programs that embed the simulator:
+   * loading an experiment calls this function, so that a program needs to link no plug-in.
    */
   static void LoadAllLibrariesOnDemand();
 

@@ -6,6 +6,7 @@
 #include <argos3/core/utility/plugins/registration.h>
 #include <argos3/core/utility/text/string_utilities.h>
 
+#include <algorithm>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -46,8 +47,11 @@ class CFactory {
   /** By label, in alphabetical order. */
   typedef std::map<std::string, STypeInfo*> TTypeMap;
 
-  /** The table. Not thread safe; GetTypes() is. */
-  static TTypeMap& GetTypeMap() { return detail::GetProcessWide<SOwner>().Types; }
+  /** The table, with all libraries that have such labels opened. Not thread safe; GetTypes() is. */
+  static TTypeMap& GetTypeMap() {
+    detail::LoadPluginsOfKind(typeid(TYPE));
+    return Types();
+  }
 
   /** Registers a class; replaces an earlier registration of the label. */
   static void Register(const std::string& label, const std::string& author,
@@ -57,7 +61,7 @@ class CFactory {
     // before the lock, because it calls the dynamic linker
     const std::string library = GetLibraryOf(reinterpret_cast<const void*>(creator));
     const std::lock_guard<std::recursive_mutex> lock(detail::GetRegistrationMutex());
-    STypeInfo*& info = GetTypeMap()[label];
+    STypeInfo*& info = Types()[label];
     delete info;
     info =
         new STypeInfo{creator, author, version, briefDescription, longDescription, status, library};
@@ -65,20 +69,21 @@ class CFactory {
 
   /**
    * Registers a class unless the label is taken by another class. If the label has the same class
-   * already, because two libraries contain its source, this registration replaces the earlier one.
+   * already, because two libraries contain its source, this registration replaces the earlier one,
+   * unless it comes from a library that is opened late.
    * @return the replaced or, if the classes differ, the kept registration; null if the label was
    *   free.
    */
   static std::unique_ptr<const STypeInfo> RegisterUnlessTaken(const std::string& label,
                                                               const STypeInfo& info) {
     const std::lock_guard<std::recursive_mutex> lock(detail::GetRegistrationMutex());
-    STypeInfo*& known = GetTypeMap()[label];
+    STypeInfo*& known = Types()[label];
     if (known == nullptr) {
       known = new STypeInfo(info);
       return nullptr;
     }
     auto earlier = std::make_unique<const STypeInfo>(*known);
-    if (info.Class == earlier->Class) {
+    if (info.Class == earlier->Class && !detail::IsRegisteringLate()) {
       *known = info;
     }
     return earlier;
@@ -99,21 +104,24 @@ class CFactory {
 
   static bool Exists(const std::string& label) { return FindCreator(label) != nullptr; }
 
-  /** All labels, in alphabetical order. */
+  /** All labels, in alphabetical order, also those of libraries that are not open yet. */
   static std::vector<std::string> GetLabels() {
     const detail::CLookUpLock lock;
-    std::vector<std::string> labels;
-    for (const auto& type : GetTypeMap()) {
+    std::vector<std::string> labels = detail::ListUnopenedLabels(typeid(TYPE));
+    for (const auto& type : Types()) {
       labels.push_back(type.first);
     }
+    std::sort(labels.begin(), labels.end());
+    labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
     return labels;
   }
 
-  /** A copy of the current registrations, by label. */
+  /** A copy of all registrations, by label; opens all libraries that have such labels. */
   static std::map<std::string, STypeInfo> GetTypes() {
+    detail::LoadPluginsOfKind(typeid(TYPE));
     const detail::CLookUpLock lock;
     std::map<std::string, STypeInfo> types;
-    for (const auto& type : GetTypeMap()) {
+    for (const auto& type : Types()) {
       types.emplace(type.first, *type.second);
     }
     return types;
@@ -129,7 +137,8 @@ class CFactory {
   /** Removes every registration. Loading a library again does not register its labels again. */
   static void Destroy() {
     const detail::CLookUpLock lock;
-    Clear(GetTypeMap());
+    detail::ForgetUnopenedLabels(typeid(TYPE));
+    Clear(Types());
   }
 
  private:
@@ -142,19 +151,21 @@ class CFactory {
     ~SOwner() { Clear(Types); }
   };
 
+  static TTypeMap& Types() { return detail::GetProcessWide<SOwner>().Types; }
+
   // null if there is none; may load plug-ins
   static TCreator* FindCreator(const std::string& label) {
     TCreator* const creator = FindRegistered(label);
     if (creator != nullptr) {
       return creator;
     }
-    detail::LoadPluginsFor(label);
+    detail::LoadPluginsFor(typeid(TYPE), label);
     return FindRegistered(label);
   }
 
   static TCreator* FindRegistered(const std::string& label) {
     const detail::CLookUpLock lock;
-    const TTypeMap& types = GetTypeMap();
+    const TTypeMap& types = Types();
     const auto type = types.find(label);
     return type == types.end() ? nullptr : type->second->Creator;
   }
@@ -189,12 +200,16 @@ void RegisterSymbol(const std::string& buildId, const std::string& label, const 
   if (RecordIfBuildDiffers(buildId, library)) {
     return;
   }
-  const auto earlier = CFactory<TYPE>::RegisterUnlessTaken(
+  detail::NoteRegistration(typeid(TYPE), label, library);
+  const auto other = CFactory<TYPE>::RegisterUnlessTaken(
       label,
       {creator, author, version, briefDescription, longDescription, status, library, registered});
-  if (earlier != nullptr) {
-    RecordDuplicateLabel(label, DemangledName(typeid(TYPE)), {earlier->Library, earlier->Class},
-                         {library, registered});
+  if (other != nullptr) {
+    const SRegistration known{other->Library, other->Class};
+    const SRegistration added{library, registered};
+    const bool isLate = detail::IsRegisteringLate();
+    RecordDuplicateLabel(label, DemangledName(typeid(TYPE)), isLate ? added : known,
+                         isLate ? known : added);
   } else {
     RecordIfOfOtherLibrary(label, {library, registered});
   }

@@ -197,14 +197,15 @@ void RecordIfOfOtherLibrary(const std::string& label, const SRegistration& regis
   if (replacement.empty()) {
     return;
   }
-  const std::string text = "the class " + NameOf(registered) + " of label \"" + label + "\" in \"" +
-                           registration.Library + "\" has the name of a class in \"" + replacement +
-                           "\", whose functions the dynamic linker gives it";
+  std::string text = "the class " + NameOf(registered) + " of label \"" + label + "\" in \"" +
+                     registration.Library + "\" has the name of a class in \"" + replacement +
+                     "\", whose functions the dynamic linker gives it";
   const char* const wayOut = ". Rename one, or put it into a namespace";
   if (first.Type != nullptr && first.Size != registered.Size) {
     RecordOnce(&SRecords::Problems, text + wayOut);
   } else {
-    RecordOnce(&SRecords::Warnings, "T" + text.substr(1) + wayOut + ", unless both are the same");
+    text.front() = 'T';
+    RecordOnce(&SRecords::Warnings, text + wayOut + ", unless both are the same");
   }
 }
 

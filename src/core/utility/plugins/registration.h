@@ -109,11 +109,32 @@ std::vector<std::string> GetPluginSearchPaths();
 namespace detail {
 
 /**
- * Loads all plug-ins if CDynamicLoading::LoadAllLibrariesOnDemand() was called and they were not
- * loaded before. Called for a label that is not registered; waits while another thread loads.
+ * Opens the library with a label of a kind, which is typeid() of the factory's base class, if it is
+ * not open. If no known library has it, loads all plug-ins, if
+ * CDynamicLoading::LoadAllLibrariesOnDemand() was called and they were not loaded before. Called
+ * for a label that is not registered; waits while another thread loads.
  * @throws CARGoSException if a plug-in does not load.
  */
-void LoadPluginsFor(const std::string& label);
+void LoadPluginsFor(const std::type_info& kind, const std::string& label);
+
+/** Opens all libraries that have labels of a kind. @throws CARGoSException if one does not load. */
+void LoadPluginsOfKind(const std::type_info& kind);
+
+/** The labels of a kind in libraries that are not open yet. */
+std::vector<std::string> ListUnopenedLabels(const std::type_info& kind);
+
+/** Forgets the labels of a kind in libraries that are not open yet. */
+void ForgetUnopenedLabels(const std::type_info& kind);
+
+/** Keeps that a library has registered a label of a kind. */
+void NoteRegistration(const std::type_info& kind, const std::string& label,
+                      const std::string& library);
+
+/**
+ * @return true if this thread is opening a library at the first use of one of its labels: what it
+ *   registers counts as registered before everything else.
+ */
+bool IsRegisteringLate();
 
 [[noreturn]] void ThrowUnknownLabel(const std::string& kind, const std::string& label,
                                     const std::vector<std::string>& registered);

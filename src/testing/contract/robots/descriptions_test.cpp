@@ -1,6 +1,8 @@
 // The examples in the output of `argos3 -q` for robots, objects, devices and media load and run.
 
 #include <argos3/core/simulator/loop_functions.h>
+#include <argos3/core/utility/plugins/label_index.h>
+#include <argos3/core/utility/plugins/registered_labels.h>
 #include <argos3/plugins/robots/e-puck/simulator/epuck_entity.h>
 #include <argos3/plugins/robots/eye-bot/simulator/eyebot_entity.h>
 #include <argos3/plugins/robots/foot-bot/simulator/footbot_entity.h>
@@ -8,10 +10,12 @@
 #include <argos3/plugins/simulator/media/led_medium.h>
 #include <argos3/testing/support/captured_logs.h>
 #include <argos3/testing/support/device_list.h>
+#include <argos3/testing/support/paths.h>
 #include <argos3/testing/support/robot_world.h>
 
 #include <catch2/catch.hpp>
 
+#include <filesystem>
 #include <sstream>
 #include <vector>
 
@@ -216,6 +220,23 @@ TEST_CASE("descriptions: no robot and no device names a physics engine", "[contr
   for (const auto& [label, info] : CFactory<CSimulatedActuator>::GetTypes()) {
     check(label, info);
   }
+}
+
+TEST_CASE("descriptions: the index of a library has the labels that it registers",
+          "[contract][plugins]") {
+  int count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(InBuildTree("lib/argos3"))) {
+    const std::vector<SPluginLabel> labels = ListLabelsOf(entry.path().filename().string());
+    // not linked to this program, or the core
+    if (entry.path().extension() != ".so" || labels.empty() ||
+        entry.path().filename().string().rfind("libargos3plugin", 0) != 0) {
+      continue;
+    }
+    CAPTURE(entry.path());
+    CHECK(ReadLabelIndex(entry.path().string()) == labels);
+    ++count;
+  }
+  CHECK(count > 10);
 }
 
 }  // namespace descriptions_test

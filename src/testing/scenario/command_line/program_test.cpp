@@ -418,6 +418,21 @@ TEST_CASE("argos3: --quiet and --log-level choose the lines of the logs", "[comm
   CHECK_THAT(folder.Run({"none.argos", "--log-level", "error"}).Err, Contains("[FATAL]"));
 }
 
+TEST_CASE("argos3: a run opens only the libraries that it needs", "[command_line][plugins]") {
+  const CTestFolder folder;
+  folder.Write("e.argos", Experiment());
+  const std::string log = folder.Run({"e.argos", "--log-level", "debug"}).Out;
+  CHECK_THAT(log, Contains("_epuck.so\"\n") && Contains("_dynamics2d.so\"\n"));
+  for (const char* other :
+       {"_footbot.", "_dynamics3d.", "_offscreen.", "_povray.", "_recording."}) {
+    CHECK_THAT(log, !Contains(other));
+  }
+  // labels of all libraries are known
+  folder.Write("typo.argos",
+               std::regex_replace(Experiment(), std::regex("dynamics2d"), "dynamics3dd"));
+  CHECK_THAT(folder.Run({"typo.argos"}).Err, Contains("did you mean \"dynamics3d\""));
+}
+
 TEST_CASE("argos3: a log that is no terminal gets lines about the progress", "[command_line]") {
   const CTestFolder folder;
   folder.Write("e.argos", Experiment());
