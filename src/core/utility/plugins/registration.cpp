@@ -3,6 +3,7 @@
 #include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/plugins/process_wide.h>
+#include <argos3/core/utility/plugins/registered_labels.h>
 #include <argos3/core/utility/plugins/unknown_label.h>
 #include <argos3/core/utility/text/string_utilities.h>
 
@@ -230,8 +231,31 @@ void ThrowRegistrationProblems(const std::string& context) {
   throw CARGoSException(text);
 }
 
+namespace {
+
+thread_local std::string g_namedLibrary;  // see NoteNamedLibrary()
+
+std::string DescribeNamedLibrary() {
+  const std::string name = g_namedLibrary.substr(g_namedLibrary.rfind('/') + 1);
+  std::string labels;
+  for (const SPluginLabel& label : ListLabelsOf(name)) {
+    labels += (labels.empty() ? "" : ", ") + label.Label;
+  }
+  return "\n\"" + name + "\" is loaded and registers " +
+         (labels.empty() ? "nothing: is a REGISTER_ macro missing in its sources?" : labels);
+}
+
+}  // namespace
+
+void NoteNamedLibrary(const std::string& path) {
+  g_namedLibrary = path;
+}
+
 std::string DescribeUnknownLabel(const std::string& label,
                                  const std::vector<std::string>& registered) {
+  if (!g_namedLibrary.empty()) {
+    return DidYouMean(label, registered) + DescribeNamedLibrary();
+  }
   std::string folders;
   for (const std::string& folder : GetPluginSearchPaths()) {
     folders += (folders.empty() ? "" : ", ") + folder;

@@ -83,6 +83,20 @@ TEST_CASE("messages: a missing implementation lists those that there are",
                              "sensor has: \"medium\""));
 }
 
+TEST_CASE("messages: a library without the label that its element names says what it registers",
+          "[bad_input][messages]") {
+  SExperimentText experiment;
+  experiment.Rest =
+      "<loop_functions library=\"" + BadControllersLibrary() + "\" label=\"walker\"/>";
+  CHECK_THAT(LoadError(experiment), Contains("\"walker\"") &&
+                                        Contains(".so\" is loaded and registers ") &&
+                                        Contains("test_idle") && !Contains("ARGOS_PLUGIN_PATH"));
+  experiment = SExperimentText();
+  experiment.Controllers =
+      "<controllers><walker id=\"c\" library=\"" + BadControllersLibrary() + "\"/></controllers>";
+  CHECK_THAT(LoadError(experiment), Contains(".so\" is loaded and registers "));
+}
+
 TEST_CASE("messages: unknown plug-ins say how to name a library and where it is searched",
           "[bad_input][messages]") {
   SExperimentText experiment;
