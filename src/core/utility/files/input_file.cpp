@@ -44,16 +44,20 @@ bool ReadInputFile(const std::string& path, std::string& content, std::string& p
   }
   // not blocking: a FIFO may have taken the file's place since the check
   const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-  bool failed = file < 0;
+  struct stat information {};
+  bool failed = file < 0 || fstat(file, &information) != 0;
+  // one byte more than there should be, so that the end is found without growth
+  std::size_t chunk = static_cast<std::size_t>(information.st_size) + 1;
   while (!failed) {
     const std::size_t size = content.size();
-    content.resize(size + kReadSize);
-    const ssize_t count = read(file, &content[size], kReadSize);
+    content.resize(size + chunk);
+    const ssize_t count = read(file, &content[size], chunk);
     content.resize(size + static_cast<std::size_t>(count > 0 ? count : 0));
     if (count == 0) {
       break;
     }
     failed = count < 0 && errno != EINTR;
+    chunk = content.size() == size + chunk ? kReadSize : 1;
   }
   if (failed) {
     problem = std::strerror(errno);
