@@ -8,6 +8,7 @@
 #include <argos3/core/simulator/entity/positional_entity.h>
 #include <argos3/core/simulator/geometry/body_description.h>
 #include <argos3/core/utility/memory/load_ahead.h>
+#include <argos3/plugins/simulator/entities/directional_led_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/led_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/light_entity.h>
 
@@ -33,12 +34,34 @@ void CTrackedEntity::FindParts(CComposableEntity& entity) {
   m_numComponents = entity.GetExistingComponents().size();
   m_robot = FindExistingComponent<CControllableEntity>(entity);
   m_leds = FindExistingComponent<CLEDEquippedEntity>(entity);
-  m_numLEDs = m_leds != nullptr ? static_cast<UInt32>(m_leds->GetNumLEDs()) : 0;
+  if (m_leds == nullptr) {
+    m_directionalLEDs = FindExistingComponent<CDirectionalLEDEquippedEntity>(entity);
+  }
+  m_numLEDs = CountLEDs();
   if (auto* const body = FindExistingComponent<CEmbodiedEntity>(entity)) {
     m_kind = SRecordedType::EKind::Body;
     m_origin = &body->GetOriginAnchor();
     FindAnchors();
   }
+}
+
+// of directional LEDs, those that the appearance has
+UInt32 CTrackedEntity::CountLEDs() const {
+  if (m_leds != nullptr) {
+    return static_cast<UInt32>(m_leds->GetNumLEDs());
+  }
+  const SAppearance* const appearance =
+      m_directionalLEDs == nullptr ? nullptr : m_root->GetAppearance();
+  if (appearance == nullptr) {
+    return 0;
+  }
+  size_t count = 0;
+  for (const SVisualPart& part : appearance->Parts) {
+    if (part.Kind == SVisualPart::EKind::LED) {
+      count = std::max(count, size_t(part.LED) + 1);
+    }
+  }
+  return static_cast<UInt32>(std::min(count, m_directionalLEDs->GetNumLEDs()));
 }
 
 void CTrackedEntity::FindAnchors() {
@@ -165,8 +188,9 @@ void CTrackedEntity::AppendWords(std::vector<UInt32>& words) const {
     std::transform(colors.begin(), colors.end(), words.begin() + static_cast<std::ptrdiff_t>(start),
                    PackColor);
   } else {
-    for (size_t i = 0; i < m_numLEDs; ++i) {
-      words.push_back(PackColor(m_leds->GetLEDColor(i)));
+    for (UInt32 i = 0; i < m_numLEDs; ++i) {
+      words.push_back(PackColor(m_leds != nullptr ? m_leds->GetLEDColor(i)
+                                                  : m_directionalLEDs->GetLED(i).GetColor()));
     }
   }
   if (m_light != nullptr) {

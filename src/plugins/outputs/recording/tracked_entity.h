@@ -11,6 +11,7 @@ namespace argos {
 
 class CComposableEntity;
 class CControllableEntity;
+class CDirectionalLEDEquippedEntity;
 class CEntity;
 class CLEDEquippedEntity;
 class CLightEntity;
@@ -47,6 +48,7 @@ class CTrackedEntity {
 
  private:
   void FindParts(CComposableEntity& entity);
+  UInt32 CountLEDs() const;
   void FindAnchors();
 
   CEntity* m_root;
@@ -54,6 +56,8 @@ class CTrackedEntity {
   const SAnchor* m_origin = nullptr;  // null: no body
   CControllableEntity* m_robot = nullptr;  // null: none
   const CLEDEquippedEntity* m_leds = nullptr;  // null: none
+  // null: none, or there are others, which views show
+  const CDirectionalLEDEquippedEntity* m_directionalLEDs = nullptr;
   UInt32 m_type = 0;  // number in the recording
   SRecordedType::EKind m_kind = SRecordedType::EKind::Other;
   UInt32 m_numLEDs = 0;

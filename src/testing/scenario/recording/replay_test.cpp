@@ -155,6 +155,42 @@ TEST_CASE("replay: rays, LEDs, floor and overlays are as in the run, and nothing
   CheckSameFrames(folder, "out", "replayed", 7);
 }
 
+TEST_CASE("replay: directional LEDs have the colours of the run", "[scenario][recording]") {
+  const CTestFolder folder;
+  folder.Write("robot.lua", R"(
+function init() end
+function reset() end
+function destroy() end
+function step()
+  robot.directional_leds.set_all_colors("red")
+end
+)");
+  folder.Write("e.argos", R"(
+<argos-configuration>
+  <framework><experiment length="1" ticks_per_second="10" random_seed="3" /></framework>
+  <controllers>
+    <lua_controller id="lua">
+      <actuators><directional_leds implementation="default" /></actuators>
+      <sensors />
+      <params script="robot.lua" />
+    </lua_controller>
+  </controllers>
+  <arena size="1,1,1">
+    <pipuck id="p" led_medium="leds"><body position="0,0,0" /><controller config="lua" /></pipuck>
+  </arena>
+  <physics_engines><dynamics2d id="dyn2d" /></physics_engines>
+  <media><directional_led id="leds" /></media>
+  <visualization><offscreen directory="out" size="320x240" every="5" /></visualization>
+</argos-configuration>
+)");
+  CheckSuccess(folder.Run({"-c", "e.argos", "--record", "run.rec"}));
+  CheckSuccess(folder.Run(std::vector<std::string>{"--replay", "run.rec"} + Into("replayed")));
+  CheckSameFrames(folder, "out", "replayed", 3);
+  // they were off in the first frame
+  CHECK(folder.Read("out/" + ListFrames(folder, "out").front()) !=
+        folder.Read("out/" + ListFrames(folder, "out").back()));
+}
+
 TEST_CASE("replay: exact recordings give the same pictures", "[scenario][recording]") {
   const CTestFolder folder;
   CheckSuccess(folder.Run(LiveFlocking() + kSmall + Into("live") +
