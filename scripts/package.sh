@@ -80,7 +80,7 @@ echo "in $out/:"
 for format in "${formats[@]}"; do
   if [[ "$format" == deb ]]; then
     check_deb argos3-sim /bin/argos3$ /bin/argos3-campaign$ /bin/argos3-plot$ /libargos3core_simulator.so$ /libargos3_hdf5_tables.so$ \
-      /libargos3plugin_simulator_footbot.so$ /doc/argos3-sim/copyright$
+      /libargos3_images.so$ /libargos3plugin_simulator_footbot.so$ /libargos3plugin_simulator_footbot.labels$ /doc/argos3-sim/copyright$
     check_deb argos3-sim-dev /core/simulator/simulator.h$ /core/config.h$ /core/build_id.h$ /ARGoSConfig.cmake$ \
       /argos3_simulator.pc$ /doc/argos3-sim-dev/copyright$
     check_deb argos3-sim-examples /experiments/diffusion_10.argos$ /libfootbot_diffusion.so$ \

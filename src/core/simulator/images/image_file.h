@@ -10,7 +10,7 @@
 
 namespace argos {
 
-// Files of images. The implementation is the only source that includes the library of images.
+// Files of images. The library of images is opened at the first call (image_library.h).
 
 /** The pixels of an image file. */
 struct SImage {

@@ -1,13 +1,13 @@
-#include <argos3/core/simulator/images/image_file.h>
+#include <argos3/core/simulator/images/image_library.h>
 
 #include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/files/input_file.h>
+#include <argos3/core/utility/plugins/factory.h>
 #include <argos3/core/utility/text/lists.h>
 
 #include <FreeImage.h>
 
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 
 namespace argos {
@@ -146,15 +146,16 @@ TBitmap MakeBitmap(const SPixelView& picture) {
   return bitmap;
 }
 
-}  // namespace
+class CFreeImageLibrary : public CImageLibrary {
+ public:
+  SImage Read(const std::string& path, const std::string& what) const override;
+  std::optional<SImageFormat> FindFormat(const std::string& fileName) const override;
+  std::string ListFormats() const override;
+  void SetQuality(SImageFormat& format, int quality) const override;
+  std::string Encode(const SPixelView& picture, const SImageFormat& format) const override;
+};
 
-std::string DescribePath(const std::string& path) {
-  std::error_code ignored;
-  const std::string resolved = std::filesystem::absolute(path, ignored).lexically_normal().string();
-  return resolved == path ? '"' + path + '"' : '"' + path + "\" (that is, \"" + resolved + "\")";
-}
-
-SImage ReadImage(const std::string& path, const std::string& what) {
+SImage CFreeImageLibrary::Read(const std::string& path, const std::string& what) const {
   const TBitmap bitmap = ReadBitmap(path, what);
   SImage image;
   image.Width = FreeImage_GetWidth(bitmap.get());
@@ -171,7 +172,7 @@ SImage ReadImage(const std::string& path, const std::string& what) {
   return image;
 }
 
-std::optional<SImageFormat> FindImageFormat(const std::string& fileName) {
+std::optional<SImageFormat> CFreeImageLibrary::FindFormat(const std::string& fileName) const {
   const FREE_IMAGE_FORMAT format = FreeImage_GetFIFFromFilename(fileName.c_str());
   if (format == FIF_UNKNOWN || !CanWrite(format)) {
     return std::nullopt;
@@ -179,7 +180,7 @@ std::optional<SImageFormat> FindImageFormat(const std::string& fileName) {
   return SImageFormat{format, 0};
 }
 
-std::string ListImageFormats() {
+std::string CFreeImageLibrary::ListFormats() const {
   std::string names;
   for (int i = 0; i < FreeImage_GetFIFCount(); ++i) {
     const auto format = static_cast<FREE_IMAGE_FORMAT>(i);
@@ -190,13 +191,13 @@ std::string ListImageFormats() {
   return names;
 }
 
-void SetQuality(SImageFormat& format, int quality) {
+void CFreeImageLibrary::SetQuality(SImageFormat& format, int quality) const {
   format.Flags = ComputeFlags(static_cast<FREE_IMAGE_FORMAT>(format.Number), quality);
 }
 
 // FreeImage's functions for files ignore failed writes, and overflow a buffer with the message on a
 // long path
-std::string EncodeImage(const SPixelView& picture, const SImageFormat& format) {
+std::string CFreeImageLibrary::Encode(const SPixelView& picture, const SImageFormat& format) const {
   const auto type = static_cast<FREE_IMAGE_FORMAT>(format.Number);
   const TBitmap bitmap = MakeBitmap(picture);
   t_imageProblem.clear();
@@ -213,5 +214,10 @@ std::string EncodeImage(const SPixelView& picture, const SImageFormat& format) {
   }
   return std::string(reinterpret_cast<const char*>(content), size);
 }
+
+}  // namespace
+
+REGISTER_SYMBOL(CImageLibrary, CFreeImageLibrary, "freeimage", "the authors of this project", "1.0",
+                "Reads and writes image files with FreeImage.", "See image_file.h.", "Usable")
 
 }  // namespace argos
