@@ -424,7 +424,7 @@ TEST_CASE("argos3: a run opens only the libraries that it needs", "[command_line
   const std::string log = folder.Run({"e.argos", "--log-level", "debug"}).Out;
   CHECK_THAT(log, Contains("_epuck.so\"\n") && Contains("_dynamics2d.so\"\n"));
   for (const char* other :
-       {"_footbot.", "_dynamics3d.", "_offscreen.", "_povray.", "_recording."}) {
+       {"_eyebot.", "_dynamics3d.", "_offscreen.", "_povray.", "_recording."}) {
     CHECK_THAT(log, !Contains(other));
   }
   // labels of all libraries are known
