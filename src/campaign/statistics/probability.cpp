@@ -59,8 +59,4 @@ Real ComputeChiSquareUpperTail(Real value, Real freedom) {
   return value > 0.0 ? gsl_cdf_chisq_Q(value, freedom) : 1.0;
 }
 
-Real ComputeFairBinomialLowerTail(size_t successes, size_t trials) {
-  return gsl_cdf_binomial_P(static_cast<unsigned>(successes), 0.5, static_cast<unsigned>(trials));
-}
-
 }  // namespace argos

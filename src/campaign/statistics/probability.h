@@ -29,10 +29,6 @@ Real ComputeCentralStudentQuantile(Real level, Real freedom);
  */
 Real ComputeChiSquareUpperTail(Real value, Real freedom);
 
-/** P(X <= successes) of the number of successes of trials with probability 1/2 each; R:
- * pbinom(successes, trials, 0.5). */
-Real ComputeFairBinomialLowerTail(size_t successes, size_t trials);
-
 }  // namespace argos
 
 #endif
