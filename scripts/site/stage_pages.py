@@ -24,6 +24,7 @@ KINDS = {
     "physics_engines": "Physics engines", "dynamics3d_add_ons": "Add-ons of dynamics3d", "media": "Media",
     "visualizations": "Visualizations and outputs", "overlays": "Overlays", "fields": "Fields",
     "built_in_metrics": "Built-in metrics", "controllers": "Controllers", "loop_functions": "Loop functions",
+    "elements": "Other elements of experiment files",
 }
 
 

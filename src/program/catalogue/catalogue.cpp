@@ -88,6 +88,11 @@ const SElement& CCatalogue::GetElements() {
 
 const SElement* CCatalogue::FindElement(const SMatch& match) {
   const std::string& section = match.Kind->Section;
+  if (match.Kind->Word == "elements") {
+    std::vector<SElementMatch> matches;
+    Search(GetElements(), {}, match.Plugin->Label, matches);
+    return matches.empty() ? nullptr : matches.front().Element;
+  }
   if (section.empty()) {
     return nullptr;
   }

@@ -6,7 +6,10 @@
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/utility/configuration/configuration_document.h>
+#include <argos3/core/utility/plugins/registration.h>
+#include <argos3/core/utility/text/string_utilities.h>
 
+#include <cxxabi.h>
 #include <fmt/format.h>
 
 #include <memory>
@@ -15,6 +18,42 @@
 namespace argos {
 
 namespace {
+
+std::vector<const std::type_info*> BasesOf(const std::type_info& type) {
+  if (const auto* single = dynamic_cast<const abi::__si_class_type_info*>(&type)) {
+    return {single->__base_type};
+  }
+  std::vector<const std::type_info*> bases;
+  if (const auto* several = dynamic_cast<const abi::__vmi_class_type_info*>(&type)) {
+    for (unsigned i = 0; i < several->__base_count; ++i) {
+      bases.push_back(several->__base_info[i].__base_type);
+    }
+  }
+  return bases;
+}
+
+// without namespaces
+std::string NameOf(const std::type_info& type) {
+  const std::string name = DemangledName(type);
+  const size_t colons = name.find('<') == std::string::npos ? name.rfind("::") : std::string::npos;
+  return colons == std::string::npos ? name : name.substr(colons + 2);
+}
+
+// The most derived base class whose name begins with "CCI_". The compiler's type information lists
+// bases (Itanium C++ ABI), so that devices need not name their interface. Breadth first: a class is
+// nearer than its bases.
+SInterfaceClass FindInterfaceClass(const std::type_info& device) {
+  std::vector<const std::type_info*> types = {&device};
+  for (size_t i = 0; i < types.size(); ++i) {
+    const std::string name = NameOf(*types[i]);
+    if (name.rfind("CCI_", 0) == 0 && name != "CCI_Sensor" && name != "CCI_Actuator") {
+      return {name, GetLibraryOf(types[i])};
+    }
+    const std::vector<const std::type_info*> bases = BasesOf(*types[i]);
+    types.insert(types.end(), bases.begin(), bases.end());
+  }
+  return {};
+}
 
 template <typename DEVICE>
 SInterfaceClass InterfaceOf(const std::string& label) {

@@ -1,7 +1,6 @@
 #ifndef ARGOS3_PROGRAM_CATALOGUE_DEVICES_H
 #define ARGOS3_PROGRAM_CATALOGUE_DEVICES_H
 
-#include <argos3/program/catalogue/interface_class.h>
 #include <argos3/program/catalogue/lua_listing.h>
 #include <argos3/program/catalogue/public_headers.h>
 #include <argos3/program/catalogue/samples.h>
@@ -11,6 +10,12 @@
 #include <vector>
 
 namespace argos {
+
+/** The class of the control interface that a device implements. */
+struct SInterfaceClass {
+  std::string Name; /**< "CCI_LEDsActuator"; "" if there is none */
+  std::string Library; /**< the file that contains it */
+};
 
 /** A robot that a device fits. */
 struct SFit {

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <set>
 #include <string_view>
 #include <utility>
 
@@ -74,8 +75,9 @@ std::string Attribute(const std::string& element, const std::string& name,
                  {"text", JsonQuoted(attribute.Manual.Text)}});
 }
 
-// of an element and all inside it
-void AddAttributes(const SElement& element, const std::string& path, TItems& items) {
+// of an element and all inside it. apart: tags of what has an answer of its own
+void AddAttributes(const SElement& element, const std::string& path,
+                   const std::set<std::string>& apart, TItems& items) {
   for (const auto& [name, attribute] : element.Attributes) {
     // that is a part of the label
     if (name != "implementation") {
@@ -83,16 +85,27 @@ void AddAttributes(const SElement& element, const std::string& path, TItems& ite
     }
   }
   for (const auto& [name, child] : element.Children) {
-    AddAttributes(child, path + '/' + name.ToLabel(), items);
+    if (apart.count(name.Tag) == 0) {
+      AddAttributes(child, path + '/' + name.ToLabel(), apart, items);
+    }
   }
 }
 
-std::string Attributes(const SElement* element, const std::string& path) {
+std::string Attributes(const SElement& element, const std::string& path,
+                       const std::set<std::string>& apart = {}) {
   TItems items;
-  if (element != nullptr) {
-    AddAttributes(*element, path, items);
-  }
+  AddAttributes(element, path, apart, items);
   return Enclosed('[', items, ']');
+}
+
+std::set<std::string> TagsOf(const std::vector<SPluginKind>& kinds) {
+  std::set<std::string> tags;
+  for (const SPluginKind& kind : kinds) {
+    for (const SPluginText& plugin : kind.Plugins) {
+      tags.insert(TagOf(plugin.Label));
+    }
+  }
+  return tags;
 }
 
 std::string Plugin(const SMatch& match, CCatalogue& catalogue) {
@@ -127,7 +140,10 @@ std::string Plugin(const SMatch& match, CCatalogue& catalogue) {
                         Array(catalogue.GetDevices().ListDevicesOf(plugin->Label), device));
   }
   if (const SElement* const element = catalogue.FindElement(match)) {
-    fields.emplace_back("attributes", Attributes(element, TagOf(plugin->Label)));
+    // the arena would have those of all robots
+    const std::set<std::string> apart =
+        kind->Word == "elements" ? TagsOf(catalogue.GetKinds()) : std::set<std::string>();
+    fields.emplace_back("attributes", Attributes(*element, TagOf(plugin->Label), apart));
   }
   fields.emplace_back("manual", JsonQuoted(plugin->Long));
   return Object(fields);
@@ -135,13 +151,13 @@ std::string Plugin(const SMatch& match, CCatalogue& catalogue) {
 
 std::string Element(const SElementMatch& match) {
   const std::string path = DescribePath(match.Path);
-  std::string attributes = Attributes(match.Element, path);
-  if (!match.Attribute.empty()) {
-    attributes = Enclosed(
-        '[', {Attribute(path, match.Attribute, match.Element->Attributes.at(match.Attribute))},
-        ']');
-  }
-  return Object({{"element", JsonQuoted(path)}, {"attributes", attributes}});
+  const auto attribute = match.Element->Attributes.find(match.Attribute);
+  return Object(
+      {{"element", JsonQuoted(path)},
+       {"attributes",
+        attribute == match.Element->Attributes.end()
+            ? Attributes(*match.Element, path)
+            : Enclosed('[', {Attribute(path, attribute->first, attribute->second)}, ']')}});
 }
 
 }  // namespace

@@ -182,9 +182,8 @@ std::string DescribePlugin(const SMatch& match, CCatalogue& catalogue) {
 }
 
 std::string DescribeAttribute(const std::string& name, const SAttribute& attribute) {
-  return Wrapped(fmt::format("{}  {}{}", name, NameOf(attribute.Type),
-                             attribute.IsRequired ? ", required" : ""),
-                 kIndent) +
+  return fmt::format("  {}  {}{}\n", name, NameOf(attribute.Type),
+                     attribute.IsRequired ? ", required" : "") +
          (attribute.Manual.Text.empty() ? "" : Wrapped(attribute.Manual.Text, kTextIndent));
 }
 

@@ -400,10 +400,16 @@ SElement CGrammar::MakeRoot() {
   CManuals(m_devices.GetKinds()).Describe(root, {}, "");
   MergeDevices(root);
   MergeEntities(root);
+  SElement& views = root.Children[{"visualization"}];
+  for (auto& [name, output] : root.Children[{"outputs"}].Children) {
+    if (const SElement* const view = views.Find(name)) {
+      output.Merge(*view);
+    }
+  }
   // all views have the same overlays
   SElement overlays;
   CollectOverlays(root, overlays);
-  for (auto& [name, view] : root.Children[{"visualization"}].Children) {
+  for (auto& [name, view] : views.Children) {
     if (view.Find({"overlays"}) != nullptr) {
       view.Children[{"overlays"}].Merge(overlays);
     }

@@ -1,6 +1,7 @@
 #include <argos3/program/catalogue/manual.h>
 
 #include <argos3/core/utility/configuration/configuration_document.h>
+#include <argos3/program/catalogue/text_layout.h>
 
 #include <regex>
 #include <sstream>
@@ -8,10 +9,6 @@
 namespace argos {
 
 namespace {
-
-size_t IndentOf(const std::string& line) {
-  return std::min(line.find_first_not_of(' '), line.size());
-}
 
 // "x,y,z", m, default "0,0,0": of the centre
 SAttributeText Parsed(const std::string& text) {

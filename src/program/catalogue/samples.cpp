@@ -8,8 +8,6 @@
 
 #include <fmt/format.h>
 
-#include <stdlib.h>
-
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -223,13 +221,8 @@ SSampleExperiment CSamples::MakeExperiment(const SSample& sample) const {
   return experiment;
 }
 
-CSampleLoader::CSampleLoader() : m_previousFolder(fs::current_path()) {
-  std::string name = (fs::temp_directory_path() / "argos3_sample_XXXXXX").string();
-  if (mkdtemp(name.data()) == nullptr) {
-    THROW_ARGOSEXCEPTION("cannot create a temporary folder " << name);
-  }
-  m_folder = name;
-  fs::current_path(m_folder);
+CSampleLoader::CSampleLoader() : m_folder("argos3_sample_"), m_previous(fs::current_path()) {
+  fs::current_path(m_folder.GetPath());
   std::ofstream(kScript) << "function init() end function step() end function reset() end "
                             "function destroy() end\n";
   for (const std::string& label : CFactory<CPhysicsEngine>::GetLabels()) {
@@ -240,8 +233,7 @@ CSampleLoader::CSampleLoader() : m_previousFolder(fs::current_path()) {
 
 CSampleLoader::~CSampleLoader() {
   std::error_code failure;
-  fs::current_path(m_previousFolder, failure);
-  fs::remove_all(m_folder, failure);
+  fs::current_path(m_previous, failure);
 }
 
 std::string CSampleLoader::Load(SSampleExperiment& sample,

@@ -4,7 +4,9 @@
 #include <argos3/core/utility/configuration/argos_configuration.h>
 #include <argos3/core/utility/configuration/element_name.h>
 #include <argos3/program/catalogue/plugin_kinds.h>
+#include <argos3/support/scratch_folder.h>
 
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <set>
@@ -85,8 +87,8 @@ class CSampleLoader {
                    const std::function<void(CSimulator&)>& use = nullptr);
 
  private:
-  std::string m_folder;
-  std::string m_previousFolder;
+  CScratchFolder m_folder;
+  std::filesystem::path m_previous;  // working directory
   std::vector<std::string> m_engines;  // sections; the one that was used last is the first
 };
 

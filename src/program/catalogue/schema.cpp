@@ -25,12 +25,14 @@ constexpr const char* kAnything =
     "<element><anyName/><ref name=\"anything\"/></element><text/></choice></zeroOrMore>";
 
 constexpr const char* kColour = "\\s*([A-Za-z][A-Za-z0-9]*|[0-9]+\\s*(,\\s*[0-9]+\\s*){2,3})\\s*";
-constexpr const char* kGrammar =
-    "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!-- Made by argos3 from what the plug-ins read: "
-    "the option \"schema\". Do not edit. -->\n<grammar "
-    "xmlns=\"http://relaxng.org/ns/structure/1.0\" "
-    "xmlns:a=\"http://relaxng.org/ns/compatibility/annotations/1.0\" "
-    "datatypeLibrary=\"http://www.w3.org/2001/XMLSchema-datatypes\">{}</grammar>\n";
+constexpr const char* kOrigin =
+    "Made by argos3 from what the plug-ins read: the option \"schema\". Do not edit.";
+constexpr const char* kGrammar = R"(<?xml version="1.0" encoding="UTF-8"?>
+<!-- {} -->
+<grammar xmlns="http://relaxng.org/ns/structure/1.0"
+  xmlns:a="http://relaxng.org/ns/compatibility/annotations/1.0"
+  datatypeLibrary="http://www.w3.org/2001/XMLSchema-datatypes">{}</grammar>
+)";
 
 std::string Escaped(std::string text) {
   Replace(text, "&", "&amp;");
@@ -281,7 +283,7 @@ std::string CSchemaMaker::Make() {
     xml += fmt::format(R"(<define name="{}">{}</define>)", Escaped(name),
                        pattern.empty() ? "<empty/>" : pattern);
   }
-  return fmt::format(kGrammar, xml);
+  return fmt::format(kGrammar, kOrigin, xml);
 }
 
 }  // namespace
@@ -297,7 +299,8 @@ std::string MakeSchema(const std::string& format) {
   grammar.RecordAll();
   CConfigurationDocument document;
   document.Parse(CSchemaMaker(grammar).Make(), "schema");
-  return format == "rnc" ? WriteCompactSyntax(document.GetRoot()) : document.ToText();
+  return format == "rnc" ? fmt::format("# {}\n{}", kOrigin, WriteCompactSyntax(document.GetRoot()))
+                         : document.ToText();
 }
 
 }  // namespace argos

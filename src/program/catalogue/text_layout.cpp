@@ -16,10 +16,6 @@ constexpr std::size_t kShallowIndent = 8;
 
 using TLines = std::vector<std::string>;
 
-std::size_t IndentOf(const std::string& line) {
-  return std::min(line.find_first_not_of(' '), line.size());
-}
-
 bool IsItem(const std::string& line) {
   return line.rfind("- ", 0) == 0;
 }
@@ -72,6 +68,10 @@ std::string WrapLines(const TLines& lines) {
 }
 
 }  // namespace
+
+std::size_t IndentOf(const std::string& line) {
+  return std::min(line.find_first_not_of(' '), line.size());
+}
 
 std::string Wrapped(const std::string& text, std::size_t indent, std::size_t hanging) {
   std::string wrapped;

@@ -8,6 +8,9 @@ namespace argos {
 /** Columns of texts for terminals. */
 constexpr std::size_t kTextWidth = 80;
 
+/** Number of blanks before the first word. */
+std::size_t IndentOf(const std::string& line);
+
 /**
  * Fills lines with the words of a text; a newline in it begins a new line.
  * @param indent  of all lines. @param hanging  more indentation, of all lines but the first.

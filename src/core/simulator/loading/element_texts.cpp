@@ -116,6 +116,7 @@ ATTRIBUTES
   center        "x,y,z", m, default "0,0,0".
   redistribute  "true" or "false", default "false": if "true", a reset draws the places of <distribute> anew from the
                 seed of the new run; otherwise it restores those of the start.
+  positional_index, positional_grid_size  of ARGoS 3; have no effect here, which a warning says.
 )");
 
 const CElementText kDistribute(
@@ -148,6 +149,7 @@ OPTIONAL XML
 
 ATTRIBUTES
 
+  id               text: has no effect, which a warning says.
   position@method  "uniform", "gaussian", "constant" or "grid", required. Positions are in m and mean the centre of the
                    base; orientations are in degrees, about z, then y, then x.
   position@min, position@max    "x,y,z", required for "uniform": each coordinate is drawn evenly between them.
@@ -157,7 +159,8 @@ ATTRIBUTES
                    along x, y and z.
   position@layout  "nx,ny,nz", required for "grid": number of places along x, y and z. They are filled from the largest
                    coordinates on, along x first.
-  orientation@method, @min, @max, @mean, @std_dev, @values, @center, @distances, @layout  as of a position, in degrees.
+  orientation@method, @min, @max, @mean, @std_dev      as of a position, in degrees.
+  orientation@values, @center, @distances, @layout     as of a position, in degrees.
   entity@quantity    integer from 0 to 10000000, required: number of entities. The element inside is their pattern.
   entity@max_trials  integer from 0 to 10000000, required: largest number of draws for each of them.
   entity@base_num    integer >= 0, default 0: number in the id of the first one: id="fb" and base_num="10" give fb10,

@@ -68,8 +68,8 @@ CColor GetScaleColor(Real share) {
   };
   const CColor& first = kColors[below];
   const CColor& second = kColors[below + 1];
-  return {mix(first.GetRed(), second.GetRed()), mix(first.GetGreen(), second.GetGreen()),
-          mix(first.GetBlue(), second.GetBlue())};
+  return CColor(mix(first.GetRed(), second.GetRed()), mix(first.GetGreen(), second.GetGreen()),
+                mix(first.GetBlue(), second.GetBlue()));
 }
 
 void CColorRule::Init(TConfigurationNode& node, const std::optional<CColor>& ofAll) {
@@ -98,7 +98,7 @@ void CColorRule::Init(TConfigurationNode& node, const std::optional<CColor>& ofA
     m_rule = ERule::Field;
     try {
       m_field.emplace(name);
-    } catch (const CARGoSException& ex) {
+    } catch (CARGoSException& ex) {
       THROW_ARGOSEXCEPTION_NESTED(OwnerOf(node)
                                       << ": attribute \"color_by\" is neither robot, type, "
                                          "team or led, nor a field of tables",

@@ -2,6 +2,7 @@
 
 #include "program_run.h"
 
+#include <argos3/core/utility/configuration/argos_configuration.h>
 #include <argos3/testing/support/paths.h>
 
 #include <catch2/catch.hpp>
@@ -10,6 +11,8 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <regex>
+#include <set>
 #include <sstream>
 
 namespace query_test {
@@ -60,11 +63,49 @@ class CSchema {
     std::ofstream(m_folder.Path("file.argos")) << xml;
     return AcceptsFile(m_folder.Path("file.argos"));
   }
+  /** Names of all elements and attributes. */
+  std::set<std::string> ListNames() const {
+    CConfigurationDocument document;
+    document.LoadFile(m_folder.Path("argos.rng"));
+    std::set<std::string> names;
+    CollectNames(document.GetRoot(), names);
+    return names;
+  }
   std::string GetMessages() const { return m_folder.Read("xmllint.txt"); }
 
  private:
+  static void CollectNames(TConfigurationNode& pattern, std::set<std::string>& names) {
+    if (pattern.Value() == "element" || pattern.Value() == "attribute") {
+      names.insert(pattern.GetAttribute("name"));
+    }
+    TConfigurationNodeIterator it;
+    for (it = it.begin(&pattern); it != it.end(); ++it) {
+      CollectNames(*it, names);
+    }
+  }
+
   CTestFolder m_folder;
 };
+
+// elements and attributes that sources of the core read of experiment files
+std::set<std::string> NamesThatTheCoreReads() {
+  static const std::regex kReading(
+      "(?:GetNode|NodeExists|GetNodeAttribute|GetNodeAttributeOrDefault|NodeAttributeExists)"
+      "\\([^;{]*?\"([a-z_]+)\"");
+  std::set<std::string> names;
+  for (const char* const folder : {"src/core/simulator", "src/core/control_interface"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(InSourceTree(folder))) {
+      if (entry.path().extension() == ".cpp") {
+        std::ifstream file(entry.path());
+        const std::string source((std::istreambuf_iterator<char>(file)), {});
+        const std::sregex_iterator found(source.begin(), source.end(), kReading);
+        std::for_each(found, std::sregex_iterator(),
+                      [&names](const std::smatch& match) { names.insert(match[1]); });
+      }
+    }
+  }
+  return names;
+}
 
 std::string Replaced(std::string text, const std::string& from, const std::string& to) {
   const size_t at = text.find(from);
@@ -154,6 +195,56 @@ TEST_CASE("queries: a robot lists the devices that fit", "[command_line][query]"
              Contains("ROBOTS\n\n  prototype\n  each with <joints> inside"));
 }
 
+TEST_CASE("queries: elements and attributes of experiment files", "[command_line][query]") {
+  const CTestFolder folder;
+  const std::pair<const char*, const char*> facts[] = {
+      {"experiment", "ticks_per_second"},
+      {"system", "pin_threads_to_cores"},
+      {"profiling", "truncate_file"},
+      {"arena", "redistribute"},
+      {"distribute", "entity@max_trials"},
+      {"boundaries", "vertex@point"},
+      {"noise", "gaussian"},
+      {"on_error", "framework/experiment\n  on_error  text\n"},
+      {"base_num", "arena/distribute/entity\n"},
+      {"real_time", "framework/experiment\n  real_time  boolean\n"},
+      {"rab_range", "arena/e-puck"},
+      {"vertex", "physics_engines/dynamics2d/boundaries/sides/vertex"}};
+  for (const auto& [word, fact] : facts) {
+    CAPTURE(word);
+    const SProgramRun run = folder.Run({"-q", word});
+    CHECK(run.Status == 0);
+    CHECK_THAT(run.Out, Contains("[ " + std::string(word) + " ]\n") && Contains(fact));
+    CHECK(WidestProseLine(run.Out) <= 80);
+  }
+  const SProgramRun wrong = folder.Run({"-q", "on_eror"});
+  CHECK(wrong.Status == 1);
+  CHECK_THAT(wrong.Out, Contains("did you mean on_error?"));
+}
+
+TEST_CASE("queries: every attribute of the core's elements has a text", "[command_line][query]") {
+  const CTestFolder folder;
+  const SProgramRun run = folder.Run({"-q", "elements", "--json"});
+  REQUIRE(run.Status == 0);
+  CHECK(IsJson(folder, run.Out));
+  CHECK_THAT(run.Out, !Contains("\"text\": \"\""));
+  CHECK_THAT(run.Out, Contains("\"name\": \"length\",\n          \"type\": \"real\",\n          "
+                               "\"unit\": \"s\",\n          \"default\": \"0\""));
+}
+
+TEST_CASE("queries: a device that no robot has shows what its header says of Lua",
+          "[command_line][query]") {
+  const CTestFolder folder;
+  CHECK_THAT(folder.Run({"-q", "planar_drive"}).Out,
+             Contains("IN LUA\n\n  robot.planar_drive.set_velocity(ahead, left, yaw_rate)\n") &&
+                 Contains("None of the loaded libraries"));
+}
+
+TEST_CASE("queries: without a word all plug-ins are listed", "[command_line][query]") {
+  const CTestFolder folder;
+  CHECK(folder.Run({"-q"}).Out == folder.Run({"-q", "all"}).Out);
+}
+
 TEST_CASE("queries: what is not found has suggestions and the status 1", "[command_line][query]") {
   const CTestFolder folder;
   const SProgramRun rnage = folder.Run({"-q", "rnage"});
@@ -192,7 +283,8 @@ TEST_CASE("queries: JSON has the same facts", "[command_line][query]") {
   for (const char* const fact :
        {"\"class\": \"CCI_FootBotProximitySensor\"", "\"link\": \"ARGoS::footbot\"",
         "\"path\": \"robot.proximity[i].angle\"", "\"robot\": \"foot-bot\"",
-        "\"name\": \"show_rays\",\n          \"type\": \"boolean\",\n          \"required\": false",
+        "\"name\": \"show_rays\",\n          \"type\": \"boolean\",\n          \"unit\": \"\",\n   "
+        "       \"default\": \"false\"",
         "\"list\": \"sensors\""}) {
     CAPTURE(fact);
     CHECK_THAT(run.Out, Contains(fact));
@@ -233,6 +325,18 @@ TEST_CASE("schemas: every experiment of the repository is valid", "[command_line
     }
   }
   CHECK(files >= 30);
+}
+
+TEST_CASE("schemas: every element and attribute that the core reads is in it",
+          "[command_line][schema]") {
+  const std::set<std::string> inSchema = CSchema().ListNames();
+  std::set<std::string> read = NamesThatTheCoreReads();
+  read.erase("label");  // of <loop_functions>, which may contain anything
+  CHECK(read.size() >= 50);
+  for (const std::string& name : read) {
+    CAPTURE(name);
+    CHECK(inSchema.count(name) == 1);
+  }
 }
 
 TEST_CASE("schemas: misspelt names and texts in place of numbers are not valid",

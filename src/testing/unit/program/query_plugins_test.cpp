@@ -88,6 +88,16 @@ TEST_CASE("query: plug-ins of a plug-in are listed below it, in all and in searc
              Contains("[ query_part ]\nA part.\n\nA part of query_test_one by C. Author"));
 }
 
+TEST_CASE("query: elements of experiment files that are no plug-ins", "[core][query]") {
+  CHECK_THAT(DescribePlugins("elements"), StartsWith("AVAILABLE OTHER ELEMENTS") &&
+                                              Contains("[ experiment ]") && Contains("[ arena ]"));
+  const CElementText element("query_element", "D. Author", "An element.", "All about it.\n");
+  CHECK_THAT(
+      DescribePlugins("query_element"),
+      StartsWith("[ query_element ]\nAn element.\n\nAn element by D. Author, version 1.0.\n") &&
+          Contains("IN EXPERIMENT FILES\n\nAll about it.\n"));
+}
+
 TEST_CASE("query: the search is case-sensitive", "[core][query]") {
   CHECK_THAT(DescribePlugins("Query_test"), StartsWith("Nothing found"));
 }

@@ -1,6 +1,6 @@
 // Manuals of plug-ins for programs and for terminals.
 
-#include <argos3/program/catalogue/json_writer.h>
+#include <argos3/program/catalogue/facts_json.h>
 #include <argos3/program/catalogue/manual.h>
 #include <argos3/program/catalogue/text_layout.h>
 
@@ -49,19 +49,46 @@ TEST_CASE("manuals: examples are their well-formed XML", "[core][catalogue]") {
 
 TEST_CASE("manuals: rows of tables describe attributes", "[core][catalogue]") {
   const CManual manual(kManual);
-  CHECK(manual.TextOf("body", "size") == "m, default 1: of the whole.");
-  CHECK(manual.TextOf("body", "width") == "m, default 1: of the whole.");
-  CHECK(manual.TextOf("cap", "size") == "of the cap only.");
-  CHECK(manual.TextOf("body", "colour").empty());
+  CHECK(manual.TextOf("body", "size").Text == "m, default 1: of the whole.");
+  CHECK(manual.TextOf("body", "width").Text == "m, default 1: of the whole.");
+  CHECK(manual.TextOf("cap", "size").Text == "of the cap only.");
+  CHECK(manual.TextOf("body", "colour").Text.empty());
 }
 
 TEST_CASE("manuals: lines that are indented by less than two columns are no rows",
           "[core][catalogue]") {
   const CManual manual(
       "ATTRIBUTES\n  mass  kg, > 0\nAnd then\n radius  of nothing\n  depth  m\nEnd.\n");
-  CHECK(manual.TextOf("body", "mass") == "kg, > 0");
-  CHECK(manual.TextOf("body", "radius").empty());
-  CHECK(manual.TextOf("body", "depth") == "m");
+  CHECK(manual.TextOf("body", "mass").Text == "kg, > 0");
+  CHECK(manual.TextOf("body", "radius").Text.empty());
+  CHECK(manual.TextOf("body", "depth").Text == "m");
+}
+
+TEST_CASE("manuals: rows state units and defaults", "[core][catalogue]") {
+  const auto read = [](const std::string& row) {
+    return CManual("  name  " + row + '\n').TextOf("tag", "name");
+  };
+  const struct {
+    const char* Row;
+    const char* Unit;
+    const char* Default;
+  } rows[] = {{"m, >= 0, default 0.05: largest distance.", "m", "0.05"},
+              {"\"x,y,z\", m, default \"0,0,0\": of the centre.", "m", "0,0,0"},
+              {"kg, > 0, required.", "kg", ""},
+              {"degrees/s, > 0; without it, angles change at once.", "degrees/s", ""},
+              {"N m s or N s, >= 0, required", "N m s or N s", ""},
+              {"m/s per N, in [1e-10,1], default 1e-5: how soft.", "m/s per N", "1e-5"},
+              {"WxH, pixels, each from 16 to 16384. Default: 1280x960", "", "1280x960"},
+              {"\"true\" (default) or \"false\": if true.", "", "true"},
+              {"true or false, the default: whether.", "", "false"},
+              {"text, required: the id of a medium.", "", ""},
+              {"N, >= 0, default 1.49.", "N", "1.49"}};
+  for (const auto& row : rows) {
+    CAPTURE(row.Row);
+    CHECK(read(row.Row).Unit == row.Unit);
+    CHECK(read(row.Row).Default == row.Default);
+    CHECK(read(row.Row).Text == row.Row);
+  }
 }
 
 TEST_CASE("text layout: paragraphs and tables have 80 columns, XML stays", "[core][catalogue]") {
@@ -81,17 +108,9 @@ TEST_CASE("text layout: paragraphs and tables have 80 columns, XML stays", "[cor
         "  name  " + line.substr(0, 65) + "\n        " + line.substr(66) + '\n');
 }
 
-TEST_CASE("JSON: texts are escaped, and lists may be empty", "[core][catalogue]") {
-  CJsonWriter json;
-  json.BeginObject();
-  json.Add("a", "\"\\\n\t\x01 \xc3\xa4 \xff");
-  json.BeginArray("b");
-  json.EndArray();
-  json.Add("c", true);
-  json.EndObject();
-  CHECK(json.GetText() ==
-        "{\n  \"a\": \"\\\"\\\\\\n\\u0009\\u0001 \xc3\xa4 \\ufffd\",\n  \"b\": [],\n  \"c\": "
-        "true\n}\n");
+TEST_CASE("JSON: texts are escaped", "[core][catalogue]") {
+  CHECK(JsonQuoted("\"\\\n\t\x01 \xc3\xa4 \xff") ==
+        "\"\\\"\\\\\\n\\u0009\\u0001 \xc3\xa4 \\ufffd\"");
 }
 
 }  // namespace manual_test
