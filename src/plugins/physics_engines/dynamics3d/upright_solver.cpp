@@ -12,8 +12,6 @@ namespace {
 using EKind = SUprightBody::EKind;
 constexpr UInt32 kNone = SUprightContact::kNone;
 
-// with so many contacts an island is worth the search for a better direction
-constexpr size_t kFewContacts = 2;
 // share of the tolerance below which a change does not matter to others
 constexpr Real kSlight = 0.1;
 
@@ -274,9 +272,8 @@ Real CUprightSolver::Sweep(const SIsland& island, const SSweep& sweep) const {
       greatest = std::max(greatest, change);
     }
   }
-  const size_t count = island.Contacts.size();
-  for (size_t i = 0; i < count; ++i) {
-    SUprightContact& contact = m_contacts[island.Contacts[sweep.IsOdd() ? i : count - 1 - i]];
+  for (const UInt32 number : island.Contacts) {
+    SUprightContact& contact = m_contacts[number];
     SUprightBody& a = m_bodies[contact.A];
     SUprightBody* const b = contact.B != kNone ? &m_bodies[contact.B] : nullptr;
     if (!sweep.IsDue(a) && (b == nullptr || !sweep.IsDue(*b))) {
@@ -299,7 +296,6 @@ UInt32 CUprightSolver::Solve(const SIsland& island, UInt32 maxSweeps, Real toler
   for (const UInt32 number : island.Bodies) {
     m_bodies[number].LastSweep = 0;
   }
-  const bool searches = island.Contacts.size() > kFewContacts;
   Real last = 0.0;
   SSweep sweep{1, kSlight * tolerance};
   for (; sweep.Number < maxSweeps; ++sweep.Number) {
@@ -307,7 +303,7 @@ UInt32 CUprightSolver::Solve(const SIsland& island, UInt32 maxSweeps, Real toler
       break;
     }
     // what the last sweeps leave must obey the laws
-    if (!searches || 4 * sweep.Number > 3 * maxSweeps) {
+    if (4 * sweep.Number > 3 * maxSweeps) {
       continue;
     }
     const Real change = MeasureChange(island, sweep);

@@ -33,7 +33,8 @@ struct SUprightContact {
  *
  * Block Gauss-Seidel, as CImpulseSolver: sweeps over the drives of bodies, each of which is solved
  * in closed form while it holds its speed, and over contacts. The sweeps of an island are steps of
- * a nonsmooth nonlinear conjugate gradient method.
+ * a nonsmooth nonlinear conjugate gradient method. All go in one direction: with alternating ones,
+ * the method would often begin anew, and take a quarter more of them.
  *
  * Source: M. Silcowitz-Hansen, S. Niebe, K. Erleben, A Nonsmooth Nonlinear Conjugate Gradient
  * Method for Interactive Contact Force Problems, 2010.
@@ -61,7 +62,6 @@ class CUprightSolver {
     UInt32 Number = 1;
     Real Slight = 0.0;  // m/s: a change that does not matter to others
 
-    bool IsOdd() const { return Number % 2 != 0; }
     bool IsDue(const SUprightBody& body) const { return body.LastSweep + 1 >= Number; }
     void Mark(SUprightBody& body, Real change) const {
       body.LastSweep = change > Slight ? Number : body.LastSweep;
