@@ -265,6 +265,30 @@ TEST_CASE("rigid free robots: never on slopes, on boxes, in the air or leaning",
   never(WallXml(CVector3(0.1, 0.1, 0.5), CVector3(0.1356, 0, 0)) + robot("0,0,0", "0,0,0"));
 }
 
+TEST_CASE("rigid free robots: never under what is less than 2 cm above them",
+          "[contract][engine][rigid]") {
+  const std::string robot = DriverXml("foot-bot", "r", 0, 0, 0, 10, 10);
+  CRigidScene alone(GroundedEngine(), robot);
+  alone.Step();
+  const Real top = alone.Body("r").GetBoundingBox().MaxCorner.GetZ();
+  const Real gap = GENERATE(-0.002, 0.002, 0.018, 0.022);  // m
+  CAPTURE(gap);
+  CRigidScene world(GroundedEngine(),
+                    WallXml(CVector3(0.4, 2, 0.1), CVector3(0.7, 0, top + gap)) + robot);
+  bool wasAlwaysFree = true;
+  for (int tick = 0; tick < 100; ++tick) {
+    world.Step();
+    wasAlwaysFree = wasAlwaysFree && IsFree(world, "r");
+  }
+  CHECK(wasAlwaysFree == (gap > 0.02));
+  if (gap < 0.0) {
+    CHECK(world.Position("r").GetX() < 0.5);
+  } else {
+    // it accelerates first
+    CHECK_THAT(world.Position("r").GetX(), WithinAbs(1.0, 0.02));
+  }
+}
+
 TEST_CASE("rigid free robots: a fallen one is free when it rests on the floor",
           "[contract][engine][rigid]") {
   CRigidScene world(GroundedEngine(),
