@@ -52,6 +52,7 @@ mkdir "$work/pages/docs/api"
 quiet doxygen "$work/Doxyfile"
 
 quiet mkdocs build --quiet --strict --config-file "$work/pages/mkdocs.yml"
+python3 "$repo/scripts/site/break_names.py" "$work/pages/site"
 python3 "$repo/scripts/site/merge_search.py" "$work/api.tag" "$work/pages/site"
 # with the Python of the packages, which has lunr
 /usr/bin/python3 "$repo/scripts/site/check_questions.py" "$work/pages/site"

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Prepares the pages of the site for mkdocs:
 
-- copies the pages of the repository, with the same paths; README.md becomes index.md;
+- copies the pages of the repository, with the same paths; home.md of this folder becomes index.md, README.md about.md;
 - makes links to files that are no pages links to copies of these files, and links to folders links to their READMEs;
 - writes a page for each kind of plug-in, with what argos3 --query says about each;
 - completes mkdocs.yml.
@@ -16,8 +16,11 @@ import re
 import shutil
 import subprocess
 import sys
+import textwrap
 
 here = pathlib.Path(__file__).resolve().parent
+README = pathlib.PurePosixPath("README.md")
+HOME = pathlib.PurePosixPath("home.md")  # as if it were in the root of the repository
 LINK = re.compile(r"(!?\[[^\]]*\]\()([^)\s]+)(\))")
 KINDS = {
     "actuators": "Actuators", "sensors": "Sensors", "entities": "Entities", "robot_types": "Types of robots in XML",
@@ -37,13 +40,14 @@ def pages_of(repository):
 
 
 def target_of(page):
-    return pathlib.PurePosixPath("index.md") if str(page) == "README.md" else page
+    # mkdocs makes an index.md of every README.md
+    return {README: pathlib.PurePosixPath("about.md"), HOME: pathlib.PurePosixPath("index.md")}.get(page, page)
 
 
 class Stage:
     def __init__(self, repository, docs):
         self.repository, self.docs = repository, docs
-        self.pages = pages_of(repository)
+        self.pages = [page for page in pages_of(repository) if page != pathlib.PurePosixPath("scripts/site/home.md")]
         self.problems = []
 
     def resolve(self, page, link):
@@ -72,9 +76,9 @@ class Stage:
             shutil.copyfile(found, target)
         return os.path.relpath(target_of(wanted), target_of(page).parent or ".") + hash_ + anchor
 
-    def convert(self, page):
+    def convert(self, page, source=None):
         in_code, lines = False, []
-        for line in (self.repository / page).read_text(encoding="utf-8").split("\n"):
+        for line in (source or self.repository / page).read_text(encoding="utf-8").split("\n"):
             if line.lstrip().startswith("```"):
                 in_code = not in_code
                 # marks for scripts/check_guide.sh come behind the language
@@ -129,6 +133,26 @@ def cell_code(code):
     return " ".join(code.replace("|", "\\|").split())
 
 
+def describe_manual(manual, has_table):
+    """A manual, whose headings are lines of capitals, as headings, text, and blocks of what is indented.
+
+    @param has_table  a table has the attributes.
+    """
+    lines = [""]
+    for part in re.split(r"\n\s*\n(?=\S)", manual.strip("\n")):
+        text, _, rest = part.partition("\n ") if not part.startswith(" ") else ("", "", part[1:])
+        if has_table and text.startswith("ATTRIBUTES"):
+            continue
+        if text.isupper():
+            lines += [f"**{cell(text).capitalize().replace('xml', 'XML')}**", ""]
+        elif text:
+            lines += [html.escape(text, quote=False).replace("*", "\\*").replace("_", "\\_"), ""]
+        if rest:
+            block = textwrap.dedent(" " + rest).strip("\n")
+            lines += ["```xml" if block.startswith("<") else "```text", block, "```", ""]
+    return lines
+
+
 def describe_plugin(plugin):
     lines = [f"## {plugin['label']} {{ #{anchor(plugin['label'])} }}", "", cell(plugin["brief"])]
     if plugin.get("interface", {}).get("class"):
@@ -150,9 +174,7 @@ def describe_plugin(plugin):
         lines += ["", "**XML**", "", "| Element | Attribute | Value | |", "|---|---|---|---|"]
         lines += [f"| `{a['element']}` | `{a['name']}` | {cell(a['type'])}{', required' if a['required'] else ''} | {cell(a['text'])} |"
                   for a in plugin["attributes"]]
-    if plugin["manual"].strip():
-        lines += ["", "```text", plugin["manual"].strip("\n"), "```", ""]
-    return lines
+    return lines + describe_manual(plugin["manual"], bool(plugin.get("attributes")))
 
 
 def write_plugins(argos3, docs):
@@ -190,6 +212,7 @@ def main():
     stage = Stage(repository, docs)
     for page in stage.pages:
         stage.convert(page)
+    stage.convert(HOME, here / "home.md")
     if stage.problems:
         sys.exit("\n".join(stage.problems))
     shutil.copyfile(here / "site.css", docs / "site.css")

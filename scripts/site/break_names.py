@@ -1,0 +1,30 @@
+#!/usr/bin/env python3
+"""Lets browsers break long names of the site's pages at the end of a part, so that pages fit a phone:
+
+    break_names.py SITE
+
+Paths may break behind "/", other long names behind "_" and "::". Blocks of code stay as they are.
+"""
+import pathlib
+import re
+import sys
+
+LONG = 24  # letters that fit a phone in any place
+CODE = re.compile(r"(?<!<span></span>)(<code>)([^<]*)(</code>)")
+HEADING = re.compile(r"(<h[1-4][^>]*>)([^<]*)(<)")
+
+
+def with_breaks(match):
+    begin, text, end = match.groups()
+    words = re.split(r"(\s+)", text)
+    return begin + "".join(re.sub(r"(/|::|_)(?=\w)", r"\1<wbr>", word) if len(word) > LONG else word for word in words) + end
+
+
+def main():
+    for page in pathlib.Path(sys.argv[1]).rglob("*.html"):
+        if page.relative_to(sys.argv[1]).parts[0] != "api":
+            text = page.read_text(encoding="utf-8")
+            page.write_text(HEADING.sub(with_breaks, CODE.sub(with_breaks, text)), encoding="utf-8")
+
+
+main()
