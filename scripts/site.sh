@@ -56,6 +56,11 @@ python3 "$repo/scripts/site/break_names.py" "$work/pages/site"
 python3 "$repo/scripts/site/merge_search.py" "$work/api.tag" "$work/pages/site"
 # with the Python of the packages, which has lunr
 /usr/bin/python3 "$repo/scripts/site/check_questions.py" "$work/pages/site"
+if command -v chromium >/dev/null; then
+  python3 "$repo/scripts/site/check_widths.py" "$work/pages/site"
+else
+  echo "  the layout is not checked: there is no chromium"
+fi
 rm -rf -- "$out"
 mkdir -p "$(dirname "$out")"
 mv "$work/pages/site" "$out"

@@ -30,6 +30,14 @@ function brokenWord(node, frame) {
     if (tops.size > 1) return match[0];
   }
 }
+// when the page has been loaded, the theme lets tables scroll and moves the menu out of sight
+async function settled(page, width) {
+  for (let i = 0; i < 60; ++i) {
+    const tables = [...page.querySelectorAll('.md-content table:not([class])')];
+    if (tables.every(table => table.closest('.md-typeset__scrollwrap')) && page.documentElement.scrollWidth <= width) return;
+    await new Promise(done => setTimeout(done, 50));
+  }
+}
 function problems(frame, width) {
   const page = frame.contentDocument, found = [];
   const content = page.querySelector('.md-content');
@@ -52,6 +60,7 @@ async function main() {
     document.body.append(frame);
     for (const name of pages) {
       await new Promise(done => { frame.onload = done; frame.src = name; });
+      await settled(frame.contentDocument, width);
       for (const text of problems(frame, width)) all.push(name + ' at ' + width + ' pixels: ' + text);
     }
     frame.remove();
@@ -84,6 +93,11 @@ class Handler(http.server.SimpleHTTPRequestHandler):
         pass
 
 
+class Server(http.server.ThreadingHTTPServer):
+    def handle_error(self, request, client_address):
+        """The browser may end while it is answered."""
+
+
 def main():
     site = pathlib.Path(sys.argv[1]).resolve()
     browser = shutil.which("chromium") or shutil.which("chromium-browser")
@@ -92,7 +106,7 @@ def main():
     pages = sys.argv[2:] or sorted(str(page.relative_to(site)) for page in site.rglob("*.html")
                                    if page.relative_to(site).parts[0] != "api" and page.name != "404.html")
     Handler.harness = HARNESS % json.dumps(pages)
-    server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), functools.partial(Handler, directory=site))
+    server = Server(("127.0.0.1", 0), functools.partial(Handler, directory=site))
     threading.Thread(target=server.serve_forever, daemon=True).start()
     with tempfile.TemporaryDirectory() as folder:
         with subprocess.Popen([browser, "--headless", "--no-sandbox", "--disable-gpu", f"--user-data-dir={folder}",

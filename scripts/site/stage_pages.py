@@ -133,6 +133,10 @@ def cell_code(code):
     return " ".join(code.replace("|", "\\|").split())
 
 
+def prose_of(text):
+    return html.escape(text, quote=False).replace("*", "\\*").replace("_", "\\_")
+
+
 def describe_manual(manual, has_table):
     """A manual, whose headings are lines of capitals, as headings, text, and blocks of what is indented.
 
@@ -146,7 +150,9 @@ def describe_manual(manual, has_table):
         if text.isupper():
             lines += [f"**{cell(text).capitalize().replace('xml', 'XML')}**", ""]
         elif text:
-            lines += [html.escape(text, quote=False).replace("*", "\\*").replace("_", "\\_"), ""]
+            # elements are code
+            words = re.split(r"(</?[a-z][^<>]*>)", text)
+            lines += ["".join(f"`{word}`" if i % 2 else prose_of(word) for i, word in enumerate(words)), ""]
         if rest:
             block = textwrap.dedent(" " + rest).strip("\n")
             lines += ["```xml" if block.startswith("<") else "```text", block, "```", ""]
