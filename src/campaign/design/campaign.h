@@ -107,6 +107,7 @@ struct SSlurmSettings {
 struct SCampaign {
   std::string File; /**< path of the campaign file */
   std::string Text; /**< its contents */
+  std::string Title; /**< of reports; empty: the name of the file */
   std::string ExperimentFile; /**< path */
   std::string ExperimentSource; /**< contents of that file */
   /** with Constants, without factors: what a run depends on besides its combination and its seed */

@@ -68,6 +68,7 @@ class CCampaignReader {
                           "\" cannot be read: " + problem);
       }
     });
+    m_campaign.Title = ReadOptionalText(root, "title");
     m_errors.Try("", [&] {
       const std::string stem = std::filesystem::path(m_campaign.File).stem().string();
       const std::string results = ReadOptionalText(root, "results");

@@ -20,6 +20,18 @@ constexpr std::array<const char*, kMaxColors> kColors = {"#332288", "#CC6677", "
 // letters of labels of an axis that fit side by side into 640 pixels
 constexpr size_t kLettersOfAxis = 60;
 
+// as people write it: 0.01, 5000, 10^4, 2·10^4
+std::string FormatPower(Real number) {
+  constexpr Real kSmallest = 0.01, kLargest = 1e4;
+  constexpr Real kRounding = 1e-9;  // of logarithms
+  if (number > kSmallest * (1.0 - kRounding) && number < kLargest * (1.0 - kRounding)) {
+    return fmt::format("{:.4g}", number);
+  }
+  const Real exponent = std::floor(std::log10(number) + kRounding);
+  const std::string digits = fmt::format("{:.4g}", number / std::pow(10.0, exponent));
+  return fmt::format("{}10^{{{:.0f}}}", digits == "1" ? "" : digits + "\u00B7", exponent);
+}
+
 }  // namespace
 
 const char* GetColor(size_t index) {
@@ -62,6 +74,14 @@ std::string MakeTics(const std::string& axis,
   const bool isRotated = axis == "x" && letters > kLettersOfAxis;
   return fmt::format("set {}tics noenhanced{} ({})\n", axis, isRotated ? " rotate by -35" : "",
                      list);
+}
+
+std::string MakeNumberTics(const std::string& axis, const std::vector<Real>& numbers) {
+  std::string list;
+  for (const Real number : numbers) {
+    list += (list.empty() ? "'" : ", '") + FormatPower(number) + "' " + FormatForGnuplot(number);
+  }
+  return fmt::format("set {}tics ({})\n", axis, list);
 }
 
 std::string MakeTerminal(const std::string& format, UInt32 width, UInt32 height, bool isOpaque) {

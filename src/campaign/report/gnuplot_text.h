@@ -28,6 +28,9 @@ std::string MakeStyle(const std::string& title, const std::string& xLabel,
 std::string MakeTics(const std::string& axis,
                      const std::vector<std::pair<Real, std::string>>& placesAndLabels);
 
+/** Positive numbers as labels of an axis, "x" or "y"; large and small ones are powers of ten. */
+std::string MakeNumberTics(const std::string& axis, const std::vector<Real>& numbers);
+
 /**
  * The commands that draw the figure a second time, for each format.
  * @param isOpaque  an SVG has a white background; other formats always have.

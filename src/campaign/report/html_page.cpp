@@ -6,7 +6,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <optional>
 
 namespace argos {
 
@@ -44,47 +46,85 @@ intervals are not. A difference is reported if p is below 0.05: with few runs, n
 not mean that there is none.</p>
 )";
 
+// none of a text that is no number, or one with an exponent
+std::optional<size_t> FindDecimals(const std::string& cell) {
+  const size_t first = cell.rfind('-', 0) == 0 ? 1 : 0;
+  const size_t point = std::min(cell.find('.'), cell.size());
+  const bool isNumber = point > first &&
+                        cell.find_first_not_of("0123456789.", first) == std::string::npos &&
+                        cell.find('.', point + 1) == std::string::npos;
+  return isNumber ? std::optional(point == cell.size() ? 0 : cell.size() - point - 1)
+                  : std::nullopt;
+}
+
+// spaces as wide as the point and the digits that a number has less than others of its column
+std::string MakePadding(const std::string& cell, size_t wanted) {
+  constexpr const char* kPoint = "\u2008";
+  constexpr const char* kDigit = "\u2007";
+  const std::optional<size_t> found = FindDecimals(cell);
+  if (!found || *found >= wanted) {
+    return "";
+  }
+  std::string padding = *found == 0 ? kPoint : "";
+  for (size_t i = *found; i < wanted; ++i) {
+    padding += kDigit;
+  }
+  return padding;
+}
+
 }  // namespace
 
 CHTMLTable::CHTMLTable(const std::vector<std::string>& titles, size_t numTextColumns)
-    : m_numColumns(titles.size()),
-      m_numTextColumns(numTextColumns),
-      m_text("<div class=\"wide\"><table>\n<thead><tr>") {
-  for (size_t i = 0; i < titles.size(); ++i) {
-    m_text += fmt::format("<th{}>{}</th>", i < numTextColumns ? " class=\"text\"" : "",
-                          EscapeHTML(titles[i]));
-  }
-  m_text += "</tr></thead>\n<tbody>\n";
-}
-
-void CHTMLTable::Add(const std::vector<std::string>& cells) {
-  for (size_t i = 0; i < cells.size(); ++i) {
-    m_text += fmt::format("<td{}>{}</td>", i < m_numTextColumns ? " class=\"text\"" : "",
-                          EscapeHTML(cells[i]));
-  }
-}
+    : m_titles(titles), m_numTextColumns(numTextColumns) {}
 
 void CHTMLTable::AddRow(const std::vector<std::string>& cells) {
-  m_text += "<tr>";
-  Add(cells);
-  m_text += "</tr>\n";
+  m_rows.push_back({cells, ""});
 }
 
 void CHTMLTable::AddNote(const std::vector<std::string>& cells, const std::string& note) {
-  m_text += "<tr>";
-  Add(cells);
-  m_text += fmt::format("<td class=\"note\" colspan=\"{}\">{}</td></tr>\n",
-                        m_numColumns - cells.size(), EscapeHTML(note));
+  m_rows.push_back({cells, note});
+}
+
+std::vector<size_t> CHTMLTable::CountDecimals() const {
+  std::vector<size_t> numbers(m_titles.size());
+  for (const SRow& row : m_rows) {
+    for (size_t i = m_numTextColumns; i < row.Cells.size(); ++i) {
+      numbers[i] = std::max(numbers[i], FindDecimals(row.Cells[i]).value_or(0));
+    }
+  }
+  return numbers;
 }
 
 std::string CHTMLTable::ToText() const {
-  return m_text + "</tbody></table></div>\n";
+  std::string text = "<div class=\"wide\"><table>\n<thead><tr>";
+  for (size_t i = 0; i < m_titles.size(); ++i) {
+    text += fmt::format("<th{}>{}</th>", i < m_numTextColumns ? " class=\"text\"" : "",
+                        EscapeHTML(m_titles[i]));
+  }
+  text += "</tr></thead>\n<tbody>\n";
+  const std::vector<size_t> decimals = CountDecimals();
+  for (const SRow& row : m_rows) {
+    text += "<tr>";
+    for (size_t i = 0; i < row.Cells.size(); ++i) {
+      text += i < m_numTextColumns ? "<td class=\"text\">" + EscapeHTML(row.Cells[i]) + "</td>"
+                                   : "<td>" + EscapeHTML(row.Cells[i]) +
+                                         MakePadding(row.Cells[i], decimals[i]) + "</td>";
+    }
+    if (!row.Note.empty()) {
+      text += fmt::format("<td class=\"note\" colspan=\"{}\">{}</td>",
+                          m_titles.size() - row.Cells.size(), EscapeHTML(row.Note));
+    }
+    text += "</tr>\n";
+  }
+  return text + "</tbody></table></div>\n";
 }
 
 std::string MakePage(const CReportData& data, const std::vector<SComparisonTable>& comparisons,
                      const std::vector<SDrawnFigure>& figures) {
+  const SCampaign& campaign = data.GetCampaign();
   const std::string name =
-      EscapeHTML(std::filesystem::path(data.GetCampaign().File).stem().string());
+      EscapeHTML(campaign.Title.empty() ? std::filesystem::path(campaign.File).stem().string()
+                                        : campaign.Title);
   std::string page =
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\" />\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\" />\n"

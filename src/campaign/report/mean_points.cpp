@@ -145,25 +145,22 @@ std::string MakeLogarithmicAxis(const std::string& axis, Real low, Real high) {
   high *= kMargin;
   const bool hasManyDecades = high >= kManyDecades * low;
   const std::vector<Real> numbers = ListRoundNumbers(low, high);
-  std::vector<std::pair<Real, std::string>> tics;
+  std::vector<Real> tics;
   for (const Real number : numbers) {
     const bool isPower = std::abs(std::remainder(std::log10(number), 1.0)) < 1e-9;
     if (number >= low && number <= high && (isPower || !hasManyDecades)) {
-      tics.emplace_back(number, FormatNumber(number));
+      tics.push_back(number);
     }
   }
   if (tics.size() < 2) {
     // a narrow range is widened, so that there is something to read
     low = numbers.front();
     high = numbers.back();
-    tics.clear();
-    for (const Real number : numbers) {
-      tics.emplace_back(number, FormatNumber(number));
-    }
+    tics = numbers;
   }
   return fmt::format("set logscale {0}\nset {0}range [{1}:{2}]\n", axis, FormatForGnuplot(low),
                      FormatForGnuplot(high)) +
-         MakeTics(axis, tics);
+         MakeNumberTics(axis, tics);
 }
 
 std::string MakeLinearAxis(Real low, Real high) {

@@ -10,7 +10,7 @@
 
 namespace argos {
 
-/** A table of a page; all texts are escaped. */
+/** A table of a page; all texts are escaped, and the points of numbers in a column are aligned. */
 class CHTMLTable {
  public:
   /** @param numTextColumns  the first ones are aligned to the left. */
@@ -22,11 +22,17 @@ class CHTMLTable {
   std::string ToText() const;
 
  private:
-  void Add(const std::vector<std::string>& cells);
+  struct SRow {
+    std::vector<std::string> Cells;
+    std::string Note;
+  };
 
-  size_t m_numColumns;
+  /** Digits behind the point of each column, at most. */
+  std::vector<size_t> CountDecimals() const;
+
+  std::vector<std::string> m_titles;
   size_t m_numTextColumns;
-  std::string m_text;
+  std::vector<SRow> m_rows;
 };
 
 /** The style sheet of a page. */

@@ -36,7 +36,7 @@ th.text, td.text { text-align: left; }
 td.text { white-space: normal; overflow-wrap: break-word; min-width: 3rem; max-width: 30rem; }
 td.note { text-align: left; color: var(--bad); white-space: normal; }
 figure { margin: 1.5rem 0; break-inside: avoid; }
-figure svg { display: block; width: 100%; max-width: 44rem; height: auto; }
+figure svg { display: block; width: 100%; height: auto; }
 pre { margin: 0.3rem 0; padding: 0.5rem 0.7rem; border-radius: 0.3rem;
   white-space: pre-wrap; overflow-wrap: anywhere;
   background: var(--panel); font: 0.8rem/1.4 ui-monospace, "DejaVu Sans Mono", monospace; }

@@ -216,11 +216,11 @@ TEST_CASE("figures: means have intervals, lines and a reference", "[campaign][re
     request.Reference.reset();
     request.Where = "robots == 10 or robots == 100";
     CHECK_THAT(MakeFigure(campaign.Open(), request).Script,
-               Contains("set yrange [0.4166666667:4.8]\nset ytics noenhanced ('0.5' 0.5, '1' 1, "
+               Contains("set yrange [0.4166666667:4.8]\nset ytics ('0.5' 0.5, '1' 1, "
                         "'2' 2)"));
     request.Where = "robots == 100";
     CHECK_THAT(MakeFigure(campaign.Open(), request).Script,
-               Contains("set yrange [2:5]\nset ytics noenhanced ('2' 2, '5' 5)"));
+               Contains("set yrange [2:5]\nset ytics ('2' 2, '5' 5)"));
   }
   SECTION("bars are standard deviations") {
     request.HasDeviationBars = true;
@@ -243,6 +243,19 @@ TEST_CASE("figures: means have intervals, lines and a reference", "[campaign][re
     request.Where = "knd == 'c'";
     CHECK_THROWS_WITH(MakeFigure(campaign.Open(), request), Contains("knd"));
   }
+}
+
+TEST_CASE("figures: large and small tics of logarithmic axes are powers of ten",
+          "[campaign][report]") {
+  CSyntheticCampaign campaign({{"robots", {"1", "1000000"}}});
+  campaign.AddRuns(0, "time", {1e-4});
+  campaign.AddRuns(1, "time", {4e-4});
+  SFigureRequest request = MakeRequest("means", "time", "robots");
+  request.IsXLogarithmic = request.IsLogarithmic = true;
+  CHECK_THAT(MakeFigure(campaign.Open(), request).Script,
+             Contains("'1' 1, '10' 10, '100' 100, '1000' 1000, '10^{4}' 10000, '10^{5}' 100000, "
+                      "'10^{6}' 1000000)") &&
+                 Contains("'10^{-4}' 0.0001, '2\u00B710^{-4}' 0.0002"));
 }
 
 TEST_CASE("figures: a heatmap has the mean of each cell", "[campaign][report]") {
@@ -331,6 +344,18 @@ TEST_CASE("report: without gnuplot there are tables, data and scripts", "[campai
                     Contains("apt-get install gnuplot-nox"));
 }
 
+TEST_CASE("report: the points of numbers in a column are aligned", "[campaign][report]") {
+  CSyntheticCampaign campaign({{"robots", {"5", "10"}}});
+  campaign.AddRuns(0, "food", {1, 2});
+  campaign.AddRuns(1, "food", {3, 3});
+  campaign.Open();
+  const SReportFiles files =
+      WriteReport(campaign.GetCampaign(), campaign.GetStore(), campaign.GetPath("report"));
+  CHECK_THAT(Read(files.Page), Contains("<td>2</td><td>0</td><td>1.5</td><td>0.7071</td>") &&
+                                   Contains("<td>2</td><td>0</td><td>3\u2008\u2007</td>"
+                                            "<td>0\u2008\u2007\u2007\u2007\u2007</td>"));
+}
+
 TEST_CASE("report: hostile names are text, in pages and for gnuplot", "[campaign][report]") {
   const std::string script = "<script>alert(1)</script>";
   const std::string commands = "'; system 'touch pwned' #`touch pwned`";
@@ -345,6 +370,7 @@ TEST_CASE("report: hostile names are text, in pages and for gnuplot", "[campaign
   crash.Result.Signal = 11;
   crash.Result.Log = "[FATAL] </pre>" + script + "\n\x1b[31m";
   campaign.AddRun(0, crash);
+  campaign.GetCampaign().Title = "5 < 6" + script;
   campaign.GetCampaign().Comparisons.push_back({metric, "kind", false, 0});
   campaign.GetCampaign().Figures = {
       {"boxplot", {{"y", metric}, {"x", "kind"}, {"group", "kind"}}, 1}};
@@ -352,7 +378,7 @@ TEST_CASE("report: hostile names are text, in pages and for gnuplot", "[campaign
   const SReportFiles files =
       WriteReport(campaign.GetCampaign(), campaign.GetStore(), campaign.GetPath("report"));
   const std::string page = Read(files.Page);
-  CHECK_THAT(page, Contains("&lt;script&gt;alert(1)&lt;/script&gt;"));
+  CHECK_THAT(page, Contains("<h1>5 &lt; 6&lt;script&gt;alert(1)&lt;/script&gt;</h1>"));
   CHECK_THAT(page, Contains("crashed, signal 11"));
   CHECK_THAT(page, Contains("--set"));
   // the page is well-formed XML, so that its elements can be listed
