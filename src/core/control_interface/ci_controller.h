@@ -47,10 +47,22 @@ class CCI_Controller : public CBaseConfigurableResource, public CSlabObject {
   /** Deletes the devices, but not those of the original of a copy. */
   ~CCI_Controller() override;
 
-  /** @param node  the <params> element. */
+  /**
+   * Called once, before the first tick. The robot has its id and its devices: look them up here,
+   * with GetActuator() and GetSensor(), and read parameters. Sensors have not measured yet.
+   * @param node  the <params> element.
+   */
   void Init(TConfigurationNode& node) override;
+  /**
+   * Called in every tick, after bodies have moved and sensors have measured: read the sensors, and
+   * set the actuators, which act in the next tick. Robots are controlled by several threads: only
+   * this robot may be changed. An exception ends the run, or stops the robot, as ChooseOnError()
+   * says.
+   */
   virtual void ControlStep();
+  /** Called when the experiment is reset: restores the state that Init() left. */
   void Reset() override;
+  /** Called once, at the end or when the robot is removed. */
   void Destroy() override;
 
   /**

@@ -45,15 +45,20 @@ class CLoopFunctions : public CBaseConfigurableResource, public CFloorPainter {
   CLoopFunctions();
   ~CLoopFunctions() override = default;
 
+  /** Called once, when the arena is complete; the node is the element <loop_functions>. */
   void Init(TConfigurationNode&) override {}
+  /** Called when the experiment is reset: restores the state that Init() left. */
   void Reset() override {}
+  /** Called once, at the end, also after an error. */
   void Destroy() override {}
 
   /** After physics and media, before sensing. */
   virtual void PreStep() {}
   /** At the end of the tick. */
   virtual void PostStep() {}
+  /** Called before each tick. @return true to end the run; its length ends it in any case. */
   virtual bool IsExperimentFinished() { return false; }
+  /** Called once, after the last tick. */
   virtual void PostExperiment() {}
   /** Colour of the floor with `<floor source="loop_functions">`; @p positionOnFloor in m. */
   CColor GetFloorColor(const CVector2& positionOnFloor) override;
