@@ -1,0 +1,44 @@
+// The blocks of a live stream: the same as in a file, one in a message.
+
+import {
+  BlockKind,
+  type RecordingInfo,
+  kBlockHeaderSize,
+  readBlockHeader,
+  readInfo,
+  unpackBlock,
+} from "./blocks";
+import { ByteReader, FormatError } from "./bytes";
+import { type Frame, FrameDecoder, readFloor } from "./frames";
+
+export class StreamDecoder {
+  info: RecordingInfo | null = null;
+  private decoder: FrameDecoder | null = null;
+
+  /** Takes a message. Returns the last state in it, or null if it has none. */
+  decode(message: Uint8Array): Frame | null {
+    const header = readBlockHeader(message);
+    if (header === null) {
+      throw new FormatError("the server has sent something that is no block");
+    }
+    const content = unpackBlock(header, message.subarray(kBlockHeaderSize));
+    if (header.kind === BlockKind.Info) {
+      this.info = readInfo(content);
+      this.decoder = new FrameDecoder(this.info.precision);
+      return null;
+    }
+    if (this.decoder === null) {
+      throw new FormatError("the server has sent a state before the information");
+    }
+    if (header.kind === BlockKind.Floor) {
+      this.decoder.setFloor(readFloor(content));
+    } else if (header.kind === BlockKind.Frames) {
+      const input = new ByteReader(content);
+      while (!input.isAtEnd) {
+        this.decoder.decode(input);
+      }
+      return this.decoder.frame;
+    }
+    return null;
+  }
+}

@@ -1,0 +1,46 @@
+// Recordings for the tests, made by argos3 (environment variable ARGOS3).
+
+import { execFileSync } from "node:child_process";
+import { existsSync, mkdirSync, mkdtempSync, readFileSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join, resolve } from "node:path";
+
+export const repository = resolve(process.cwd(), "../../../../..");
+export const argos3 = process.env.ARGOS3 ?? join(repository, "build/bin/argos3");
+export const folder = mkdtempSync(join(tmpdir(), "argos3-page-"));
+
+export function run(...args: string[]): string {
+  return execFileSync(argos3, args, { cwd: folder, encoding: "utf8", stdio: "pipe" });
+}
+
+export function experiment(name: string): string {
+  return join(repository, "experiments", `${name}.argos`);
+}
+
+/** Writes a changed copy of an experiment; returns its path. */
+export function changedExperiment(name: string, change: (xml: string) => string): string {
+  const path = join(folder, `${name}.changed.argos`);
+  writeFileSync(path, change(readFileSync(experiment(name), "utf8")));
+  return path;
+}
+
+/** The rows of a table, by column. */
+export function readTable(path: string): Map<string, string>[] {
+  const lines = readFileSync(path, "utf8")
+    .split("\n")
+    .filter((line) => line !== "" && !line.startsWith("#"));
+  const names = lines[0]!.split(",");
+  return lines.slice(1).map((line) => {
+    const cells = line.split(",");
+    return new Map(names.map((name, i) => [name, cells[i] ?? ""]));
+  });
+}
+
+/** Records an experiment; returns the path of the recording. */
+export function record(name: string, seconds: number, ...args: string[]): string {
+  mkdirSync(folder, { recursive: true });
+  const path = join(folder, `${name}.rec`);
+  const source = existsSync(name) ? name : experiment(name);
+  run("-zc", source, "--quiet", "--record", path, "--length", String(seconds), ...args);
+  return path;
+}
