@@ -1,0 +1,39 @@
+// Builds the page: one file, with script, style and licences in it. node build.mjs [output file]
+import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
+import { dirname, join, resolve } from "node:path";
+import { fileURLToPath } from "node:url";
+
+import { build } from "esbuild";
+
+const folder = dirname(fileURLToPath(import.meta.url));
+const output = resolve(process.argv[2] ?? join(folder, "dist/index.html"));
+const result = await build({
+  absWorkingDir: folder,
+  entryPoints: { page: "src/main.ts", style: "src/style.css" },
+  bundle: true,
+  minify: true,
+  format: "iife",
+  target: ["chrome100", "firefox100"],
+  outdir: "unused",
+  write: false,
+  legalComments: "none",
+  logLevel: "warning",
+});
+const textOf = (name) => result.outputFiles.find((file) => file.path.endsWith(name)).text;
+const licences = ["three", "uplot", "fzstd"]
+  .map((name) => {
+    const text = readFileSync(join(folder, "node_modules", name, "LICENSE"), "utf8");
+    return `This page contains ${name}:\n\n${text.trim()}`;
+  })
+  .join("\n\n");
+const parts = {
+  "/* style */": textOf("style.css"),
+  "/* script */": textOf("page.js").replaceAll("</script", "<\\/script"),
+  "licences": licences.replaceAll("--", "- -"),
+};
+const page = readFileSync(join(folder, "src/index.html"), "utf8").replace(
+  /\/\* style \*\/|\/\* script \*\/|(?<=<!-- )licences(?= -->)/g,
+  (name) => parts[name],
+);
+mkdirSync(dirname(output), { recursive: true });
+writeFileSync(output, page);

@@ -1,0 +1,366 @@
+// Watches a run: a WebSocket with the blocks of a recording, and commands as JSON.
+
+import type { RecordingInfo } from "../decode/blocks";
+import type { Frame } from "../decode/frames";
+import { StreamDecoder } from "../decode/stream";
+import type {
+  Abilities,
+  LogLine,
+  RunState,
+  Session,
+  SessionListener,
+  Tree,
+  Viewer,
+} from "../session";
+
+const kProtocol = "argos-live.1";
+const kFirstRetry = 500; // ms
+const kLongestRetry = 8000;
+const kMoveCommands = new Set(["move", "drive", "user_key"]);
+
+interface Welcome {
+  protocol?: number;
+  version?: string;
+  experiment?: string;
+  tick_length?: number;
+  can?: { edit?: boolean; replay?: boolean };
+  types_to_add?: string[];
+  viewer?: number;
+}
+
+interface Status {
+  run?: "playing" | "paused" | "ended";
+  tick?: number;
+  speed?: number;
+  real_time_factor?: number;
+  control?: number;
+  viewers?: Viewer[];
+}
+
+interface ServerMessage {
+  welcome?: Welcome;
+  status?: Status;
+  log?: LogLine[];
+  values?: { entity: string; tick: number; tree: Tree };
+  error?: string | undefined;
+  re?: number;
+  ok?: boolean;
+}
+
+export class LiveClient implements Session {
+  readonly kind = "live";
+  state: RunState = "loading";
+  position = 0;
+  firstTick = 0;
+  lastTick = 0;
+  speed = 1;
+  realTimeFactor: number | null = null;
+  viewers: Viewer[] = [];
+  viewer = 0;
+  control = -1;
+  connection: Session["connection"] = "none";
+  typesToAdd: string[] = [];
+  note: string | null = null;
+  name = "";
+  private socket: WebSocket | null = null;
+  private decoder = new StreamDecoder();
+  private retry = kFirstRetry;
+  private timer = 0;
+  private isClosed = false;
+  private lastCommand = 0;
+  private readonly waiting = new Map<number, string>();
+  private pinned: string[] = [];
+  private isFirstFrame = true;
+  private canEdit = false;
+  private canReplay = false;
+  private arrivals: number[] = [];
+  private frameAt = 0;
+  private period = 100; // ms from state to state, as they arrive
+  private refusal: string | null = null;
+
+  constructor(
+    private readonly url: string,
+    private readonly token: string,
+    private readonly listener: SessionListener,
+  ) {
+    this.connect();
+  }
+
+  get info(): RecordingInfo | null {
+    return this.decoder.info;
+  }
+
+  /** Whether the author of the run allows to edit scripts. */
+  get mayEdit(): boolean {
+    return this.canEdit && this.hasControl;
+  }
+
+  private get hasControl(): boolean {
+    return this.control === this.viewer;
+  }
+
+  get abilities(): Abilities {
+    const blocked =
+      this.connection !== "connected"
+        ? "There is no connection to the run"
+        : !this.hasControl
+          ? "Another viewer has control: ask for it"
+          : this.state === "ended"
+            ? "The run has ended"
+            : null;
+    const isReplay = this.canReplay ? "This is a replay, which cannot be changed" : null;
+    const canReset =
+      this.connection === "connected" && this.hasControl ? isReplay : (blocked ?? isReplay);
+    return {
+      play: blocked,
+      step: blocked,
+      stepBack: "A run cannot go back",
+      seek: "A run cannot go back",
+      speed: blocked,
+      reset: canReset,
+      end: this.connection === "connected" && this.hasControl ? null : blocked,
+      move: blocked ?? isReplay,
+      drive: blocked ?? isReplay,
+    };
+  }
+
+  private connect(): void {
+    this.decoder = new StreamDecoder();
+    this.isFirstFrame = true;
+    const socket = new WebSocket(this.url, kProtocol);
+    socket.binaryType = "arraybuffer";
+    this.socket = socket;
+    socket.onopen = () => this.sendText({ hello: { token: this.token, name: "" } });
+    socket.onmessage = (event: MessageEvent<string | ArrayBuffer>) => {
+      if (this.socket === socket) {
+        this.receive(event.data);
+      }
+    };
+    socket.onclose = () => {
+      if (this.socket === socket) {
+        this.lost();
+      }
+    };
+  }
+
+  private lost(): void {
+    this.socket = null;
+    this.waiting.clear();
+    if (this.isClosed || this.state === "ended") {
+      this.connection = "none";
+      this.listener.changed();
+      return;
+    }
+    if (this.refusal !== null) {
+      this.connection = "lost";
+      this.listener.changed();
+      return;
+    }
+    this.connection = "lost";
+    this.listener.changed();
+    this.timer = window.setTimeout(() => this.connect(), this.retry);
+    this.retry = Math.min(2 * this.retry, kLongestRetry);
+  }
+
+  private receive(data: string | ArrayBuffer): void {
+    try {
+      if (typeof data === "string") {
+        this.receiveText(JSON.parse(data) as ServerMessage);
+      } else {
+        this.receiveBlock(new Uint8Array(data));
+      }
+    } catch (error) {
+      this.listener.notify(`The run has sent what this page does not understand: ${(error as Error).message}`, "error");
+      this.socket?.close();
+    }
+  }
+
+  private receiveBlock(bytes: Uint8Array): void {
+    const before = this.decoder.info;
+    const frame = this.decoder.decode(bytes);
+    if (this.decoder.info !== null && this.decoder.info !== before) {
+      this.name = this.decoder.info.experimentFile;
+      if (this.isFirstFrame && !this.hasOpened) {
+        this.hasOpened = true;
+        this.listener.opened(this.decoder.info);
+      }
+    }
+    if (frame !== null) {
+      this.sendText({ ack: frame.tick });
+      this.showFrame(frame);
+    }
+  }
+
+  private hasOpened = false;
+
+  private showFrame(frame: Frame): void {
+    const now = performance.now();
+    const isBack = frame.tick < this.position;
+    this.arrivals.push(now);
+    if (this.arrivals.length > 12) {
+      this.arrivals.shift();
+    }
+    if (this.arrivals.length > 2) {
+      const span = now - this.arrivals[0]!;
+      this.period = Math.min(Math.max(span / (this.arrivals.length - 1), 10), 300);
+    }
+    const isJump = this.isFirstFrame || isBack;
+    this.isFirstFrame = false;
+    this.frameAt = now;
+    this.position = frame.tick;
+    this.lastTick = Math.max(frame.tick, 1);
+    this.listener.showFrame(frame, isJump);
+    if (isJump) {
+      this.listener.setBlend(1);
+    }
+    this.listener.changed();
+  }
+
+  private receiveText(message: ServerMessage): void {
+    if (message.re !== undefined) {
+      const what = this.waiting.get(message.re) ?? "";
+      this.waiting.delete(message.re);
+      if (message.error !== undefined) {
+        this.listener.notify(message.error, "error");
+      } else if (what === "ask_control") {
+        this.listener.notify("You have asked for control", "info");
+      }
+      return;
+    }
+    if (message.error !== undefined) {
+      this.refusal = message.error;
+      this.listener.notify(message.error, "error");
+    }
+    if (message.welcome !== undefined) {
+      this.welcomed(message.welcome);
+    }
+    if (message.status !== undefined) {
+      this.setStatus(message.status);
+    }
+    if (Array.isArray(message.log)) {
+      this.listener.addLog(message.log);
+    }
+    if (message.values !== undefined) {
+      const { entity, tick, tree } = message.values;
+      this.listener.values(entity, tick, tree);
+    }
+  }
+
+  private welcomed(welcome: Welcome): void {
+    this.connection = "connected";
+    this.retry = kFirstRetry;
+    this.refusal = null;
+    this.viewer = welcome.viewer ?? 0;
+    this.typesToAdd = welcome.types_to_add ?? [];
+    this.canEdit = welcome.can?.edit ?? false;
+    this.canReplay = welcome.can?.replay ?? false;
+    for (const entity of this.pinned) {
+      this.command("pin", { entity });
+    }
+    this.listener.changed();
+  }
+
+  private setStatus(status: Status): void {
+    const hadControl = this.hasControl && this.control >= 0;
+    this.state = status.run ?? this.state;
+    this.speed = status.speed ?? this.speed;
+    this.realTimeFactor = this.state === "playing" ? (status.real_time_factor ?? null) : null;
+    this.control = status.control ?? this.control;
+    this.viewers = status.viewers ?? this.viewers;
+    if (!hadControl && this.hasControl && this.viewers.length > 1) {
+      this.listener.notify("You have control of the run", "info");
+    }
+    this.listener.changed();
+  }
+
+  private sendText(message: object): void {
+    if (this.socket?.readyState === WebSocket.OPEN) {
+      this.socket.send(JSON.stringify(message));
+    }
+  }
+
+  private command(name: string, more: object = {}): void {
+    const id = ++this.lastCommand;
+    if (!kMoveCommands.has(name) || this.waiting.size < 8) {
+      this.waiting.set(id, name);
+    }
+    this.sendText({ id, do: name, ...more });
+  }
+
+  play(): void {
+    this.command("play");
+  }
+  pause(): void {
+    this.command("pause");
+  }
+  step(count: number): void {
+    this.command("step", { n: count });
+  }
+  seek(): void {}
+  setSpeed(factor: number): void {
+    this.speed = factor;
+    this.command("speed", { factor });
+  }
+  reset(newSeed: boolean): void {
+    const seed = 1 + Math.floor(Math.random() * 0x7ffffffe);
+    this.command("reset", newSeed ? { seed } : {});
+  }
+  end(): void {
+    this.command("end");
+  }
+  askControl(): void {
+    this.command("ask_control");
+  }
+  giveControl(viewer: number): void {
+    this.command("give_control", { viewer });
+  }
+
+  setPinned(ids: string[]): void {
+    for (const entity of this.pinned) {
+      if (!ids.includes(entity)) {
+        this.command("unpin", { entity });
+      }
+    }
+    for (const entity of ids) {
+      if (!this.pinned.includes(entity)) {
+        this.command("pin", { entity });
+      }
+    }
+    this.pinned = [...ids];
+  }
+
+  select(id: string | null): void {
+    if (this.hasControl) {
+      this.command("user_select", { entity: id ?? "" });
+    }
+  }
+  move(entity: string, position: readonly [number, number, number], yaw: number): void {
+    this.command("move", { entity, position, yaw });
+  }
+  remove(entity: string): void {
+    this.command("remove", { entity });
+  }
+  add(type: string, position: readonly [number, number, number], yaw: number): void {
+    this.command("add", { type, position, yaw });
+  }
+  drive(entity: string, left: number, right: number): void {
+    this.command("drive", { entity, left, right });
+  }
+  key(key: string, isDown: boolean): void {
+    if (this.hasControl) {
+      this.command("user_key", { key, down: isDown });
+    }
+  }
+
+  update(now: number): void {
+    if (this.frameAt > 0) {
+      this.listener.setBlend((now - this.frameAt) / this.period);
+    }
+  }
+
+  close(): void {
+    this.isClosed = true;
+    window.clearTimeout(this.timer);
+    this.socket?.close();
+  }
+}

@@ -1,0 +1,86 @@
+// What is shown, whether a recording or a run: states come from it, commands go to it.
+
+import type { RecordingInfo } from "./decode/blocks";
+import type { Frame } from "./decode/frames";
+
+export type RunState = "loading" | "playing" | "paused" | "ended";
+
+/** A command that cannot be given has the reason. */
+export interface Abilities {
+  play: string | null;
+  step: string | null;
+  stepBack: string | null;
+  seek: string | null;
+  speed: string | null;
+  reset: string | null;
+  end: string | null;
+  move: string | null;
+  drive: string | null;
+}
+
+export interface LogLine {
+  level: "info" | "warning" | "error" | "debug";
+  text: string;
+  tick: number | null;
+}
+
+export type Tree = { [name: string]: Tree | number | string | boolean | null | number[] };
+
+export interface Viewer {
+  id: number;
+  name: string;
+}
+
+/** What a session calls. */
+export interface SessionListener {
+  opened(info: RecordingInfo): void;
+  /** A state; a jump has no movement to it. */
+  showFrame(frame: Frame, isJump: boolean): void;
+  setBlend(blend: number): void;
+  changed(): void;
+  addLog(lines: LogLine[]): void;
+  values(entity: string, tick: number, tree: Tree): void;
+  notify(text: string, kind: "info" | "error"): void;
+}
+
+export interface Session {
+  readonly kind: "recording" | "live";
+  readonly name: string;
+  readonly info: RecordingInfo | null;
+  readonly state: RunState;
+  /** The tick shown, with a fraction while it moves. */
+  readonly position: number;
+  readonly firstTick: number;
+  readonly lastTick: number;
+  /** 0: as fast as it goes. */
+  readonly speed: number;
+  readonly realTimeFactor: number | null;
+  readonly abilities: Abilities;
+  /** A note on the source, such as a recording that was cut; null: none. */
+  readonly note: string | null;
+  readonly viewers: Viewer[];
+  readonly viewer: number;
+  readonly control: number;
+  readonly connection: "none" | "connected" | "lost";
+  readonly typesToAdd: string[];
+
+  play(): void;
+  pause(): void;
+  step(count: number): void;
+  seek(tick: number): void;
+  setSpeed(factor: number): void;
+  reset(newSeed: boolean): void;
+  end(): void;
+  askControl(): void;
+  giveControl(viewer: number): void;
+  setPinned(ids: string[]): void;
+  select(id: string | null): void;
+  move(id: string, position: readonly [number, number, number], yaw: number): void;
+  remove(id: string): void;
+  add(type: string, position: readonly [number, number, number], yaw: number): void;
+  drive(id: string, left: number, right: number): void;
+  key(key: string, isDown: boolean): void;
+  /** Once a picture. */
+  update(now: number): void;
+  close(): void;
+}

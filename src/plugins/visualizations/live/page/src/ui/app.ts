@@ -1,0 +1,1019 @@
+// The page: its parts, and what connects them.
+
+import type { RecordingInfo } from "../decode/blocks";
+import type { Frame } from "../decode/frames";
+import { Recording, sourceOfBlob, type ByteSource, sourceOfBytes } from "../decode/recording";
+import { arenaAround, readArena } from "../experiment";
+import { LiveClient } from "../live/client";
+import { RecordingPlayer } from "../player";
+import type { LogLine, Session, SessionListener, Tree } from "../session";
+import { type CameraMode } from "../view/camera";
+import { kDarkLook, kLightLook } from "../view/looks";
+import { yawOf } from "../view/math";
+import { View, type ViewOptions } from "../view/view";
+import { DriveKeys } from "./drive";
+import { button, h, icon, menu, setEnabled, setText } from "./dom";
+import { formatNumber, plural } from "./format";
+import { Inspector } from "./inspector";
+import { LogPanel } from "./log";
+import { Plot, Series } from "./plots";
+import { PointerControl } from "./pointer";
+import { Transport } from "./transport";
+
+type Theme = "auto" | "light" | "dark";
+type TabName = "inspect" | "metrics" | "log" | "info";
+
+const kOptionNames: [keyof ViewOptions, string, string][] = [
+  ["ids", "Ids", "I"],
+  ["trails", "Trails", "R"],
+  ["headings", "Headings", "H"],
+  ["rays", "Rays of sensors", "S"],
+  ["drawing", "What user code draws", "U"],
+  ["axes", "Axes", "A"],
+  ["scaleBar", "Scale bar", "B"],
+  ["grid", "Grid", "G"],
+];
+
+const kKeys: [string, string][] = [
+  ["Space", "Play or pause"],
+  ["→ / ←", "One state ahead or back"],
+  ["Home / End", "To the start or the end"],
+  ["+ / −", "Faster or slower"],
+  ["T", "From above"],
+  ["O", "From the side, whole arena"],
+  ["F / E", "Follow the selected robot / look ahead from it"],
+  ["I R H S U A B G", "Ids, trails, headings, rays, drawings, axes, scale bar, grid"],
+  ["W A S D", "Drive the selected robot, where “Drive” is on"],
+  ["Esc", "Unselect"],
+  ["Drag", "Turn the camera; with Shift or the right button: move it"],
+  ["Wheel", "Zoom"],
+];
+
+function stored(name: string): string | null {
+  try {
+    return localStorage.getItem(`argos3-${name}`);
+  } catch {
+    return null; // the browser keeps nothing for files
+  }
+}
+
+function store(name: string, value: string): void {
+  try {
+    localStorage.setItem(`argos3-${name}`, value);
+  } catch {
+    // as above
+  }
+}
+
+export class App implements SessionListener {
+  private session: Session | null = null;
+  private view!: View;
+  private frame: Frame | null = null;
+  private theme: Theme = (stored("theme") as Theme | null) ?? "auto";
+  private tab: TabName = "inspect";
+  private readonly transport = new Transport();
+  private readonly log = new LogPanel();
+  private readonly inspector: Inspector;
+  private readonly metricPlots = new Map<string, Plot>();
+  private readonly metricArea = h("div", { class: "plots" });
+  private readonly metricHint = h("p", { class: "empty" });
+  private readonly infoList = h("dl", { class: "info" });
+  private readonly canvas = h("canvas", {
+    class: "picture",
+    tabindex: 0,
+    role: "img",
+    "aria-label": "The arena. Entities can also be chosen in the list of the panel “Inspect”.",
+  });
+  private readonly labelCanvas = h("canvas", { class: "labels", "aria-hidden": "true" });
+  private readonly title = h("h1", {}, "ARGoS");
+  private readonly stateChip = h("span", { class: "chip", role: "status" });
+  private readonly factor = h("span", { class: "factor", title: "Simulated seconds in a second" });
+  private readonly people = h("div", { class: "people" });
+  private readonly banner = h("div", { class: "banner", role: "status", hidden: true });
+  private readonly note = h("p", { class: "note", hidden: true });
+  private readonly welcome = h("div", { class: "welcome" });
+  private readonly toasts = h("div", { class: "toasts", "aria-live": "polite" });
+  private readonly tabs = new Map<TabName, { tab: HTMLButtonElement; panel: HTMLElement }>();
+  private readonly optionBoxes = new Map<keyof ViewOptions, HTMLInputElement>();
+  private readonly modeButtons = new Map<string, HTMLButtonElement>();
+  private readonly fileInput = h("input", {
+    type: "file",
+    accept: ".rec",
+    class: "hidden-file",
+    "aria-label": "Recording",
+    tabindex: -1,
+    onchange: () => {
+      const file = this.fileInput.files?.[0];
+      if (file !== undefined) {
+        void this.openFile(file);
+      }
+      this.fileInput.value = "";
+    },
+  });
+  private readonly themeButton = button({
+    icon: "theme",
+    title: "Light or dark",
+    className: "quiet",
+    onClick: () => this.nextTheme(),
+  });
+  private readonly help = this.makeHelp();
+  private readonly drive: DriveKeys;
+  private readonly addMenu = h("div", {});
+  private readonly liveTools = h("div", { class: "tools live-tools", hidden: true });
+  private addType: string | null = null;
+  private frames = 0;
+  private framesSince = 0;
+  private lastTime = 0;
+
+  constructor(private readonly root: HTMLElement) {
+    this.drive = new DriveKeys((left, right) => {
+      const id = this.selectedId();
+      if (id !== null) {
+        this.session?.drive(id, left, right);
+      }
+    });
+    this.inspector = new Inspector({
+      view: () => this.view,
+      session: () => this.session,
+      follow: (id, mode) => this.follow(id, mode),
+      isFollowed: (id, mode) => this.isFollowed(id, mode),
+      seekTime: () => this.seekTime(),
+      selectionChanged: (ids) => this.selectionChanged(ids),
+    });
+    this.root.append(this.makeLayout(), this.fileInput, this.help);
+    try {
+      this.view = new View(this.canvas, this.labelCanvas);
+    } catch (error) {
+      this.welcome.replaceChildren(h("p", { class: "error" }, (error as Error).message));
+      return;
+    }
+    this.applyTheme();
+    new PointerControl(this.canvas, this.view, {
+      picked: (entity, withShift) => this.picked(entity, withShift),
+      canDrag: (entity) => this.canDrag(entity),
+      dragged: (entity, place, isDone) => this.dragged(entity, place, isDone),
+      moved: () => {
+        if (this.view.followed >= 0 && this.view.camera.mode !== "eyes") {
+          this.stopFollowing();
+        }
+      },
+    });
+    new ResizeObserver(() => this.view.resize()).observe(this.canvas);
+    this.view.resize();
+    window
+      .matchMedia("(prefers-color-scheme: dark)")
+      .addEventListener("change", () => this.applyTheme());
+    document.addEventListener("keydown", (event) => this.keyDown(event));
+    document.addEventListener("keyup", (event) => this.keyUp(event));
+    this.listenToDrops();
+    this.showTab("inspect");
+    this.updateNote();
+    requestAnimationFrame((now) => this.draw(now));
+  }
+
+  /**********************/
+  // sources
+  /**********************/
+
+  async openFile(file: File): Promise<void> {
+    await this.openSource(sourceOfBlob(file), file.name);
+  }
+
+  async openBytes(bytes: Uint8Array, name: string): Promise<void> {
+    await this.openSource(sourceOfBytes(bytes), name);
+  }
+
+  openLive(url: string, token: string): void {
+    this.start(new LiveClient(url, token, this));
+  }
+
+  private async openSource(source: ByteSource, name: string): Promise<void> {
+    this.root.classList.add("is-loading");
+    try {
+      const recording = await Recording.open(source);
+      this.start(new RecordingPlayer(recording, name, this));
+    } catch (error) {
+      this.notify(`Cannot open “${name}”: ${(error as Error).message}`, "error");
+    }
+    this.root.classList.remove("is-loading");
+  }
+
+  private start(session: Session): void {
+    this.session?.close();
+    this.session = session;
+    this.welcome.hidden = true;
+    this.root.classList.toggle("is-live", session.kind === "live");
+    this.liveTools.hidden = session.kind !== "live";
+    this.transport.setSession(session);
+    this.changed();
+  }
+
+  /**********************/
+  // what a session tells
+  /**********************/
+
+  opened(info: RecordingInfo): void {
+    this.frame = null;
+    this.inspector.clear();
+    this.metricPlots.forEach((plot) => plot.destroy());
+    this.metricPlots.clear();
+    this.metricArea.replaceChildren();
+    this.log.clear("The log is shown while a run is watched; recordings do not have it.", info.tickLength);
+    const name = info.experimentFile.split("/").pop() ?? "";
+    document.title = name === "" ? "ARGoS" : `${name} – ARGoS`;
+    setText(this.title, name === "" ? "Experiment" : name);
+    const rows: [string, string][] = [
+      ["Experiment", info.experimentFile],
+      ["Seed", String(info.seed)],
+      ["Date", info.date.replace("T", " ")],
+      ["Length of a tick", `${formatNumber(info.tickLength)} s`],
+      ["Simulator", info.version],
+      ["Build", info.build],
+      ["Renderer", this.view.rendererName],
+    ];
+    this.infoList.replaceChildren(
+      ...rows
+        .filter(([, value]) => value !== "")
+        .flatMap(([term, value]) => [h("dt", {}, term), h("dd", {}, value)]),
+    );
+    if (info.experiment !== "") {
+      this.infoList.append(
+        h("dt", {}, "File"),
+        h("dd", {}, h("pre", { tabindex: 0, class: "xml" }, info.experiment)),
+      );
+    }
+    const arena = readArena(info.experiment);
+    this.hasArena = arena !== null;
+    if (arena !== null) {
+      this.view.setArena(arena);
+    }
+  }
+
+  private hasArena = false;
+
+  showFrame(frame: Frame, isJump: boolean): void {
+    if (!this.hasArena) {
+      this.hasArena = true;
+      this.view.setArena(arenaAround(frame));
+    }
+    this.frame = frame;
+    const time = this.timeOf(frame.tick);
+    if (time < this.lastTime && this.session?.kind === "live") {
+      this.inspector.cutAfter(time);
+      this.metricPlots.forEach((plot) => plot.series.cutAfter(time));
+    }
+    this.lastTime = time;
+    if (isJump) {
+      this.view.jump(frame);
+    } else {
+      this.view.push(frame);
+    }
+    this.mapSelection();
+    this.collectMetrics(frame, time);
+    this.inspector.update(frame, time);
+    if (this.tab === "metrics") {
+      this.metricPlots.forEach((plot) => plot.update(time));
+    }
+    this.root.dataset.tick = String(frame.tick);
+  }
+
+  setBlend(blend: number): void {
+    this.view.setBlend(blend);
+  }
+
+  changed(): void {
+    const { session } = this;
+    this.transport.update();
+    if (session === null) {
+      return;
+    }
+    const names = { loading: "Loading", playing: "Playing", paused: "Paused", ended: "Ended" };
+    const text = session.connection === "lost" ? "Connection lost" : names[session.state];
+    setText(this.stateChip, text);
+    this.stateChip.dataset.state = session.connection === "lost" ? "lost" : session.state;
+    const factor = session.realTimeFactor;
+    setText(this.factor, factor === null ? "" : `${formatNumber(factor, 3)}× real time`);
+    this.updateBanner(session);
+    this.updatePeople(session);
+    this.updateLiveTools(session);
+  }
+
+  addLog(lines: LogLine[]): void {
+    this.log.add(lines);
+  }
+
+  values(entity: string, _tick: number, tree: Tree): void {
+    this.inspector.setTree(entity, tree);
+  }
+
+  notify(text: string, kind: "info" | "error"): void {
+    const toast = h("div", { class: `toast ${kind}`, role: kind === "error" ? "alert" : "status" }, text);
+    const close = button({
+      icon: "close",
+      title: "Close",
+      className: "quiet",
+      onClick: () => toast.remove(),
+    });
+    toast.append(close);
+    this.toasts.append(toast);
+    while (this.toasts.childElementCount > 4) {
+      this.toasts.firstElementChild!.remove();
+    }
+    setTimeout(() => toast.remove(), kind === "error" ? 9000 : 4000);
+  }
+
+  /**********************/
+  // drawing
+  /**********************/
+
+  private draw(now: number): void {
+    requestAnimationFrame((next) => this.draw(next));
+    this.session?.update(now);
+    this.view.render(now);
+    ++this.frames;
+    if (now - this.framesSince > 1000) {
+      this.root.dataset.fps = ((1000 * this.frames) / (now - this.framesSince)).toFixed(1);
+      this.frames = 0;
+      this.framesSince = now;
+      this.updateNote();
+    }
+  }
+
+  private updateNote(): void {
+    const parts: string[] = [];
+    if (this.view.isSoftware) {
+      parts.push("Drawn by the processor: no shadows");
+    }
+    const { merged, points } = this.view.counts;
+    if (points > 0) {
+      parts.push(`${plural(points, "robot")} as points`);
+    } else if (merged > 0) {
+      parts.push(`${plural(merged, "entity").replace("entitys", "entities")} far away in simple form`);
+    }
+    if (this.session?.note != null) {
+      parts.push(this.session.note);
+    }
+    this.note.hidden = parts.length === 0;
+    setText(this.note, parts.join(" · "));
+  }
+
+  private timeOf(tick: number): number {
+    return tick * (this.session?.info?.tickLength ?? 0.1);
+  }
+
+  private seekTime(): ((time: number) => void) | null {
+    const { session } = this;
+    if (session === null || session.abilities.seek !== null) {
+      return null;
+    }
+    return (time) => session.seek(time / (session.info?.tickLength ?? 0.1));
+  }
+
+  private collectMetrics(frame: Frame, time: number): void {
+    this.metricHint.hidden = frame.metrics.length > 0;
+    for (const metric of frame.metrics) {
+      let plot = this.metricPlots.get(metric.name);
+      if (plot === undefined) {
+        plot = new Plot(
+          metric.name,
+          metric.unit,
+          new Series(),
+          this.seekTime(),
+          this.metricPlots.size,
+        );
+        this.metricPlots.set(metric.name, plot);
+        this.metricArea.append(plot.element);
+      }
+      plot.series.add(time, metric.value);
+    }
+  }
+
+  /**********************/
+  // selection and camera
+  /**********************/
+
+  private selectedId(): string | null {
+    const { pinned } = this.inspector;
+    return pinned[pinned.length - 1] ?? null;
+  }
+
+  private picked(entity: number, withShift: boolean): void {
+    if (this.addType !== null) {
+      return;
+    }
+    const id = this.view.entity(entity)?.id ?? null;
+    if (id === null && withShift) {
+      return;
+    }
+    if (id !== null && withShift && this.inspector.pinned.includes(id)) {
+      this.inspector.unpin(id);
+    } else {
+      this.inspector.select(id, withShift);
+    }
+    if (id !== null) {
+      this.showTab("inspect");
+    }
+  }
+
+  private selectionChanged(ids: string[]): void {
+    this.mapSelection();
+    this.session?.setPinned(ids);
+    this.session?.select(ids[ids.length - 1] ?? null);
+    if (this.frame !== null) {
+      this.inspector.update(this.frame, this.timeOf(this.frame.tick));
+    }
+    if (this.followId !== null && !ids.includes(this.followId)) {
+      this.stopFollowing();
+    }
+    this.updateModes();
+    if (this.session !== null) {
+      this.updateLiveTools(this.session);
+    }
+  }
+
+  private followId: string | null = null;
+
+  // numbers of entities change when others are removed
+  private mapSelection(): void {
+    this.view.selected = this.inspector.pinned
+      .map((id) => this.view.find(id))
+      .filter((number) => number >= 0);
+    this.view.followed = this.followId === null ? -1 : this.view.find(this.followId);
+    if (this.followId !== null && this.view.followed < 0) {
+      this.stopFollowing();
+    }
+  }
+
+  private follow(id: string | null, mode: "orbit" | "eyes"): void {
+    if (id === null) {
+      this.notify("Select a robot first: click it", "info");
+      return;
+    }
+    if (this.isFollowed(id, mode)) {
+      this.stopFollowing();
+      return;
+    }
+    this.followId = id;
+    if (mode === "eyes") {
+      this.view.camera.mode = "eyes";
+    } else {
+      if (this.view.camera.mode === "eyes") {
+        this.view.camera.mode = "orbit";
+      }
+      const { arenaBox, camera } = this.view;
+      const size = Math.max(arenaBox.max[0] - arenaBox.min[0], arenaBox.max[1] - arenaBox.min[1]);
+      const near = 20 * this.view.radiusOf(this.view.find(id));
+      camera.distance = Math.min(camera.distance, Math.max(near, 0.1 * size));
+    }
+    this.mapSelection();
+    this.updateModes();
+    this.inspectorUpdate();
+  }
+
+  private isFollowed(id: string, mode: "orbit" | "eyes"): boolean {
+    return this.followId === id && (this.view.camera.mode === "eyes") === (mode === "eyes");
+  }
+
+  private stopFollowing(): void {
+    this.followId = null;
+    this.view.followed = -1;
+    if (this.view.camera.mode === "eyes") {
+      this.view.camera.mode = "orbit";
+    }
+    this.updateModes();
+    this.inspectorUpdate();
+  }
+
+  private inspectorUpdate(): void {
+    if (this.frame !== null) {
+      this.inspector.update(this.frame, this.timeOf(this.frame.tick));
+    }
+  }
+
+  private setMode(mode: CameraMode): void {
+    if (mode === "eyes") {
+      this.follow(this.selectedId(), "eyes");
+      return;
+    }
+    const isEyes = this.view.camera.mode === "eyes";
+    this.view.camera.mode = mode;
+    if (isEyes) {
+      this.followId = null;
+      this.view.followed = -1;
+    }
+    this.view.camera.azimuth = -Math.PI / 2;
+    this.view.camera.frameHome();
+    this.updateModes();
+    this.inspectorUpdate();
+  }
+
+  private updateModes(): void {
+    const id = this.selectedId();
+    const { mode } = this.view.camera;
+    const pressed: Record<string, boolean> = {
+      orbit: mode === "orbit",
+      top: mode === "top",
+      follow: this.followId !== null && mode !== "eyes",
+      eyes: mode === "eyes",
+    };
+    for (const [name, element] of this.modeButtons) {
+      element.setAttribute("aria-pressed", String(pressed[name] ?? false));
+      if (name === "follow" || name === "eyes") {
+        setEnabled(element, id === null ? "Select a robot first: click it" : null);
+      }
+    }
+  }
+
+  private setOption(name: keyof ViewOptions, value: boolean): void {
+    this.view.options[name] = value;
+    this.optionBoxes.get(name)!.checked = value;
+    this.view.optionsChanged();
+  }
+
+  /**********************/
+  // changing a run
+  /**********************/
+
+  private canDrag(entity: number): boolean {
+    const id = this.view.entity(entity)?.id;
+    return (
+      this.addType === null &&
+      this.session?.abilities.move === null &&
+      id !== undefined &&
+      this.inspector.pinned.includes(id)
+    );
+  }
+
+  private lastMove = 0;
+
+  private dragged(entity: number, place: readonly [number, number, number], isDone: boolean): void {
+    const id = this.view.entity(entity)?.id;
+    const now = performance.now();
+    if (id === undefined || (!isDone && now - this.lastMove < 60)) {
+      return;
+    }
+    this.lastMove = now;
+    this.session?.move(id, place, yawOf(this.view.poseOf(entity).orientation));
+  }
+
+  private updateBanner(session: Session): void {
+    const isLost = session.connection === "lost";
+    this.banner.hidden = !isLost;
+    setText(this.banner, isLost ? "The connection to the run is lost. Trying again …" : "");
+  }
+
+  private peopleKey = "";
+
+  private updatePeople(session: Session): void {
+    const key = JSON.stringify([session.viewers, session.viewer, session.control, session.connection]);
+    if (key === this.peopleKey) {
+      return;
+    }
+    this.peopleKey = key;
+    if (session.kind !== "live" || session.connection !== "connected") {
+      this.people.replaceChildren();
+      return;
+    }
+    const hasControl = session.control === session.viewer;
+    const others = session.viewers.filter((viewer) => viewer.id !== session.viewer);
+    const children: HTMLElement[] = [];
+    if (others.length > 0 || !hasControl) {
+      children.push(h("span", { class: "count" }, plural(session.viewers.length, "viewer")));
+    }
+    if (!hasControl) {
+      children.push(
+        button({
+          icon: "hand",
+          text: "Ask for control",
+          title: "Another viewer has control. Ask for it",
+          onClick: () => session.askControl(),
+        }),
+      );
+    } else if (others.length > 0) {
+      const list = h(
+        "div",
+        {},
+        ...others.map((viewer) =>
+          button({
+            text: `Hand control to ${viewer.name === "" ? `viewer ${viewer.id}` : viewer.name}`,
+            onClick: () => session.giveControl(viewer.id),
+          }),
+        ),
+      );
+      children.push(menu(button({ icon: "hand", text: "Control", title: "You have control", onClick: () => undefined }), list));
+    }
+    this.people.replaceChildren(...children);
+  }
+
+  private readonly driveButton = button({
+    icon: "key",
+    text: "Drive",
+    title: "Drive the selected robot by W, A, S and D",
+    pressed: false,
+    onClick: () => {
+      this.drive.isOn = !this.drive.isOn;
+      this.driveButton.setAttribute("aria-pressed", String(this.drive.isOn));
+    },
+  });
+  private readonly addButton = button({
+    icon: "plus",
+    text: "Add",
+    title: "Add a robot or a thing",
+    onClick: () => undefined,
+  });
+
+  private updateLiveTools(session: Session): void {
+    if (session.kind !== "live") {
+      return;
+    }
+    const needsSelection = this.selectedId() === null ? "Select a robot first: click it" : null;
+    setEnabled(this.driveButton, session.abilities.drive ?? needsSelection);
+    const noTypes = session.typesToAdd.length === 0 ? "This run has nothing that can be added" : null;
+    setEnabled(this.addButton, session.abilities.move ?? noTypes);
+    const key = session.typesToAdd.join();
+    if (this.addMenu.dataset.key !== key) {
+      this.addMenu.dataset.key = key;
+      this.addMenu.replaceChildren(
+        ...session.typesToAdd.map((type) =>
+          button({
+            text: type,
+            title: `Add a ${type} in the middle of the picture`,
+            onClick: () => this.addEntity(type),
+          }),
+        ),
+      );
+    }
+  }
+
+  private addEntity(type: string): void {
+    document.dispatchEvent(new CustomEvent("closemenus"));
+    const { clientWidth, clientHeight } = this.canvas;
+    const place = this.view.camera.groundPoint(clientWidth / 2, clientHeight / 2);
+    if (place === null) {
+      this.notify("There is no ground in the middle of the picture", "error");
+      return;
+    }
+    this.session?.add(type, place, 0);
+  }
+
+  /**********************/
+  // keys
+  /**********************/
+
+  private keyDown(event: KeyboardEvent): void {
+    const target = event.target as HTMLElement;
+    const isTyping =
+      (target instanceof HTMLInputElement && target.type !== "range" && target.type !== "checkbox") ||
+      target instanceof HTMLSelectElement ||
+      target instanceof HTMLTextAreaElement;
+    if (isTyping || event.ctrlKey || event.metaKey || event.altKey || this.help.open) {
+      return;
+    }
+    if (this.drive.isOn && this.drive.key(event.key, true)) {
+      event.preventDefault();
+      return;
+    }
+    if (this.session?.kind === "live" && !event.repeat) {
+      this.session.key(event.key, true);
+    }
+    if (this.runKey(event.key, target)) {
+      event.preventDefault();
+    }
+  }
+
+  private keyUp(event: KeyboardEvent): void {
+    if (this.drive.isOn && this.drive.key(event.key, false)) {
+      return;
+    }
+    if (this.session?.kind === "live" && event.target === this.canvas) {
+      this.session.key(event.key, false);
+    }
+  }
+
+  /** Returns false if the key means nothing. */
+  private runKey(key: string, target: HTMLElement): boolean {
+    const { session } = this;
+    const isControl = target instanceof HTMLButtonElement || target instanceof HTMLInputElement;
+    const option = kOptionNames.find(([, , letter]) => letter === key.toUpperCase());
+    if (option !== undefined) {
+      this.setOption(option[0], !this.view.options[option[0]]);
+      return true;
+    }
+    switch (key) {
+      case " ":
+        if (isControl && target instanceof HTMLButtonElement) {
+          return false; // it presses the button
+        }
+        this.transport.togglePlay();
+        return true;
+      case "ArrowRight":
+      case "ArrowLeft":
+        if (isControl && target instanceof HTMLInputElement) {
+          return false; // it moves the slider
+        }
+        this.stepBy(key === "ArrowRight" ? 1 : -1);
+        return true;
+      case "Home":
+      case "End":
+        if (session !== null && session.abilities.seek === null) {
+          session.seek(key === "Home" ? session.firstTick : session.lastTick);
+        }
+        return true;
+      case "+":
+      case "=":
+        this.transport.changeSpeed(1);
+        return true;
+      case "-":
+        this.transport.changeSpeed(-1);
+        return true;
+      case "t":
+        this.setMode("top");
+        return true;
+      case "o":
+        this.setMode("orbit");
+        return true;
+      case "f":
+        this.follow(this.selectedId(), "orbit");
+        return true;
+      case "e":
+        this.follow(this.selectedId(), "eyes");
+        return true;
+      case "?":
+        this.help.showModal();
+        return true;
+      case "Escape":
+        this.inspector.select(null);
+        return true;
+      default:
+        return false;
+    }
+  }
+
+  private stepBy(count: 1 | -1): void {
+    const abilities = this.session?.abilities;
+    if (abilities !== undefined && (count > 0 ? abilities.step : abilities.stepBack) === null) {
+      this.session?.step(count);
+    }
+  }
+
+  /**********************/
+  // layout
+  /**********************/
+
+  private makeLayout(): HTMLElement {
+    this.welcome.append(
+      h("div", { class: "logo" }, icon("view")),
+      h("h2", {}, "Open a recording"),
+      h(
+        "p",
+        {},
+        "Drop a file here, or choose one. Recordings are made by ",
+        h("code", {}, "argos3 -c experiment.argos --record run.rec"),
+      ),
+      button({
+        icon: "open",
+        text: "Choose a file",
+        className: "primary",
+        onClick: () => this.fileInput.click(),
+      }),
+    );
+    const stage = h(
+      "section",
+      { class: "stage", "aria-label": "Picture" },
+      this.canvas,
+      this.labelCanvas,
+      this.makeTools(),
+      this.note,
+      this.welcome,
+      this.toasts,
+    );
+    return h(
+      "div",
+      { class: "page" },
+      this.makeHeader(),
+      this.banner,
+      h("main", {}, stage, this.makePanel()),
+      this.transport.element,
+    );
+  }
+
+  private makeHeader(): HTMLElement {
+    return h(
+      "header",
+      { class: "top" },
+      this.title,
+      this.stateChip,
+      this.factor,
+      h("div", { class: "space" }),
+      this.people,
+      button({
+        icon: "open",
+        text: "Open",
+        title: "Open a recording",
+        className: "quiet",
+        onClick: () => this.fileInput.click(),
+      }),
+      button({
+        icon: "camera",
+        text: "Save picture",
+        title: "Save the picture as a file",
+        className: "quiet",
+        onClick: () => void this.savePicture(),
+      }),
+      this.themeButton,
+      button({
+        icon: "help",
+        title: "Keys and mouse",
+        key: "?",
+        className: "quiet",
+        onClick: () => this.help.showModal(),
+      }),
+    );
+  }
+
+  private makeTools(): HTMLElement {
+    const mode = (
+      name: string,
+      options: { icon: Parameters<typeof icon>[0]; text: string; title: string; key: string },
+      onClick: () => void,
+    ): HTMLButtonElement => {
+      const element = button({ ...options, pressed: name === "orbit", onClick });
+      this.modeButtons.set(name, element);
+      return element;
+    };
+    const modes = h(
+      "div",
+      { class: "tools", role: "group", "aria-label": "Camera" },
+      mode("orbit", { icon: "view", text: "Side", title: "From the side, the whole arena", key: "O" }, () =>
+        this.setMode("orbit"),
+      ),
+      mode("top", { icon: "fit", text: "Top", title: "From above, the whole arena", key: "T" }, () =>
+        this.setMode("top"),
+      ),
+      mode("follow", { icon: "follow", text: "Follow", title: "Follow the selected robot", key: "F" }, () =>
+        this.follow(this.selectedId(), "orbit"),
+      ),
+      mode("eyes", { icon: "eye", text: "Its view", title: "Look ahead from the selected robot", key: "E" }, () =>
+        this.follow(this.selectedId(), "eyes"),
+      ),
+    );
+    for (const name of ["follow", "eyes"]) {
+      setEnabled(this.modeButtons.get(name)!, "Select a robot first: click it");
+    }
+    const boxes = kOptionNames.map(([name, text, key]) => {
+      const isOn = name === "rays" || name === "drawing" || name === "scaleBar" || name === "grid";
+      const box = h("input", {
+        type: "checkbox",
+        checked: isOn,
+        onchange: () => this.setOption(name, box.checked),
+      });
+      this.optionBoxes.set(name, box);
+      return h("label", {}, box, h("span", {}, text), h("kbd", {}, key));
+    });
+    const show = menu(
+      button({ icon: "layers", text: "Show", title: "What the picture shows", onClick: () => undefined }),
+      h("div", { role: "group", "aria-label": "What the picture shows" }, ...boxes),
+    );
+    this.liveTools.append(menu(this.addButton, this.addMenu), this.driveButton);
+    return h(
+      "div",
+      { class: "tool-area" },
+      modes,
+      h("div", { class: "tools" }, show),
+      this.liveTools,
+    );
+  }
+
+  private makePanel(): HTMLElement {
+    this.metricHint.textContent =
+      "This run has no metrics. Loop functions and robots record them, in C++ by GetMetrics().Record(), in Lua by metrics.record().";
+    const panels: [TabName, string, HTMLElement][] = [
+      ["inspect", "Inspect", this.inspector.element],
+      ["metrics", "Metrics", h("div", {}, this.metricHint, this.metricArea)],
+      ["log", "Log", this.log.element],
+      ["info", "About", this.infoList],
+    ];
+    const bar = h("div", { class: "tab-bar", role: "tablist", "aria-label": "Panels" });
+    const aside = h("aside", { class: "panel", "aria-label": "Panels" }, bar);
+    for (const [name, text, content] of panels) {
+      const panel = h("div", { class: "tab-panel", role: "tabpanel", id: `panel-${name}` }, content);
+      const tab = h(
+        "button",
+        {
+          type: "button",
+          role: "tab",
+          id: `tab-${name}`,
+          "aria-controls": `panel-${name}`,
+          onclick: () => this.showTab(name),
+          onkeydown: (event: KeyboardEvent) => this.tabKey(event),
+        },
+        text,
+      );
+      panel.setAttribute("aria-labelledby", `tab-${name}`);
+      bar.append(tab);
+      aside.append(panel);
+      this.tabs.set(name, { tab, panel });
+    }
+    return aside;
+  }
+
+  private tabKey(event: KeyboardEvent): void {
+    const names = [...this.tabs.keys()];
+    const move = event.key === "ArrowRight" ? 1 : event.key === "ArrowLeft" ? -1 : 0;
+    if (move !== 0) {
+      event.stopPropagation();
+      event.preventDefault();
+      const next = names[(names.indexOf(this.tab) + move + names.length) % names.length]!;
+      this.showTab(next);
+      this.tabs.get(next)!.tab.focus();
+    }
+  }
+
+  private showTab(name: TabName): void {
+    this.tab = name;
+    for (const [other, { tab, panel }] of this.tabs) {
+      tab.setAttribute("aria-selected", String(other === name));
+      tab.tabIndex = other === name ? 0 : -1;
+      panel.hidden = other !== name;
+    }
+    if (this.frame !== null && name === "metrics") {
+      const time = this.timeOf(this.frame.tick);
+      this.metricPlots.forEach((plot) => plot.update(time));
+    }
+  }
+
+  private makeHelp(): HTMLDialogElement {
+    const dialog = h(
+      "dialog",
+      { class: "help", "aria-label": "Keys and mouse" },
+      h("h2", {}, "Keys and mouse"),
+      h("dl", {}, ...kKeys.flatMap(([key, text]) => [h("dt", {}, h("kbd", {}, key)), h("dd", {}, text)])),
+      h("form", { method: "dialog" }, h("button", { class: "primary" }, "Close")),
+    );
+    dialog.addEventListener("click", (event) => {
+      if (event.target === dialog) {
+        dialog.close();
+      }
+    });
+    return dialog;
+  }
+
+  private listenToDrops(): void {
+    document.addEventListener("dragover", (event) => {
+      event.preventDefault();
+      this.root.classList.add("is-dropping");
+    });
+    document.addEventListener("dragleave", (event) => {
+      if (event.relatedTarget === null) {
+        this.root.classList.remove("is-dropping");
+      }
+    });
+    document.addEventListener("drop", (event) => {
+      event.preventDefault();
+      this.root.classList.remove("is-dropping");
+      const file = event.dataTransfer?.files[0];
+      if (file !== undefined) {
+        void this.openFile(file);
+      }
+    });
+  }
+
+  private async savePicture(): Promise<void> {
+    const blob = await this.view.toBlob();
+    if (blob === null || this.frame === null) {
+      this.notify("There is no picture yet", "error");
+      return;
+    }
+    const link = h("a", {
+      href: URL.createObjectURL(blob),
+      download: `${(this.title.textContent ?? "").replace(/\.argos$/, "")}_${this.frame.tick}.png`,
+    });
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
+  }
+
+  private nextTheme(): void {
+    this.theme = this.isDark() ? "light" : "dark";
+    store("theme", this.theme);
+    this.applyTheme();
+  }
+
+  private isDark(): boolean {
+    return (
+      this.theme === "dark" ||
+      (this.theme === "auto" && window.matchMedia("(prefers-color-scheme: dark)").matches)
+    );
+  }
+
+  private applyTheme(): void {
+    const isDark = this.isDark();
+    document.documentElement.dataset.theme = isDark ? "dark" : "light";
+    this.view.setLook(isDark ? kDarkLook : kLightLook);
+    this.inspector.restyle();
+    this.metricPlots.forEach((plot) => plot.restyle());
+    if (this.frame !== null) {
+      this.inspectorUpdate();
+      this.showTab(this.tab);
+    }
+  }
+}

@@ -1,0 +1,457 @@
+// The selected robots: their values, as a tree, and plots of those that were chosen.
+
+import type { Frame } from "../decode/frames";
+import { type EntityType, TypeKind, colorOfWord } from "../decode/types";
+import type { Session, Tree } from "../session";
+import { yawOf } from "../view/math";
+import type { View } from "../view/view";
+import { button, h, setEnabled, setText } from "./dom";
+import { formatNumber } from "./format";
+import { Plot, Series } from "./plots";
+
+const kMostListed = 300;
+
+interface Value {
+  value: number | string | boolean;
+  unit: string;
+}
+
+/** Values of one pinned entity. */
+class Card {
+  readonly element: HTMLElement;
+  private readonly rows = new Map<string, { row: HTMLElement; output: HTMLElement }>();
+  private readonly groups = new Map<string, HTMLElement>();
+  private readonly leds = h("div", { class: "leds", "aria-label": "LEDs" });
+  private readonly body = h("div", { class: "tree" });
+  private readonly plotArea = h("div", { class: "plots" });
+  private readonly plots = new Map<string, Plot>();
+  private readonly gone = h("p", { class: "empty" }, "It is no longer in the arena.");
+  private readonly follow: HTMLButtonElement;
+  private readonly eyes: HTMLButtonElement;
+  private readonly remove: HTMLButtonElement;
+  private tree: Tree | null = null;
+
+  constructor(
+    readonly id: string,
+    type: EntityType | undefined,
+    private readonly inspector: Inspector,
+  ) {
+    const { host } = inspector;
+    this.follow = button({
+      icon: "follow",
+      text: "Follow",
+      key: "F",
+      pressed: false,
+      onClick: () => host.follow(this.id, "orbit"),
+    });
+    this.eyes = button({
+      icon: "eye",
+      text: "Its view",
+      title: "Look ahead from the robot",
+      key: "E",
+      pressed: false,
+      onClick: () => host.follow(this.id, "eyes"),
+    });
+    this.remove = button({
+      icon: "trash",
+      text: "Remove",
+      title: "Remove it from the arena",
+      className: "danger run-only",
+      onClick: () => host.session()?.remove(this.id),
+    });
+    this.element = h(
+      "section",
+      { class: "card", "aria-label": id },
+      h(
+        "header",
+        {},
+        h("h3", {}, id),
+        h("span", { class: "tag" }, type?.tag ?? ""),
+        button({
+          icon: "close",
+          title: "Unselect",
+          className: "quiet",
+          onClick: () => inspector.unpin(this.id),
+        }),
+      ),
+      h("div", { class: "row actions" }, this.follow, this.eyes, this.remove),
+      this.gone,
+      this.leds,
+      this.plotArea,
+      this.body,
+    );
+  }
+
+  setTree(tree: Tree): void {
+    this.tree = tree;
+  }
+
+  update(frame: Frame, view: View, time: number): void {
+    const { host } = this.inspector;
+    const number = view.find(this.id);
+    this.gone.hidden = number >= 0;
+    this.follow.setAttribute("aria-pressed", String(host.isFollowed(this.id, "orbit")));
+    this.eyes.setAttribute("aria-pressed", String(host.isFollowed(this.id, "eyes")));
+    setEnabled(this.remove, host.session()?.abilities.move ?? null);
+    this.remove.hidden = host.session()?.kind !== "live";
+    if (number < 0) {
+      return;
+    }
+    for (const [path, { value, unit }] of this.collect(frame, view, number)) {
+      this.show(path, value, unit, time);
+    }
+    for (const plot of this.plots.values()) {
+      plot.update(time);
+    }
+  }
+
+  restyle(): void {
+    this.plots.forEach((plot) => plot.restyle());
+  }
+
+  destroy(): void {
+    this.plots.forEach((plot) => plot.destroy());
+  }
+
+  private collect(frame: Frame, view: View, number: number): Map<string, Value> {
+    const values = new Map<string, Value>();
+    const entity = frame.entities[number]!;
+    if (entity.type.kind !== TypeKind.Floor && entity.type.kind !== TypeKind.Other) {
+      const at = 7 * entity.firstPose;
+      const { poses } = frame;
+      values.set("Pose/x", { value: poses[at]!, unit: "m" });
+      values.set("Pose/y", { value: poses[at + 1]!, unit: "m" });
+      values.set("Pose/z", { value: poses[at + 2]!, unit: "m" });
+      const yaw = yawOf([poses[at + 3]!, poses[at + 4]!, poses[at + 5]!, poses[at + 6]!]);
+      values.set("Pose/heading", { value: (yaw * 180) / Math.PI, unit: "°" });
+    }
+    const flags = frame.words[entity.firstWord] ?? 0;
+    if (entity.type.isRobot) {
+      const speed = this.inspector.speedOf(this.id);
+      if (speed !== null) {
+        values.set("Pose/speed", { value: speed, unit: "m/s" });
+      }
+      values.set("State/controller", {
+        value: (flags & 2) !== 0 ? "stopped by an error" : "running",
+        unit: "",
+      });
+      if ((flags & 1) !== 0) {
+        values.set("State/quarantine", { value: true, unit: "" });
+      }
+    }
+    this.showLEDs(frame, entity.firstWord, entity.type.numLEDs);
+    for (const column of frame.columns) {
+      const value = column.values[number]!;
+      if (Number.isNaN(value)) {
+        continue;
+      }
+      const text = column.texts?.[value];
+      values.set(`${column.field}/${column.name}`, { value: text ?? value, unit: column.unit });
+    }
+    if (this.tree !== null) {
+      flatten(this.tree, "", values);
+    }
+    void view;
+    return values;
+  }
+
+  private showLEDs(frame: Frame, firstWord: number, count: number): void {
+    this.leds.hidden = count === 0;
+    while (this.leds.childElementCount < Math.min(count, 64)) {
+      this.leds.append(h("i", {}));
+    }
+    for (let led = 0; led < Math.min(count, 64); ++led) {
+      const [r, g, b] = colorOfWord(frame.words[firstWord + 1 + led]!);
+      const dot = this.leds.children[led] as HTMLElement;
+      const color = r + g + b === 0 ? "" : `rgb(${r},${g},${b})`;
+      if (dot.dataset.color !== color) {
+        dot.dataset.color = color;
+        dot.style.background = color;
+        dot.title = `LED ${led + 1}: ${color === "" ? "off" : color}`;
+      }
+    }
+  }
+
+  private show(path: string, value: Value["value"], unit: string, time: number): void {
+    let shown = this.rows.get(path);
+    if (shown === undefined) {
+      shown = this.makeRow(path, typeof value === "number", unit);
+    }
+    const text =
+      typeof value === "number"
+        ? formatNumber(value)
+        : typeof value === "boolean"
+          ? value
+            ? "yes"
+            : "no"
+          : value;
+    setText(shown.output, unit === "" ? text : `${text} ${unit}`);
+    const number = typeof value === "boolean" ? Number(value) : value;
+    if (typeof number === "number") {
+      this.inspector.series(this.id, path).add(time, number);
+    }
+  }
+
+  private makeRow(path: string, isNumber: boolean, unit: string): { row: HTMLElement; output: HTMLElement } {
+    const parts = path.split("/");
+    const name = parts.pop()!;
+    const group = this.group(parts);
+    const output = h("output", {});
+    const row = h("div", { class: "value" }, h("span", { class: "name" }, name), output);
+    if (isNumber) {
+      const toggle = button({
+        icon: "plot",
+        title: `Plot ${name}`,
+        className: "quiet",
+        pressed: false,
+        onClick: () => this.togglePlot(path, unit, toggle),
+      });
+      row.append(toggle);
+    }
+    group.append(row);
+    const shown = { row, output };
+    this.rows.set(path, shown);
+    return shown;
+  }
+
+  // nested details elements
+  private group(parts: string[]): HTMLElement {
+    const path = parts.join("/");
+    const found = this.groups.get(path);
+    if (found !== undefined) {
+      return found;
+    }
+    const parent = parts.length > 1 ? this.group(parts.slice(0, -1)) : this.body;
+    const details = h("details", { open: parts.length === 1 }, h("summary", {}, parts[parts.length - 1] ?? ""));
+    parent.append(details);
+    this.groups.set(path, details);
+    return details;
+  }
+
+  private togglePlot(path: string, unit: string, toggle: HTMLButtonElement): void {
+    const shown = this.plots.get(path);
+    toggle.setAttribute("aria-pressed", String(shown === undefined));
+    if (shown !== undefined) {
+      shown.destroy();
+      shown.element.remove();
+      this.plots.delete(path);
+      return;
+    }
+    const close = button({
+      icon: "close",
+      title: "Close the plot",
+      className: "quiet",
+      onClick: () => this.togglePlot(path, unit, toggle),
+    });
+    const plot = new Plot(
+      path.split("/").pop()!,
+      unit,
+      this.inspector.series(this.id, path),
+      this.inspector.host.seekTime(),
+      this.plots.size,
+      close,
+    );
+    this.plots.set(path, plot);
+    this.plotArea.append(plot.element);
+  }
+}
+
+function flatten(tree: Tree, prefix: string, values: Map<string, Value>): void {
+  for (const [name, value] of Object.entries(tree)) {
+    const path = prefix === "" ? name : `${prefix}/${name}`;
+    if (Array.isArray(value)) {
+      value.forEach((item, i) => values.set(`${path}/${i + 1}`, { value: item, unit: "" }));
+    } else if (value !== null && typeof value === "object") {
+      flatten(value, path, values);
+    } else if (value !== null) {
+      const isRoot = prefix === "";
+      values.set(isRoot ? `Values/${name}` : path, { value, unit: "" });
+    }
+  }
+}
+
+/** What the inspector needs of the page. */
+export interface InspectorHost {
+  view(): View;
+  session(): Session | null;
+  follow(id: string, mode: "orbit" | "eyes"): void;
+  isFollowed(id: string, mode: "orbit" | "eyes"): boolean;
+  seekTime(): ((time: number) => void) | null;
+  selectionChanged(ids: string[]): void;
+}
+
+export class Inspector {
+  readonly element: HTMLElement;
+  /** Ids of pinned entities; the last one was selected last. */
+  pinned: string[] = [];
+  private readonly cards = new Map<string, Card>();
+  private readonly cardArea = h("div", { class: "cards" });
+  private readonly search = h("input", {
+    type: "search",
+    placeholder: "Find by id or type",
+    "aria-label": "Find an entity",
+    oninput: () => this.fillList(),
+  });
+  private readonly list = h("ul", { class: "entities", "aria-label": "Entities" });
+  private readonly hint = h("p", { class: "empty" });
+  private frame: Frame | null = null;
+  private listVersion = -1;
+  private readonly allSeries = new Map<string, Series>();
+  private readonly speeds = new Map<string, number>();
+  private readonly last = new Map<string, { time: number; x: number; y: number; z: number }>();
+
+  constructor(readonly host: InspectorHost) {
+    this.element = h(
+      "div",
+      { class: "inspector" },
+      this.hint,
+      this.cardArea,
+      h("div", { class: "row find" }, this.search),
+      this.list,
+    );
+    this.updateHint();
+  }
+
+  /** A new session. */
+  clear(): void {
+    this.cards.forEach((card) => card.destroy());
+    this.cards.clear();
+    this.cardArea.replaceChildren();
+    this.pinned = [];
+    this.allSeries.clear();
+    this.speeds.clear();
+    this.last.clear();
+    this.frame = null;
+    this.listVersion = -1;
+    this.list.replaceChildren();
+    this.updateHint();
+  }
+
+  /** Selects one entity, or with others (shift). */
+  select(id: string | null, keepOthers = false): void {
+    const kept = keepOthers ? this.pinned.filter((other) => other !== id) : [];
+    const wanted = id === null ? kept : [...kept, id];
+    for (const [other, card] of this.cards) {
+      if (!wanted.includes(other)) {
+        card.destroy();
+        card.element.remove();
+        this.cards.delete(other);
+      }
+    }
+    this.pinned = wanted;
+    if (id !== null && !this.cards.has(id)) {
+      const entity = this.frame?.entities.find((candidate) => candidate.id === id);
+      const card = new Card(id, entity?.type, this);
+      this.cards.set(id, card);
+      this.cardArea.prepend(card.element);
+    }
+    this.updateHint();
+    this.host.selectionChanged(this.pinned);
+    this.markList();
+  }
+
+  unpin(id: string): void {
+    const others = this.pinned.filter((other) => other !== id);
+    const card = this.cards.get(id);
+    card?.destroy();
+    card?.element.remove();
+    this.cards.delete(id);
+    this.pinned = others;
+    this.updateHint();
+    this.host.selectionChanged(others);
+    this.markList();
+  }
+
+  setTree(id: string, tree: Tree): void {
+    this.cards.get(id)?.setTree(tree);
+  }
+
+  series(id: string, path: string): Series {
+    const key = `${id}\n${path}`;
+    let series = this.allSeries.get(key);
+    if (series === undefined) {
+      series = new Series();
+      this.allSeries.set(key, series);
+    }
+    return series;
+  }
+
+  speedOf(id: string): number | null {
+    return this.speeds.get(id) ?? null;
+  }
+
+  update(frame: Frame, time: number): void {
+    this.frame = frame;
+    const view = this.host.view();
+    for (const id of this.pinned) {
+      const number = view.find(id);
+      const entity = frame.entities[number];
+      if (entity !== undefined && entity.type.isRobot) {
+        const at = 7 * entity.firstPose;
+        const [x, y, z] = [frame.poses[at]!, frame.poses[at + 1]!, frame.poses[at + 2]!];
+        const before = this.last.get(id);
+        if (before !== undefined && time > before.time && time - before.time < 5) {
+          const way = Math.hypot(x - before.x, y - before.y, z - before.z);
+          this.speeds.set(id, way / (time - before.time));
+        }
+        this.last.set(id, { time, x, y, z });
+      }
+      this.cards.get(id)?.update(frame, view, time);
+    }
+    if (frame.entitiesVersion !== this.listVersion) {
+      this.listVersion = frame.entitiesVersion;
+      this.fillList();
+    }
+  }
+
+  /** The run was reset: later values are gone. */
+  cutAfter(time: number): void {
+    this.allSeries.forEach((series) => series.cutAfter(time));
+    this.last.clear();
+  }
+
+  restyle(): void {
+    this.cards.forEach((card) => card.restyle());
+  }
+
+  private updateHint(): void {
+    this.hint.hidden = this.pinned.length > 0;
+    this.hint.textContent =
+      "Click a robot to see its values. Hold Shift to compare several side by side.";
+  }
+
+  private fillList(): void {
+    const wanted = this.search.value.toLowerCase();
+    const entities = (this.frame?.entities ?? []).filter(
+      (entity) =>
+        entity.type.kind !== TypeKind.Floor &&
+        (wanted === "" || `${entity.id} ${entity.type.tag}`.toLowerCase().includes(wanted)),
+    );
+    entities.sort((a, b) => Number(b.type.isRobot) - Number(a.type.isRobot));
+    const items = entities.slice(0, kMostListed).map((entity) => {
+      const item = h(
+        "button",
+        {
+          type: "button",
+          onclick: (event: MouseEvent) => this.select(entity.id, event.shiftKey),
+        },
+        h("span", {}, entity.id),
+        h("span", { class: "tag" }, entity.type.tag),
+      );
+      item.dataset.id = entity.id;
+      return h("li", {}, item);
+    });
+    if (entities.length > kMostListed) {
+      const more = (entities.length - kMostListed).toLocaleString("en");
+      items.push(h("li", { class: "empty" }, `and ${more} more: find them by id`));
+    }
+    this.list.replaceChildren(...items);
+    this.markList();
+  }
+
+  private markList(): void {
+    for (const item of this.list.querySelectorAll("button")) {
+      item.setAttribute("aria-pressed", String(this.pinned.includes(item.dataset.id ?? "")));
+    }
+  }
+}
