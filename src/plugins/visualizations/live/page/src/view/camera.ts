@@ -3,12 +3,13 @@
 import { OrthographicCamera, PerspectiveCamera, Vector3 } from "three";
 
 import type { Vector } from "../decode/types";
-import { type Pose, add, clamp, cross, normalize, rotate, scale, subtract } from "./math";
+import { type Pose, add, clamp, cross, dot, normalize, rotate, scale, subtract } from "./math";
 
 const kFieldOfView = 36; // degrees, vertical
 const kEyesFieldOfView = 75;
 const kLeastElevation = 0.03; // rad
 const kTop = Math.PI / 2;
+const kToolPixels = 52; // at the upper edge of the picture, which buttons cover
 
 export type CameraMode = "orbit" | "top" | "eyes";
 
@@ -52,30 +53,48 @@ export class ViewCamera {
   frameHome(): void {
     const { min, max } = this.home;
     this.target = [0.5 * (min[0] + max[0]), 0.5 * (min[1] + max[1]), 0];
+    const aspect = this.width / this.height;
     if (this.mode !== "top") {
       this.azimuth = -kTop;
       this.elevation = (52 / 180) * Math.PI;
     }
     const corners: Vector[] = [];
-    for (let i = 0; i < 4; ++i) {
-      corners.push([i & 1 ? max[0] : min[0], i >> 1 ? max[1] : min[1], 0]);
+    const top = Math.min(Math.max(max[2], 0), 0.1 * Math.max(max[0] - min[0], max[1] - min[1]));
+    for (let i = 0; i < 8; ++i) {
+      corners.push([i & 1 ? max[0] : min[0], i & 2 ? max[1] : min[1], i & 4 ? top : 0]);
     }
-    // the least distance from which all corners are seen
     const eye = this.direction();
     const right: Vector = [-Math.sin(this.azimuth), Math.cos(this.azimuth), 0];
     const up = cross(eye, right);
     const slope = Math.tan((kFieldOfView / 360) * Math.PI);
-    const aspect = this.width / this.height;
-    let distance = 0.1;
-    for (const corner of corners) {
-      const offset = subtract(corner, this.target);
-      const along = offset[0] * eye[0] + offset[1] * eye[1];
-      const across = Math.abs(offset[0] * right[0] + offset[1] * right[1]);
-      const above = Math.abs(offset[0] * up[0] + offset[1] * up[1]);
-      const needed = Math.max(across / aspect, above) / slope;
-      distance = Math.max(distance, needed + (this.mode === "top" ? 0 : along));
+    const free = Math.max(this.height - kToolPixels, 0.5 * this.height) / this.height;
+    this.distance = Math.hypot(max[0] - min[0], max[1] - min[1]) + 0.1;
+    // centres the corners as they are seen, then takes the least distance that shows all of them
+    for (let step = 0; step < 20; ++step) {
+      let [left, rightmost, low, high] = [Infinity, -Infinity, Infinity, -Infinity];
+      for (const corner of corners) {
+        const offset = subtract(corner, this.target);
+        const along = this.mode === "top" ? 0 : dot(offset, eye);
+        const ahead = Math.max(this.distance - along, 1e-3);
+        const across = dot(offset, right) / ahead;
+        const above = dot(offset, up) / ahead;
+        left = Math.min(left, across);
+        rightmost = Math.max(rightmost, across);
+        low = Math.min(low, above);
+        high = Math.max(high, above);
+      }
+      const shift = 0.5 * (high + low) * this.distance;
+      const ground: Vector = [-Math.cos(this.azimuth), -Math.sin(this.azimuth), 0];
+      const steep = this.mode === "top" ? 1 : Math.max(Math.sin(this.elevation), 0.3);
+      this.target = add(this.target, scale(ground, shift / steep));
+      const needed = Math.max(
+        (0.5 * (rightmost - left)) / (slope * aspect),
+        (0.5 * (high - low)) / (slope * free),
+      );
+      this.distance *= needed;
     }
-    this.distance = 1.08 * distance;
+    this.distance *= 1.05;
+    this.pan(0, 0.5 * (1 - free) * this.height);
   }
 
   setEyes(pose: Pose | null): void {

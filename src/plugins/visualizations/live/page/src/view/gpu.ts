@@ -5,8 +5,10 @@ import {
   BufferGeometry,
   CustomBlending,
   DataTexture,
+  DoubleSide,
   DynamicDrawUsage,
   FloatType,
+  FrontSide,
   GLSL3,
   type IUniform,
   InstancedBufferAttribute,
@@ -46,6 +48,7 @@ export function makeMaterial(
     defines: options.defines ?? {},
     depthTest: options.depthTest ?? true,
     depthWrite: options.depthWrite ?? !isBlended,
+    side: isBlended ? DoubleSide : FrontSide, // quads that face the viewer have either side there
     ...(isBlended
       ? {
           transparent: true,

@@ -63,8 +63,11 @@ export interface Dot {
 export class LineSet {
   readonly batch: InstanceBatch;
 
-  constructor(uniforms: Uniforms, renderOrder = 7) {
-    const material = makeMaterial(kLineVertex, kLineFragment, uniforms, { isBlended: true });
+  constructor(uniforms: Uniforms, renderOrder = 7, depthTest = true) {
+    const material = makeMaterial(kLineVertex, kLineFragment, uniforms, {
+      isBlended: true,
+      depthTest,
+    });
     this.batch = new InstanceBatch(makeQuad(), kLineFields, material, renderOrder);
   }
 

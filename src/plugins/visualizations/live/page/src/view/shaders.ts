@@ -11,8 +11,11 @@ vec3 FromSrgb(vec3 c) {
   return mix(c / 12.92, pow((c + 0.055) / 1.055, vec3(2.4)), step(0.04045, c));
 }
 vec3 ToSrgb(vec3 c) {
+  // sums of roots, which are cheaper than powers and off by less than a grey level
   c = clamp(c, 0.0, 1.0);
-  return mix(c * 12.92, 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, c));
+  vec3 root = sqrt(c);
+  vec3 root4 = sqrt(root);
+  return max(0.662002687 * root + 0.68412206 * root4 - 0.323583601 * sqrt(root4) - 0.022541147 * c, 0.0);
 }
 vec3 Turn(vec4 q, vec3 v) {
   vec3 t = 2.0 * cross(q.xyz, v);
@@ -230,7 +233,10 @@ void main() {
 
 export const kDepthFragment = /* glsl */ `
 precision highp float;
-void main() {}
+out vec4 outColor;
+void main() {
+  outColor = vec4(1.0);
+}
 `;
 
 export const kPointVertex = /* glsl */ `${kCommon}${kPoses}
@@ -354,6 +360,49 @@ void main() {
   color *= (uSunIntensity * uToSun.z * sun + uSkyLight * uAmbientIntensity) / lit;
 #endif
   outColor = vec4(ToSrgb(mix(color, uBackground, smoothstep(0.0, 1.0, outside / uFadeLength))), 1.0);
+}
+`;
+
+/** The same where the processor draws: colours are sRGB, one grid, no shadows. */
+export const kPlainGroundFragment = /* glsl */ `${kCommon}
+in vec2 vPosition;
+uniform vec2 uArenaMin;
+uniform vec2 uArenaMax;
+uniform float uFadeLength;
+uniform vec3 uBackground;
+uniform vec3 uGround;
+uniform vec3 uGroundOutside;
+uniform vec3 uGridLine;
+uniform vec3 uBoundary;
+uniform float uGridStrength;
+uniform float uGridSpacing;
+#ifdef HAS_FLOOR
+uniform sampler2D uFloor;
+#endif
+out vec4 outColor;
+void main() {
+  vec2 pixel = max(fwidth(vPosition), vec2(1e-7));
+  vec2 inward = min(vPosition - uArenaMin, uArenaMax - vPosition);
+  float least = min(inward.x, inward.y);
+  vec3 color = uGroundOutside;
+  if (least > 0.0) {
+#ifdef HAS_FLOOR
+    color = texture(uFloor, (vPosition - uArenaMin) / (uArenaMax - uArenaMin)).rgb;
+#else
+    color = uGround;
+#endif
+  }
+  vec2 toLine = abs(fract(vPosition / uGridSpacing - 0.5) - 0.5) * uGridSpacing / pixel;
+  vec2 lines = clamp(1.1 - toLine, 0.0, 1.0) * clamp(uGridSpacing / pixel * 0.011, 0.0, 0.6);
+  color = mix(color, uGridLine, max(lines.x, lines.y) * uGridStrength);
+  vec2 toSide = abs(inward) / pixel;
+  vec2 border = clamp(1.6 - toSide, 0.0, 1.0) * step(-pixel.yx, inward.yx);
+  color = mix(color, uBoundary, max(border.x, border.y));
+  if (least < 0.0) {
+    float outside = length(min(inward, vec2(0.0)));
+    color = mix(color, uBackground, smoothstep(0.0, 1.0, outside / uFadeLength));
+  }
+  outColor = vec4(color, 1.0);
 }
 `;
 

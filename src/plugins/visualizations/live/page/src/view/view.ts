@@ -32,7 +32,7 @@ import { type Label, LabelCanvas, labelOfShape, makeLabel } from "./labels";
 import { type Look, kLightLook } from "./looks";
 import { type Dot, DotSet, type Line, LineSet, RingSet, UserDrawing, kWorld } from "./marks";
 import { type Pose, clamp, dot, roundDown125, subtract, toLocal, toWorld } from "./math";
-import { kGroundFragment, kGroundVertex } from "./shaders";
+import { kGroundFragment, kGroundVertex, kPlainGroundFragment } from "./shaders";
 
 /** What is shown besides the entities. */
 export interface ViewOptions {
@@ -46,6 +46,7 @@ export interface ViewOptions {
   grid: boolean;
 }
 
+const kGroundColors = ["uBackground", "uGround", "uGroundOutside", "uGridLine", "uBoundary"];
 const kFreeRay: Color = [36, 122, 196, 170];
 const kObstructedRay: Color = [214, 52, 58, 230];
 const kHitPoint: Color = [232, 40, 34, 255];
@@ -78,6 +79,7 @@ export class View {
   private readonly scene = new Scene();
   private readonly textures = new StateTextures();
   private readonly uniforms: Uniforms;
+  private readonly groundUniforms: Uniforms;
   private readonly entityDrawer: EntityDrawer;
   private readonly userDrawing: UserDrawing;
   private readonly rayLines: LineSet;
@@ -114,7 +116,12 @@ export class View {
       probe.getParameter(info === null ? probe.RENDERER : info.UNMASKED_RENDERER_WEBGL),
     );
     probe.getExtension("WEBGL_lose_context")?.loseContext();
-    this.isSoftware = /llvmpipe|swiftshader|software|basic render/i.test(this.rendererName);
+    // "?detail=full" or "?detail=low" in the address overrides what the renderer is
+    const detail = new URLSearchParams(location.search).get("detail");
+    this.isSoftware =
+      detail === "low" ||
+      (detail !== "full" &&
+        /llvmpipe|swiftshader|software|basic render/i.test(this.rendererName));
     this.renderer = new WebGLRenderer({
       canvas,
       antialias: !this.isSoftware,
@@ -126,6 +133,10 @@ export class View {
     this.renderer.toneMapping = NoToneMapping;
     this.renderer.autoClear = false;
     this.uniforms = this.makeUniforms();
+    this.groundUniforms = { ...this.uniforms };
+    for (const name of kGroundColors) {
+      this.groundUniforms[name] = { value: new Vector3() };
+    }
     this.entityDrawer = new EntityDrawer(
       this.uniforms,
       this.isSoftware ? kSoftwareBudget : kGpuBudget,
@@ -133,14 +144,17 @@ export class View {
     );
     this.userDrawing = new UserDrawing(this.uniforms);
     this.rayLines = new LineSet(this.uniforms);
-    this.extraLines = new LineSet(this.uniforms);
+    this.extraLines = new LineSet(this.uniforms, 10, false);
     this.trailLines = new LineSet(this.uniforms, 6);
     this.hits = new DotSet(this.uniforms);
     this.rings = new RingSet(this.uniforms);
     this.labels = new LabelCanvas(labelCanvas);
-    this.groundMaterial = makeMaterial(kGroundVertex, kGroundFragment, this.uniforms, {
-      defines: this.isSoftware ? {} : { HAS_SHADOWS: 1 },
-    });
+    this.groundMaterial = makeMaterial(
+      kGroundVertex,
+      this.isSoftware ? kPlainGroundFragment : kGroundFragment,
+      this.groundUniforms,
+      { defines: this.isSoftware ? {} : { HAS_SHADOWS: 1 } },
+    );
     this.groundMaterial.side = 2;
     this.ground = this.makeGround();
     this.scene.add(this.ground, this.entityDrawer.scene, this.userDrawing.scene);
@@ -154,17 +168,23 @@ export class View {
   }
 
   setLook(look: Look): void {
+    ++this.changes;
     this.look = look;
     const u = this.uniforms;
     const linear = (hex: string): Vector3 => {
       const color = new ThreeColor(hex); // three.js decodes it to linear light
       return new Vector3(color.r, color.g, color.b);
     };
-    u.uBackground!.value = linear(look.background);
-    u.uGround!.value = linear(look.ground);
-    u.uGroundOutside!.value = linear(look.groundOutside);
-    u.uGridLine!.value = linear(look.gridLine);
-    u.uBoundary!.value = linear(look.boundary);
+    const ground = (hex: string): Vector3 => {
+      const color = new ThreeColor().setStyle(hex, LinearSRGBColorSpace);
+      return this.isSoftware ? new Vector3(color.r, color.g, color.b) : linear(hex);
+    };
+    const g = this.groundUniforms;
+    g.uBackground!.value = ground(look.background);
+    g.uGround!.value = ground(look.ground);
+    g.uGroundOutside!.value = ground(look.groundOutside);
+    g.uGridLine!.value = ground(look.gridLine);
+    g.uBoundary!.value = ground(look.boundary);
     u.uSkyLight!.value = linear(look.sky);
     u.uBounceLight!.value = linear(look.bounce);
     u.uSunIntensity!.value = look.sun;
@@ -179,6 +199,7 @@ export class View {
   }
 
   setArena(arena: Box): void {
+    ++this.changes;
     this.arena = arena;
     this.camera.setHome(arena);
     const size = Math.max(arena.max[0] - arena.min[0], arena.max[1] - arena.min[1]);
@@ -213,6 +234,7 @@ export class View {
   }
 
   optionsChanged(): void {
+    ++this.changes;
     this.hasExtras = false;
     this.drawing = null;
     if (this.frame !== null) {
@@ -316,6 +338,9 @@ export class View {
       this.renderer.clear();
       return;
     }
+    if (!this.needsPicture(now)) {
+      return;
+    }
     const size = this.renderer.getSize(new Vector2());
     const u = this.uniforms;
     this.placeCamera();
@@ -328,6 +353,8 @@ export class View {
     u.uPictureSize!.value.set(size.x, size.y);
     u.uNear!.value = this.camera.isParallel ? -1e9 : this.camera.near;
     u.uBlend!.value = this.blend;
+    u.uGridStrength!.value = this.options.grid ? 1 : 0;
+    u.uGridSpacing!.value = 10 ** Math.round(Math.log10(this.camera.distance / 10));
     const eye = camera.position;
     if (this.camera.isParallel) {
       u.uEye!.value.set(0, 0, 1, 0);
@@ -338,6 +365,7 @@ export class View {
     u.uToSunInView!.value.copy(toSun).transformDirection(camera.matrixWorldInverse);
     if (now - this.lastChoice > kChoicePeriod) {
       this.lastChoice = now;
+      this.hasChosen = true;
       this.chooseNear(camera.matrixWorldInverse, size);
     }
     this.updateExtras();
@@ -348,12 +376,33 @@ export class View {
     this.drawLabels();
   }
 
+  private pictureKey = "";
+  private changes = 0;
+
+  // a picture that would be the same is not drawn
+  private needsPicture(now: number): boolean {
+    const { target, distance, azimuth, elevation, mode } = this.camera;
+    const parts = [
+      ...[this.changes, this.blend, mode, ...target, distance, azimuth, elevation, this.followed],
+      ...[this.hovered, ...this.selected, this.canvas.clientWidth, this.canvas.clientHeight],
+      ...[this.canvas.width, window.devicePixelRatio],
+    ];
+    const key = parts.join();
+    const isSame = key === this.pictureKey && now - this.lastChoice < 4 * kChoicePeriod;
+    const isChosen = this.hasChosen;
+    this.pictureKey = key;
+    return !isSame || !isChosen;
+  }
+
+  private hasChosen = false;
+
   /** The picture as a PNG. */
   toBlob(): Promise<Blob | null> {
     return new Promise((resolve) => this.canvas.toBlob(resolve, "image/png"));
   }
 
   private show(frame: Frame, isJump: boolean): void {
+    ++this.changes;
     const isChanged = frame.entitiesVersion !== this.version || this.frame === null;
     this.frame = frame;
     if (isChanged) {
@@ -738,8 +787,9 @@ export class View {
     add("uPictureSize", new Vector2(1, 1));
     add("uWorldToShadow", new Matrix4());
     add("uGridStrength", 1);
+    add("uGridSpacing", 1);
     for (const name of [
-      ...["uBackground", "uGround", "uGroundOutside", "uGridLine", "uBoundary", "uSkyLight"],
+      ...["uSkyLight"],
       ...["uBounceLight", "uSunIntensity", "uAmbientIntensity", "uSpecularIntensity"],
       ...["uEdgeDarkening", "uContactDarkening", "uHaloStrength", "uHaloOpacity", "uNear"],
       ...["uPixelsPerUnit", "uPixelScale", "uSignalPixels", "uArenaMin", "uArenaMax", "uMin"],
