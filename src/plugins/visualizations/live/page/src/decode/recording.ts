@@ -85,6 +85,16 @@ export class Recording {
     return new Recording(source, info, blocks, damage);
   }
 
+  /** Another reader of the same recording, with a place of its own. */
+  copy(): Recording {
+    return new Recording(this.source, this.info, this.blocks, this.damage);
+  }
+
+  /** Ticks from which reading needs least: the first one of each block. */
+  get keyTicks(): number[] {
+    return this.blocks.map((block) => block.firstTick);
+  }
+
   /** The last state that was read. */
   get frame(): Frame {
     return this.decoder.frame;

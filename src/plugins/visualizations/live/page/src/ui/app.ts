@@ -6,6 +6,7 @@ import { Recording, sourceOfBlob, type ByteSource, sourceOfBytes } from "../deco
 import { arenaAround, readArena } from "../experiment";
 import { LiveClient } from "../live/client";
 import { RecordingPlayer } from "../player";
+import { Scan } from "../scan";
 import type { LogLine, Session, SessionListener, Tree } from "../session";
 import { type CameraMode } from "../view/camera";
 import { kDarkLook, kLightLook } from "../view/looks";
@@ -166,6 +167,13 @@ export class App implements SessionListener {
       .addEventListener("change", () => this.applyTheme());
     document.addEventListener("keydown", (event) => this.keyDown(event));
     document.addEventListener("keyup", (event) => this.keyUp(event));
+    // after a click of the mouse, the space bar is for the whole page again
+    document.addEventListener("click", (event) => {
+      const target = (event.target as HTMLElement).closest("button, summary, input[type=checkbox]");
+      if (event.detail > 0 && target instanceof HTMLElement && !this.help.open) {
+        target.blur();
+      }
+    });
     this.listenToDrops();
     this.showTab("inspect");
     this.updateNote();
@@ -193,14 +201,56 @@ export class App implements SessionListener {
     try {
       const recording = await Recording.open(source);
       this.start(new RecordingPlayer(recording, name, this));
+      this.recording = recording;
+      this.scan(true);
     } catch (error) {
       this.notify(`Cannot open “${name}”: ${(error as Error).message}`, "error");
     }
     this.root.classList.remove("is-loading");
   }
 
+  private recording: Recording | null = null;
+  private scanning: Scan | null = null;
+
+  // values of the whole recording, for plots
+  private scan(withMetrics: boolean): void {
+    this.scanning?.stop();
+    if (this.recording === null) {
+      return;
+    }
+    const needsMetrics = withMetrics || !this.hasAllMetrics;
+    this.hasAllMetrics = false;
+    this.scanning = new Scan(
+      this.recording,
+      (frame) => {
+        const time = this.timeOf(frame.tick);
+        if (needsMetrics) {
+          this.collectMetrics(frame, time);
+          this.hasAllMetrics = frame.tick >= this.recording!.lastTick;
+        }
+        this.inspector.collect(frame, time);
+      },
+      () => {
+        this.inspector.updatePlots();
+        this.updateMetricPlots();
+      },
+    );
+    this.hasAllMetrics = !needsMetrics;
+  }
+
+  private hasAllMetrics = false;
+
+  private updateMetricPlots(): void {
+    if (this.tab === "metrics" && this.frame !== null) {
+      const time = this.timeOf(this.frame.tick);
+      this.metricPlots.forEach((plot) => plot.update(time));
+    }
+  }
+
   private start(session: Session): void {
     this.session?.close();
+    this.scanning?.stop();
+    this.recording = null;
     this.session = session;
     this.welcome.hidden = true;
     this.root.classList.toggle("is-live", session.kind === "live");
@@ -272,9 +322,7 @@ export class App implements SessionListener {
     this.mapSelection();
     this.collectMetrics(frame, time);
     this.inspector.update(frame, time);
-    if (this.tab === "metrics") {
-      this.metricPlots.forEach((plot) => plot.update(time));
-    }
+    this.updateMetricPlots();
     this.root.dataset.tick = String(frame.tick);
   }
 
@@ -418,6 +466,9 @@ export class App implements SessionListener {
 
   private selectionChanged(ids: string[]): void {
     this.mapSelection();
+    if (ids.length > 0) {
+      this.scan(false);
+    }
     this.session?.setPinned(ids);
     this.session?.select(ids[ids.length - 1] ?? null);
     if (this.frame !== null) {
@@ -937,10 +988,7 @@ export class App implements SessionListener {
       tab.tabIndex = other === name ? 0 : -1;
       panel.hidden = other !== name;
     }
-    if (this.frame !== null && name === "metrics") {
-      const time = this.timeOf(this.frame.tick);
-      this.metricPlots.forEach((plot) => plot.update(time));
-    }
+    this.updateMetricPlots();
   }
 
   private makeHelp(): HTMLDialogElement {

@@ -97,7 +97,7 @@ class Card {
     if (number < 0) {
       return;
     }
-    for (const [path, { value, unit }] of this.collect(frame, view, number)) {
+    for (const [path, { value, unit }] of this.collect(frame, number)) {
       this.show(path, value, unit, time);
     }
     for (const plot of this.plots.values()) {
@@ -109,22 +109,17 @@ class Card {
     this.plots.forEach((plot) => plot.restyle());
   }
 
+  updatePlots(): void {
+    this.plots.forEach((plot) => plot.update(this.inspector.time));
+  }
+
   destroy(): void {
     this.plots.forEach((plot) => plot.destroy());
   }
 
-  private collect(frame: Frame, view: View, number: number): Map<string, Value> {
-    const values = new Map<string, Value>();
+  private collect(frame: Frame, number: number): Map<string, Value> {
     const entity = frame.entities[number]!;
-    if (entity.type.kind !== TypeKind.Floor && entity.type.kind !== TypeKind.Other) {
-      const at = 7 * entity.firstPose;
-      const { poses } = frame;
-      values.set("Pose/x", { value: poses[at]!, unit: "m" });
-      values.set("Pose/y", { value: poses[at + 1]!, unit: "m" });
-      values.set("Pose/z", { value: poses[at + 2]!, unit: "m" });
-      const yaw = yawOf([poses[at + 3]!, poses[at + 4]!, poses[at + 5]!, poses[at + 6]!]);
-      values.set("Pose/heading", { value: (yaw * 180) / Math.PI, unit: "°" });
-    }
+    const values = recordedValues(frame, number);
     const flags = frame.words[entity.firstWord] ?? 0;
     if (entity.type.isRobot) {
       const speed = this.inspector.speedOf(this.id);
@@ -140,18 +135,9 @@ class Card {
       }
     }
     this.showLEDs(frame, entity.firstWord, entity.type.numLEDs);
-    for (const column of frame.columns) {
-      const value = column.values[number]!;
-      if (Number.isNaN(value)) {
-        continue;
-      }
-      const text = column.texts?.[value];
-      values.set(`${column.field}/${column.name}`, { value: text ?? value, unit: column.unit });
-    }
     if (this.tree !== null) {
       flatten(this.tree, "", values);
     }
-    void view;
     return values;
   }
 
@@ -253,7 +239,31 @@ class Card {
     );
     this.plots.set(path, plot);
     this.plotArea.append(plot.element);
+    plot.update(this.inspector.time);
   }
+}
+
+/** What a state has of an entity, by path. */
+function recordedValues(frame: Frame, number: number): Map<string, Value> {
+  const values = new Map<string, Value>();
+  const entity = frame.entities[number]!;
+  if (entity.type.kind !== TypeKind.Floor && entity.type.kind !== TypeKind.Other) {
+    const at = 7 * entity.firstPose;
+    const { poses } = frame;
+    values.set("Pose/x", { value: poses[at]!, unit: "m" });
+    values.set("Pose/y", { value: poses[at + 1]!, unit: "m" });
+    values.set("Pose/z", { value: poses[at + 2]!, unit: "m" });
+    const yaw = yawOf([poses[at + 3]!, poses[at + 4]!, poses[at + 5]!, poses[at + 6]!]);
+    values.set("Pose/heading", { value: (yaw * 180) / Math.PI, unit: "°" });
+  }
+  for (const column of frame.columns) {
+    const value = column.values[number]!;
+    if (!Number.isNaN(value)) {
+      const text = column.texts?.[value];
+      values.set(`${column.field}/${column.name}`, { value: text ?? value, unit: column.unit });
+    }
+  }
+  return values;
 }
 
 function flatten(tree: Tree, prefix: string, values: Map<string, Value>): void {
@@ -294,6 +304,8 @@ export class Inspector {
   });
   private readonly list = h("ul", { class: "entities", "aria-label": "Entities" });
   private readonly hint = h("p", { class: "empty" });
+  /** Of the state that is shown, s. */
+  time = 0;
   private frame: Frame | null = null;
   private listVersion = -1;
   private readonly allSeries = new Map<string, Series>();
@@ -382,6 +394,7 @@ export class Inspector {
 
   update(frame: Frame, time: number): void {
     this.frame = frame;
+    this.time = time;
     const view = this.host.view();
     for (const id of this.pinned) {
       const number = view.find(id);
@@ -402,6 +415,26 @@ export class Inspector {
       this.listVersion = frame.entitiesVersion;
       this.fillList();
     }
+  }
+
+  /** Adds the values of a state that is not shown to what can be plotted. */
+  collect(frame: Frame, time: number): void {
+    for (const id of this.pinned) {
+      const number = frame.entities.findIndex((entity) => entity.id === id);
+      if (number < 0) {
+        continue;
+      }
+      for (const [path, { value }] of recordedValues(frame, number)) {
+        if (typeof value === "number") {
+          this.series(id, path).add(time, value);
+        }
+      }
+    }
+  }
+
+  /** Draws plots again to which values were added. */
+  updatePlots(): void {
+    this.cards.forEach((card) => card.updatePlots());
   }
 
   /** The run was reset: later values are gone. */

@@ -611,7 +611,7 @@ export class View {
       .filter((number) => number < this.entityDrawer.entities.length)
       .map((number) => ({
         pose: this.entityDrawer.entities[number]!.firstPose,
-        radius: 1.15 * this.radiusOf(number),
+        radius: 1.5 * this.radiusOf(number),
         color: accent,
       }));
     if (
@@ -621,7 +621,7 @@ export class View {
     ) {
       rings.push({
         pose: this.entityDrawer.entities[this.hovered]!.firstPose,
-        radius: 1.15 * this.radiusOf(this.hovered),
+        radius: 1.5 * this.radiusOf(this.hovered),
         color: [accent[0], accent[1], accent[2], 130],
       });
     }
