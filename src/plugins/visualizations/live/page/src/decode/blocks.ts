@@ -45,7 +45,7 @@ export interface RecordingInfo {
 }
 
 // the low and high half of the 64-bit checksum of the format
-function checksum(bytes: Uint8Array): [number, number] {
+export function checksum(bytes: Uint8Array): [number, number] {
   let low = (0x7f4a7c15 ^ bytes.length) | 0;
   let high = 0x9e3779b9 | 0;
   const mix = (wordLow: number, wordHigh: number): void => {

@@ -144,7 +144,7 @@ export class App implements SessionListener {
     this.root.append(this.makeLayout(), this.fileInput, this.help);
     try {
       this.view = new View(this.canvas, this.labelCanvas);
-      Object.assign(window, { __view: this.view });
+      Object.assign(window, { argosView: this.view }); // for tests, and for those who want more
     } catch (error) {
       this.welcome.replaceChildren(h("p", { class: "error" }, (error as Error).message));
       return;

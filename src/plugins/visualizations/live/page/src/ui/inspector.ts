@@ -375,7 +375,11 @@ export class Inspector {
   }
 
   setTree(id: string, tree: Tree): void {
-    this.cards.get(id)?.setTree(tree);
+    const card = this.cards.get(id);
+    card?.setTree(tree);
+    if (this.frame !== null) {
+      card?.update(this.frame, this.host.view(), this.time);
+    }
   }
 
   series(id: string, path: string): Series {

@@ -137,6 +137,11 @@ export class Transport {
     const { session } = this;
     const none = "Open a recording first";
     const abilities = session?.abilities;
+    const isPlaying = session?.state === "playing";
+    if (this.play.dataset.state !== String(isPlaying)) {
+      this.play.dataset.state = String(isPlaying);
+      setIcon(this.play, isPlaying ? "pause" : "play", isPlaying ? "Pause (Space)" : "Play (Space)");
+    }
     setEnabled(this.play, abilities === undefined ? none : abilities.play);
     setEnabled(this.forward, abilities === undefined ? none : abilities.step);
     setEnabled(this.stepMany, abilities === undefined ? none : abilities.step);
@@ -148,11 +153,6 @@ export class Transport {
     setEnabled(this.newSeed, abilities === undefined ? none : abilities.reset);
     setEnabled(this.end, abilities === undefined ? none : abilities.end);
     this.runOnly.hidden = session === null || session.kind === "recording";
-    const isPlaying = session?.state === "playing";
-    if (this.play.dataset.state !== String(isPlaying)) {
-      this.play.dataset.state = String(isPlaying);
-      setIcon(this.play, isPlaying ? "pause" : "play", isPlaying ? "Pause (Space)" : "Play (Space)");
-    }
     const tickLength = session?.info?.tickLength ?? 0.1;
     const position = session?.position ?? 0;
     this.slider.min = String(session?.firstTick ?? 0);

@@ -1,0 +1,117 @@
+// A headless Chromium with the page.
+
+import { existsSync, readFileSync } from "node:fs";
+import { join } from "node:path";
+
+import { type Browser, type Page, chromium } from "playwright-core";
+
+export const pageFile = process.env.PAGE ?? join(process.cwd(), "dist/index.html");
+
+const kPaths = ["/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"];
+
+/** Null, or why there is no browser. */
+export function missingBrowser(): string | null {
+  const path = process.env.CHROMIUM ?? kPaths.find((candidate) => existsSync(candidate));
+  return path === undefined ? "no Chromium is installed" : null;
+}
+
+export async function launch(): Promise<Browser> {
+  const executablePath = process.env.CHROMIUM ?? kPaths.find((candidate) => existsSync(candidate))!;
+  return chromium.launch({
+    executablePath,
+    args: [
+      "--use-gl=angle",
+      "--use-angle=swiftshader",
+      "--enable-unsafe-swiftshader",
+      "--ignore-gpu-blocklist",
+      "--no-sandbox",
+    ],
+  });
+}
+
+/** An opened page, whose errors fail the test at its end. */
+export class Tab {
+  readonly errors: string[] = [];
+
+  private constructor(readonly page: Page) {
+    page.on("pageerror", (error) => this.errors.push(error.message));
+    page.on("console", (message) => {
+      // a lost connection is written by the browser itself
+      if (message.type() === "error" && !/WebSocket connection/.test(message.text())) {
+        this.errors.push(message.text());
+      }
+    });
+    page.on("request", (request) => {
+      const isOwn = /^(file|data|blob):|^(http|ws):\/\/127\.0\.0\.1/.test(request.url());
+      if (!isOwn) {
+        this.errors.push(`loads ${request.url()} from outside`);
+      }
+    });
+  }
+
+  static async open(
+    browser: Browser,
+    url: string,
+    size = { width: 1280, height: 800 },
+    colorScheme: "light" | "dark" = "light",
+  ): Promise<Tab> {
+    const page = await browser.newPage({ viewport: size, colorScheme });
+    page.setDefaultTimeout(12_000);
+    const tab = new Tab(page);
+    await page.goto(url);
+    return tab;
+  }
+
+  async openRecording(path: string): Promise<void> {
+    await this.page.setInputFiles("input[type=file]", path);
+    await this.waitForTick((tick) => tick >= 0);
+  }
+
+  async tick(): Promise<number> {
+    return Number(await this.page.evaluate(() => document.getElementById("app")!.dataset.tick ?? "-1"));
+  }
+
+  async waitForTick(accept: (tick: number) => boolean, what = "a tick"): Promise<number> {
+    for (let i = 0; i < 300; ++i) {
+      const tick = await this.tick();
+      if (accept(tick)) {
+        return tick;
+      }
+      await this.page.waitForTimeout(50);
+    }
+    throw new Error(`waited in vain for ${what}; the page shows tick ${await this.tick()}`);
+  }
+
+  button(name: string): ReturnType<Page["getByRole"]> {
+    return this.page.getByRole("button", { name, exact: true }).first();
+  }
+
+  /** Where an entity is in the window. */
+  async placeOf(id: string): Promise<{ x: number; y: number }> {
+    return this.page.evaluate(async (wanted) => {
+      await new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)));
+      const { argosView: view } = window as unknown as {
+        argosView: {
+          find(id: string): number;
+          poseOf(number: number): { position: [number, number, number] };
+          camera: { project(point: number[]): { x: number; y: number } };
+        };
+      };
+      const place = view.camera.project(view.poseOf(view.find(wanted)).position);
+      const box = document.querySelector("canvas")!.getBoundingClientRect();
+      return { x: place.x + box.x, y: place.y + box.y };
+    }, id);
+  }
+
+  async close(): Promise<string[]> {
+    await this.page.close();
+    return this.errors;
+  }
+}
+
+/** A copy of the page with a recording in it. */
+export function embed(recording: string): string {
+  const base64 = readFileSync(recording).toString("base64");
+  const script = `<script type="application/octet-stream;base64" id="recording">${base64}</script>`;
+  return `${readFileSync(pageFile, "utf8")}${script}\n`;
+}

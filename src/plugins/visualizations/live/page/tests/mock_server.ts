@@ -1,0 +1,296 @@
+// Serves the page, and a recording as if it were a run: for tests of the page without a simulator.
+
+import { readFileSync } from "node:fs";
+import { type Server, createServer } from "node:http";
+import type { AddressInfo } from "node:net";
+
+import { type WebSocket, WebSocketServer } from "ws";
+
+import { BlockKind, checksum, kFileHeaderSize, readBlockHeader, unpackBlock } from "../src/decode/blocks";
+import { ByteReader } from "../src/decode/bytes";
+
+const kMagic = 0x4b4c4241;
+
+/** A zstd frame that holds the bytes as they are. */
+function storeAsZstd(content: Uint8Array): Uint8Array {
+  const parts: number[] = [0x28, 0xb5, 0x2f, 0xfd, 0xa0];
+  for (let shift = 0; shift < 32; shift += 8) {
+    parts.push((content.length >>> shift) & 255);
+  }
+  const chunks: Uint8Array[] = [new Uint8Array(parts)];
+  for (let place = 0; place < content.length || place === 0; place += 100_000) {
+    const chunk = content.subarray(place, place + 100_000);
+    const isLast = place + 100_000 >= content.length;
+    const header = (chunk.length << 3) | (isLast ? 1 : 0);
+    chunks.push(new Uint8Array([header & 255, (header >> 8) & 255, header >> 16]), chunk);
+  }
+  return Buffer.concat(chunks);
+}
+
+function makeBlock(kind: BlockKind, tick: number, content: Uint8Array): Buffer {
+  const packed = storeAsZstd(content);
+  const header = Buffer.alloc(44);
+  const [low, high] = checksum(packed);
+  [kMagic, kind, tick, tick, 0, 0, content.length, packed.length, low, high].forEach((word, i) =>
+    header.writeUInt32LE(word, 4 * i),
+  );
+  header.writeUInt32LE(checksum(header.subarray(0, 40))[0], 40);
+  return Buffer.concat([header, packed]);
+}
+
+interface State {
+  tick: number;
+  isKey: boolean;
+  bytes: Uint8Array;
+}
+
+/** The parts of a recording: information, floor, and states one by one. */
+function readParts(path: string): { info: Uint8Array; floor: Uint8Array | null; states: State[] } {
+  const bytes = new Uint8Array(readFileSync(path));
+  let info = new Uint8Array(0) as Uint8Array;
+  let floor: Uint8Array | null = null;
+  const states: State[] = [];
+  for (let place = kFileHeaderSize; ; ) {
+    const header = readBlockHeader(bytes.subarray(place, place + 44));
+    if (header === null) {
+      break;
+    }
+    const content = unpackBlock(header, bytes.subarray(place + 44, place + 44 + header.packedSize));
+    if (header.kind === BlockKind.Info) {
+      info = content;
+    } else if (header.kind === BlockKind.Floor) {
+      floor ??= content;
+    } else if (header.kind === BlockKind.Frames) {
+      const input = new ByteReader(content);
+      while (!input.isAtEnd) {
+        const before = content.length - input.left;
+        const body = new ByteReader(input.readTextBytes());
+        const tick = body.readNumber();
+        const isKey = body.readByte() !== 0;
+        states.push({ tick, isKey, bytes: content.subarray(before, content.length - input.left) });
+      }
+    }
+    place += 44 + header.packedSize;
+  }
+  return { info, floor, states };
+}
+
+interface Client {
+  socket: WebSocket;
+  id: number;
+  next: number;
+  unacknowledged: number;
+  pinned: Set<string>;
+}
+
+export class MockServer {
+  readonly token = "0123456789abcdef0123456789abcdef";
+  /** All commands, in the order in which they came. */
+  commands: Record<string, unknown>[] = [];
+  run: "playing" | "paused" | "ended" = "paused";
+  private readonly parts;
+  private readonly clients: Client[] = [];
+  private readonly http: Server;
+  private readonly sockets: WebSocketServer;
+  private timer: NodeJS.Timeout | null = null;
+  private lastId = 0;
+  private control = 0;
+  private place = 0;
+  private speed = 1;
+
+  private constructor(recording: string, page: string) {
+    this.parts = readParts(recording);
+    this.http = createServer((request, response) => {
+      const isPage = request.url === "/";
+      response.writeHead(isPage ? 200 : 404, { "content-type": "text/html; charset=utf-8" });
+      response.end(isPage ? readFileSync(page) : "");
+    });
+    this.sockets = new WebSocketServer({ server: this.http, path: "/live" });
+    this.sockets.on("connection", (socket) => this.connected(socket));
+  }
+
+  private static readonly all = new Set<MockServer>();
+
+  /** Also those of tests that have failed. */
+  static async closeAll(): Promise<void> {
+    await Promise.all([...MockServer.all].map((server) => server.close()));
+  }
+
+  static async start(recording: string, page: string, port = 0): Promise<MockServer> {
+    const server = new MockServer(recording, page);
+    MockServer.all.add(server);
+    await new Promise<void>((resolve) => server.http.listen(port, "127.0.0.1", resolve));
+    server.timer = setInterval(() => server.tick(), 20);
+    return server;
+  }
+
+  get port(): number {
+    return (this.http.address() as AddressInfo).port;
+  }
+  get url(): string {
+    return `http://127.0.0.1:${this.port}/#${this.token}`;
+  }
+  get tickNow(): number {
+    return this.parts.states[this.place]!.tick;
+  }
+
+  async close(): Promise<void> {
+    MockServer.all.delete(this);
+    clearInterval(this.timer ?? undefined);
+    this.clients.forEach(({ socket }) => socket.terminate());
+    this.sockets.close();
+    this.http.closeAllConnections();
+    await new Promise((resolve) => this.http.close(resolve));
+  }
+
+  sendAll(message: object): void {
+    this.clients.forEach(({ socket }) => socket.send(JSON.stringify(message)));
+  }
+
+  private connected(socket: WebSocket): void {
+    const client: Client = { socket, id: ++this.lastId, next: 0, unacknowledged: 0, pinned: new Set() };
+    socket.on("message", (data) => {
+      const message = JSON.parse(String(data)) as Record<string, unknown>;
+      if (message.hello !== undefined) {
+        this.greet(client, message.hello as { token?: string });
+      } else if (message.ack !== undefined) {
+        --client.unacknowledged;
+        this.sendStates(client);
+      } else {
+        this.command(client, message);
+      }
+    });
+    socket.on("close", () => {
+      const at = this.clients.indexOf(client);
+      if (at >= 0) {
+        this.clients.splice(at, 1);
+      }
+      if (this.control === client.id) {
+        this.control = this.clients[0]?.id ?? 0;
+      }
+      this.sendStatus();
+    });
+  }
+
+  private greet(client: Client, hello: { token?: string }): void {
+    if (hello.token !== this.token) {
+      client.socket.send(JSON.stringify({ error: "The token in the address is not the one of this run" }));
+      client.socket.close();
+      return;
+    }
+    this.clients.push(client);
+    if (this.control === 0) {
+      this.control = client.id;
+    }
+    const welcome = {
+      protocol: 1,
+      version: "mock",
+      experiment: "mock.argos",
+      tick_length: 0.1,
+      can: { edit: false, replay: false },
+      types_to_add: ["foot-bot", "box"],
+      viewer: client.id,
+    };
+    client.socket.send(JSON.stringify({ welcome }));
+    client.socket.send(makeBlock(BlockKind.Info, 0, this.parts.info));
+    if (this.parts.floor !== null) {
+      client.socket.send(makeBlock(BlockKind.Floor, 0, this.parts.floor));
+    }
+    this.sendStatus();
+    this.sendStates(client);
+  }
+
+  private tick(): void {
+    const last = this.parts.states.length - 1;
+    if (this.run === "playing") {
+      this.place = Math.min(this.place + 1, last);
+      if (this.place === last) {
+        this.run = "ended";
+      }
+      this.sendStatus();
+    }
+    this.clients.forEach((client) => this.sendStates(client));
+  }
+
+  // all states up to the present one: the recording's differences need each
+  private sendStates(client: Client): void {
+    if (client.unacknowledged >= 2 || client.next > this.place) {
+      return;
+    }
+    const states = this.parts.states.slice(client.next, this.place + 1);
+    client.next = this.place + 1;
+    ++client.unacknowledged;
+    const tick = states[states.length - 1]!.tick;
+    client.socket.send(makeBlock(BlockKind.Frames, tick, Buffer.concat(states.map((state) => state.bytes))));
+    for (const entity of client.pinned) {
+      const tree = { sensors: { proximity: [0, 0.25, 0.5] }, wheels: { left: tick, right: -tick } };
+      client.socket.send(JSON.stringify({ values: { entity, tick, tree } }));
+    }
+  }
+
+  private sendStatus(): void {
+    this.sendAll({
+      status: {
+        run: this.run,
+        tick: this.tickNow,
+        speed: this.speed,
+        real_time_factor: 5,
+        control: this.control,
+        viewers: this.clients.map(({ id }) => ({ id, name: "" })),
+      },
+    });
+  }
+
+  private command(client: Client, message: Record<string, unknown>): void {
+    this.commands.push(message);
+    const answer = (more: object): void => {
+      client.socket.send(JSON.stringify({ re: message.id, ...more }));
+    };
+    const name = message.do as string;
+    if (name === "pin" || name === "unpin") {
+      client.pinned[name === "pin" ? "add" : "delete"](message.entity as string);
+      answer({ ok: true });
+      return;
+    }
+    if (name === "ask_control") {
+      this.sendAll({ log: [{ level: "info", text: `viewer ${client.id} asks for control`, tick: null }] });
+      answer({ ok: true });
+      return;
+    }
+    if (client.id !== this.control) {
+      answer({ error: "Another viewer has control" });
+      return;
+    }
+    switch (name) {
+      case "play":
+        this.run = "playing";
+        break;
+      case "pause":
+        this.run = "paused";
+        break;
+      case "step":
+        this.run = "paused";
+        this.place = Math.min(this.place + (message.n as number), this.parts.states.length - 1);
+        break;
+      case "speed":
+        this.speed = message.factor as number;
+        break;
+      case "reset":
+        this.place = 0;
+        this.run = "paused";
+        this.clients.forEach((other) => (other.next = 0));
+        break;
+      case "give_control":
+        this.control = message.viewer as number;
+        break;
+      case "move":
+        answer({ error: `"${message.entity as string}" would overlap with "wall_north"` });
+        return;
+      default:
+        break;
+    }
+    answer({ ok: true });
+    this.sendStatus();
+    this.clients.forEach((other) => this.sendStates(other));
+  }
+}

@@ -1,0 +1,318 @@
+import assert from "node:assert/strict";
+import { mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+
+import type { Browser } from "playwright-core";
+
+import { MockServer } from "./mock_server";
+import { Tab, embed, launch, missingBrowser, pageFile } from "./browser";
+import { changedExperiment, folder, record, run } from "./runs";
+
+const skip = missingBrowser() ?? false;
+const kTimeout = 40_000; // ms, of a test
+const url = `file://${pageFile}`;
+const shots = process.env.PAGE_SHOTS;
+let browser: Browser;
+let recording: string;
+
+before(async () => {
+  if (skip === false) {
+    browser = await launch();
+    recording = process.env.PAGE_RECORDING ?? record("diffusion_10", 8);
+  }
+});
+after(async () => {
+  await MockServer.closeAll();
+  await browser?.close();
+  rmSync(folder, { recursive: true });
+});
+
+async function shoot(tab: Tab, name: string): Promise<void> {
+  if (shots !== undefined) {
+    mkdirSync(shots, { recursive: true });
+    await tab.page.screenshot({ path: join(shots, `${name}.png`) });
+  }
+}
+
+test("page: a recording is opened, played, paused, stepped and scrubbed", { skip, timeout: kTimeout }, async () => {
+  const tab = await Tab.open(browser, url);
+  assert.ok(await tab.button("Play").isDisabled());
+  assert.equal(await tab.button("Play").getAttribute("title"), "Open a recording first");
+  await tab.openRecording(recording);
+  assert.equal(await tab.tick(), 0);
+  await tab.button("Play").click();
+  await tab.waitForTick((tick) => tick > 4, "the recording to play");
+  await tab.button("Pause").click();
+  const paused = await tab.tick();
+  await tab.page.waitForTimeout(300);
+  assert.ok((await tab.tick()) <= paused + 1);
+  const slider = tab.page.getByRole("slider", { name: "Time" });
+  await slider.fill("40");
+  await tab.waitForTick((tick) => tick === 40, "tick 40");
+  await tab.button("One tick ahead").click();
+  await tab.waitForTick((tick) => tick === 41, "a step ahead");
+  await tab.page.keyboard.press("ArrowLeft");
+  await tab.waitForTick((tick) => tick === 40, "a step back");
+  await tab.page.keyboard.press("End");
+  await tab.waitForTick((tick) => tick === 80, "the end");
+  assert.ok(await tab.button("One tick ahead").isDisabled());
+  await tab.page.keyboard.press("Home");
+  await tab.waitForTick((tick) => tick === 0, "the start");
+  await tab.page.getByRole("combobox", { name: "Speed" }).selectOption("10");
+  await tab.page.keyboard.press("Escape");
+  await tab.page.locator("canvas.picture").press(" ");
+  await tab.waitForTick((tick) => tick === 80, "the end, ten times as fast");
+  assert.deepEqual(await tab.close(), []);
+});
+
+test("page: a click selects a robot, whose values and plot are shown", { skip, timeout: kTimeout }, async () => {
+  const tab = await Tab.open(browser, url);
+  await tab.openRecording(recording);
+  const place = await tab.placeOf("fb3");
+  await tab.page.mouse.click(place.x, place.y);
+  const card = tab.page.getByRole("region", { name: "fb3" });
+  await card.waitFor();
+  assert.match(await card.innerText(), /heading\s+-?[\d.]+ °/);
+  await card.getByRole("button", { name: "Plot x" }).click();
+  await card.locator("figure canvas").waitFor();
+  const other = await tab.placeOf("fb5");
+  await tab.page.keyboard.down("Shift");
+  await tab.page.mouse.click(other.x, other.y);
+  await tab.page.keyboard.up("Shift");
+  await tab.page.getByRole("region", { name: "fb5" }).waitFor();
+  assert.equal(await tab.page.locator(".card").count(), 2);
+  await card.getByRole("button", { name: "Follow" }).click();
+  assert.equal(await card.getByRole("button", { name: "Follow" }).getAttribute("aria-pressed"), "true");
+  await shoot(tab, "selected");
+  await tab.page.keyboard.press("Escape");
+  assert.equal(await tab.page.locator(".card").count(), 0);
+  assert.deepEqual(await tab.close(), []);
+});
+
+test("page: an entity is found by its id, and the keyboard reaches it", { skip, timeout: kTimeout }, async () => {
+  const tab = await Tab.open(browser, url);
+  await tab.openRecording(recording);
+  await tab.page.getByRole("searchbox", { name: "Find an entity" }).fill("fb7");
+  assert.equal(await tab.page.locator(".entities button").count(), 1);
+  await tab.page.keyboard.press("Tab");
+  await tab.page.keyboard.press("Enter");
+  await tab.page.getByRole("region", { name: "fb7" }).waitFor();
+  assert.deepEqual(await tab.close(), []);
+});
+
+test("page: every button has a name and a title, at 1280 and 390 pixels", { skip, timeout: kTimeout }, async () => {
+  for (const size of [{ width: 1280, height: 800 }, { width: 390, height: 844 }]) {
+    for (const theme of ["light", "dark"] as const) {
+      const tab = await Tab.open(browser, url, size, theme);
+      await tab.openRecording(recording);
+      await tab.page.locator(".entities button").first().click();
+      const problems = await tab.page.evaluate(() => {
+        const found: string[] = [];
+        for (const element of document.querySelectorAll<HTMLElement>("button, select, input")) {
+          const box = element.getBoundingClientRect();
+          const isShown = box.width > 0 && box.height > 0;
+          const name =
+            element.getAttribute("aria-label") ?? element.textContent ?? element.closest("label")?.textContent ?? "";
+          if (isShown && name.trim() === "" && element.closest("label") === null) {
+            found.push(`without a name: ${element.outerHTML.slice(0, 80)}`);
+          }
+          const isInList = element.closest(".tab-panel, .menu") !== null;
+          if (isShown && !isInList && (box.right > innerWidth + 1 || box.left < -1 || box.bottom > innerHeight + 1)) {
+            found.push(`outside the window: ${name}`);
+          }
+        }
+        if (document.documentElement.scrollWidth > innerWidth) {
+          found.push("the page is wider than the window");
+        }
+        return found;
+      });
+      assert.deepEqual(problems, [], `${size.width} ${theme}`);
+      await shoot(tab, `recording_${size.width}_${theme}`);
+      assert.deepEqual(await tab.close(), []);
+    }
+  }
+});
+
+test("page: a recording inside the page opens from disk", { skip, timeout: kTimeout }, async () => {
+  const path = join(folder, "embedded.html");
+  writeFileSync(path, embed(recording));
+  const tab = await Tab.open(browser, `file://${path}`);
+  await tab.waitForTick((tick) => tick === 0, "the embedded recording");
+  assert.equal(await tab.page.locator("h1").innerText(), "diffusion_10.argos");
+  await tab.page.keyboard.press("End");
+  await tab.waitForTick((tick) => tick === 80, "its end");
+  assert.deepEqual(await tab.close(), []);
+});
+
+test("page: what is no recording is refused with the reason", { skip, timeout: kTimeout }, async () => {
+  const tab = await Tab.open(browser, url);
+  const path = join(folder, "other.rec");
+  writeFileSync(path, "this is a text, and not a recording of anything");
+  await tab.page.setInputFiles("input[type=file]", path);
+  const alert = tab.page.getByRole("alert");
+  await alert.waitFor();
+  assert.match(await alert.innerText(), /Cannot open “other.rec”: it is no recording/);
+  assert.deepEqual(await tab.close(), []);
+});
+
+// The measure: the mean difference of a colour channel, and the share of pixels whose colour differs
+// by more than 48 of 255 in any channel. Lines and edges differ by their smoothing.
+test("page: the picture is that of the off-screen view, within 3.5 grey levels", { skip, timeout: kTimeout }, async () => {
+  const tab = await Tab.open(browser, `${url}?detail=full`, { width: 1280, height: 800 });
+  await tab.openRecording(recording);
+  await tab.page.keyboard.press("End");
+  await tab.waitForTick((tick) => tick === 80, "the end");
+  await tab.page.keyboard.press("b");
+  const camera = await tab.page.evaluate(() => {
+    const { argosView: view } = window as unknown as {
+      argosView: { camera: { target: number[]; update(): { position: { x: number; y: number; z: number } } } };
+    };
+    const { x, y, z } = view.camera.update().position;
+    const canvas = document.querySelector<HTMLCanvasElement>("canvas.picture")!;
+    return { position: [x, y, z], target: view.camera.target, size: [canvas.width, canvas.height] };
+  });
+  await tab.page.waitForTimeout(1500);
+  const pictures = join(folder, "pictures");
+  const changed = changedExperiment("diffusion_10", (xml) =>
+    xml.replace(
+      /<visualization>[^]*<\/visualization>/,
+      `<visualization><offscreen directory="${pictures}" size="${camera.size.join("x")}" every="80">
+        <camera><placements><placement index="0" position="${camera.position.join()}"
+          look_at="${camera.target.join()}" lens_focal_length="${13.5 / Math.tan(Math.PI / 10)}" />
+        </placements></camera></offscreen></visualization>`,
+    ),
+  );
+  run("--quiet", "--replay", recording, "-c", changed, "--from", "80");
+  const expected = readFileSync(join(pictures, "frame_0000000080.png")).toString("base64");
+  const { mean, share } = await tab.page.evaluate(async (png) => {
+    const image = new Image();
+    image.src = `data:image/png;base64,${png}`;
+    await image.decode();
+    const pixels = (source: CanvasImageSource): Uint8ClampedArray => {
+      const canvas = document.createElement("canvas");
+      canvas.width = image.width;
+      canvas.height = image.height;
+      const context = canvas.getContext("2d")!;
+      context.drawImage(source, 0, 0);
+      return context.getImageData(0, 0, image.width, image.height).data;
+    };
+    const a = pixels(image);
+    const b = pixels(document.querySelector<HTMLCanvasElement>("canvas.picture")!);
+    let sum = 0;
+    let different = 0;
+    for (let i = 0; i < a.length; i += 4) {
+      let most = 0;
+      for (let channel = 0; channel < 3; ++channel) {
+        const difference = Math.abs(a[i + channel]! - b[i + channel]!);
+        sum += difference;
+        most = Math.max(most, difference);
+      }
+      different += most > 48 ? 1 : 0;
+    }
+    return { mean: sum / (0.75 * a.length), share: different / (a.length / 4) };
+  }, expected);
+  if (shots !== undefined) {
+    await shoot(tab, "compared");
+    writeFileSync(join(shots, "offscreen.png"), Buffer.from(expected, "base64"));
+  }
+  assert.ok(mean < 3.5 && share < 0.03, `mean ${mean.toFixed(2)}, share ${share.toFixed(4)}`);
+  assert.deepEqual(await tab.close(), []);
+});
+
+test("page: a run is watched, played, stepped and reset", { skip, timeout: kTimeout }, async () => {
+  const server = await MockServer.start(recording, pageFile);
+  const tab = await Tab.open(browser, server.url);
+  await tab.waitForTick((tick) => tick === 0, "the first state");
+  await tab.button("Play").click();
+  await tab.waitForTick((tick) => tick > 10, "the run");
+  await tab.button("Pause").click();
+  await tab.button("Play").waitFor();
+  const paused = server.tickNow;
+  await tab.waitForTick((tick) => tick === paused, "the state at the pause");
+  await tab.button("One tick ahead").click();
+  await tab.waitForTick((tick) => tick === paused + 1, "a step");
+  assert.equal(await tab.button("One state back").getAttribute("title"), "A run cannot go back");
+  await tab.button("Reset").or(tab.page.getByRole("button", { name: /^Reset/ })).first().click();
+  await tab.waitForTick((tick) => tick === 0, "the reset");
+  const names = server.commands.map((command) => command.do);
+  assert.deepEqual(names.filter((name) => name !== "user_select"), ["play", "pause", "step", "reset"]);
+  await tab.page.locator(".entities button").first().click();
+  const card = tab.page.getByRole("region", { name: "fb0" });
+  await tab.button("One tick ahead").click();
+  await card.getByText("proximity").waitFor();
+  await shoot(tab, "live");
+  server.sendAll({ log: [{ level: "error", text: "<b>a robot</b> failed", tick: 1 }] });
+  await tab.page.getByRole("tab", { name: "Log" }).click();
+  assert.match(await tab.page.getByRole("log").innerText(), /<b>a robot<\/b> failed/);
+  assert.deepEqual(await tab.close(), []);
+  await server.close();
+});
+
+test("page: a drag that is refused says why", { skip, timeout: kTimeout }, async () => {
+  const server = await MockServer.start(recording, pageFile);
+  const tab = await Tab.open(browser, server.url);
+  await tab.waitForTick((tick) => tick === 0);
+  const place = await tab.placeOf("fb3");
+  await tab.page.mouse.click(place.x, place.y);
+  await tab.page.getByRole("region", { name: "fb3" }).waitFor();
+  await tab.page.mouse.move(place.x, place.y);
+  await tab.page.mouse.down();
+  await tab.page.mouse.move(place.x + 60, place.y - 30, { steps: 4 });
+  await tab.page.mouse.up();
+  await tab.page.getByRole("alert").first().waitFor();
+  assert.match(await tab.page.getByRole("alert").first().innerText(), /would overlap with "wall_north"/);
+  const move = server.commands.find((command) => command.do === "move")!;
+  assert.equal(move.entity, "fb3");
+  assert.equal((move.position as number[]).length, 3);
+  assert.deepEqual(await tab.close(), []);
+  await server.close();
+});
+
+test("page: the connection comes back after the server's restart", { skip, timeout: kTimeout }, async () => {
+  const server = await MockServer.start(recording, pageFile);
+  const tab = await Tab.open(browser, server.url);
+  await tab.waitForTick((tick) => tick === 0);
+  const { port } = server;
+  await server.close();
+  await tab.page.getByText("Connection lost").first().waitFor();
+  assert.equal(await tab.button("Play").getAttribute("title"), "There is no connection to the run");
+  const second = await MockServer.start(recording, pageFile, port);
+  await tab.page.getByText("Paused").first().waitFor();
+  await tab.button("One tick ahead").click();
+  await tab.waitForTick((tick) => tick === 1, "a step of the new server");
+  assert.deepEqual(await tab.close(), []);
+  await second.close();
+});
+
+test("page: of two viewers one has control, and can hand it over", { skip, timeout: kTimeout }, async () => {
+  const server = await MockServer.start(recording, pageFile);
+  const first = await Tab.open(browser, server.url);
+  await first.waitForTick((tick) => tick === 0);
+  const second = await Tab.open(browser, server.url);
+  await second.waitForTick((tick) => tick === 0);
+  await second.button("Another viewer has control. Ask for it").click();
+  assert.equal(
+    await second.button("Play").getAttribute("title"),
+    "Another viewer has control: ask for it",
+  );
+  await first.button("You have control").click();
+  await first.page.getByRole("button", { name: "Hand control to viewer 2" }).click();
+  await second.page.waitForFunction(
+    () => !document.querySelector<HTMLButtonElement>("button.primary.round")!.disabled,
+  );
+  await second.button("One tick ahead").click();
+  await first.waitForTick((tick) => tick === 1, "the other viewer's step");
+  assert.deepEqual(await first.close(), []);
+  assert.deepEqual(await second.close(), []);
+  await server.close();
+});
+
+test("page: a wrong token is refused, and not tried again", { skip, timeout: kTimeout }, async () => {
+  const server = await MockServer.start(recording, pageFile);
+  const tab = await Tab.open(browser, `http://127.0.0.1:${server.port}/#00000000000000000000000000000000`);
+  await tab.page.getByRole("alert").waitFor();
+  assert.match(await tab.page.getByRole("alert").innerText(), /token/);
+  await tab.close();
+  await server.close();
+});
