@@ -1,14 +1,17 @@
-// Builds the page: one file, with script, style and licences in it. node build.mjs [output file]
+// Builds the page: one file, with script, style and licences in it.
+//   node build.mjs [output file]      the environment variable PAGE_MODULES has the folder of node_modules
 import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
+import { createRequire } from "node:module";
 import { dirname, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 
-import { build } from "esbuild";
-
 const folder = dirname(fileURLToPath(import.meta.url));
+const modules = resolve(process.env.PAGE_MODULES ?? folder);
+const { build } = createRequire(join(modules, "package.json"))("esbuild");
 const output = resolve(process.argv[2] ?? join(folder, "dist/index.html"));
 const result = await build({
   absWorkingDir: folder,
+  nodePaths: [join(modules, "node_modules")],
   entryPoints: { page: "src/main.ts", style: "src/style.css" },
   bundle: true,
   minify: true,
@@ -22,7 +25,7 @@ const result = await build({
 const textOf = (name) => result.outputFiles.find((file) => file.path.endsWith(name)).text;
 const licences = ["three", "uplot", "fzstd"]
   .map((name) => {
-    const text = readFileSync(join(folder, "node_modules", name, "LICENSE"), "utf8");
+    const text = readFileSync(join(modules, "node_modules", name, "LICENSE"), "utf8");
     return `This page contains ${name}:\n\n${text.trim()}`;
   })
   .join("\n\n");

@@ -24,11 +24,14 @@ export interface LogLine {
   tick: number | null;
 }
 
-export type Tree = { [name: string]: Tree | number | string | boolean | null | number[] };
+export type Tree = { [name: string]: Tree | number | string | boolean | null | TreeList };
+export type TreeList = (Tree | number | string | boolean | null)[];
 
 export interface Viewer {
   id: number;
   name: string;
+  /** Has asked for control. */
+  asks?: boolean;
 }
 
 /** What a session calls. */

@@ -12,6 +12,9 @@ const kPaths = ["/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/goog
 /** Null, or why there is no browser. */
 export function missingBrowser(): string | null {
   const path = process.env.CHROMIUM ?? kPaths.find((candidate) => existsSync(candidate));
+  if (path === undefined && process.env.REQUIRE_BROWSER !== undefined) {
+    throw new Error("no Chromium is installed; scripts/packages.txt names its package");
+  }
   return path === undefined ? "no Chromium is installed" : null;
 }
 

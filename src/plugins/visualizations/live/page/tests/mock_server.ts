@@ -27,11 +27,11 @@ function storeAsZstd(content: Uint8Array): Uint8Array {
   return Buffer.concat(chunks);
 }
 
-function makeBlock(kind: BlockKind, tick: number, content: Uint8Array): Buffer {
+function makeBlock(kind: BlockKind, tick: number, content: Uint8Array, floorPlace = 0): Buffer {
   const packed = storeAsZstd(content);
   const header = Buffer.alloc(44);
   const [low, high] = checksum(packed);
-  [kMagic, kind, tick, tick, 0, 0, content.length, packed.length, low, high].forEach((word, i) =>
+  [kMagic, kind, tick, tick, floorPlace, 0, content.length, packed.length, low, high].forEach((word, i) =>
     header.writeUInt32LE(word, 4 * i),
   );
   header.writeUInt32LE(checksum(header.subarray(0, 40))[0], 40);
@@ -187,7 +187,7 @@ export class MockServer {
       version: "mock",
       experiment: "mock.argos",
       tick_length: 0.1,
-      can: { edit: false, replay: false },
+      can: { edit: false, replay: false, seek: false, change: true },
       types_to_add: ["foot-bot", "box"],
       viewer: client.id,
     };
@@ -221,9 +221,15 @@ export class MockServer {
     client.next = this.place + 1;
     ++client.unacknowledged;
     const tick = states[states.length - 1]!.tick;
-    client.socket.send(makeBlock(BlockKind.Frames, tick, Buffer.concat(states.map((state) => state.bytes))));
+    const content = Buffer.concat(states.map((state) => state.bytes));
+    client.socket.send(makeBlock(BlockKind.Frames, tick, content, this.parts.floor === null ? 0 : 1));
     for (const entity of client.pinned) {
-      const tree = { sensors: { proximity: [0, 0.25, 0.5] }, wheels: { left: tick, right: -tick } };
+      const tree = {
+        components: ["body", "leds"],
+        proximity: { "proximity_1": 0.25, "proximity_2": null },
+        wheels: { "left (m/s)": tick, "right (m/s)": -tick },
+        messages: [{ "message_range (cm)": 12 }],
+      };
       client.socket.send(JSON.stringify({ values: { entity, tick, tree } }));
     }
   }

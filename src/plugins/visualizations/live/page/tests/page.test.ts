@@ -240,7 +240,8 @@ test("page: a run is watched, played, stepped and reset", { skip, timeout: kTime
   await tab.page.locator(".entities button").first().click();
   const card = tab.page.getByRole("region", { name: "fb0" });
   await tab.button("One tick ahead").click();
-  await card.getByText("proximity").waitFor();
+  await card.getByText("proximity_1").waitFor();
+  assert.match(await card.innerText(), /left\s+\d m\/s/);
   await shoot(tab, "live");
   server.sendAll({ log: [{ level: "error", text: "<b>a robot</b> failed", tick: 1 }] });
   await tab.page.getByRole("tab", { name: "Log" }).click();

@@ -5,7 +5,7 @@ import { existsSync, mkdirSync, mkdtempSync, readFileSync, writeFileSync } from 
 import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
 
-export const repository = resolve(process.cwd(), "../../../../..");
+export const repository = process.env.REPOSITORY ?? resolve(process.cwd(), "../../../../..");
 export const argos3 = process.env.ARGOS3 ?? join(repository, "build/bin/argos3");
 export const folder = mkdtempSync(join(tmpdir(), "argos3-page-"));
 

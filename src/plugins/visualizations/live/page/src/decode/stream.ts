@@ -33,6 +33,9 @@ export class StreamDecoder {
     if (header.kind === BlockKind.Floor) {
       this.decoder.setFloor(readFloor(content));
     } else if (header.kind === BlockKind.Frames) {
+      if (header.floorPlace === 0) {
+        this.decoder.setFloor(null);
+      }
       const input = new ByteReader(content);
       while (!input.isAtEnd) {
         this.decoder.decode(input);

@@ -16,6 +16,7 @@ import type {
 const kProtocol = "argos-live.1";
 const kFirstRetry = 500; // ms
 const kLongestRetry = 8000;
+const kMostPinned = 16; // of the protocol
 const kMoveCommands = new Set(["move", "drive", "user_key"]);
 
 interface Welcome {
@@ -23,7 +24,8 @@ interface Welcome {
   version?: string;
   experiment?: string;
   tick_length?: number;
-  can?: { edit?: boolean; replay?: boolean };
+  last_tick?: number;
+  can?: { edit?: boolean; replay?: boolean; seek?: boolean; change?: boolean; drive?: boolean };
   types_to_add?: string[];
   viewer?: number;
 }
@@ -71,12 +73,17 @@ export class LiveClient implements Session {
   private readonly waiting = new Map<number, string>();
   private pinned: string[] = [];
   private isFirstFrame = true;
-  private canEdit = false;
-  private canReplay = false;
+  private can: NonNullable<Welcome["can"]> = {};
+  private wasWelcomed = false;
+  private hasRunEnded = false;
+  private opened = "";
+  private maxTick = 0; // 0: the run has no limit
   private arrivals: number[] = [];
   private frameAt = 0;
   private period = 100; // ms from state to state, as they arrive
   private refusal: string | null = null;
+  private isSeeking = false;
+  private nextSeek: number | null = null;
 
   constructor(
     private readonly url: string,
@@ -92,7 +99,7 @@ export class LiveClient implements Session {
 
   /** Whether the author of the run allows to edit scripts. */
   get mayEdit(): boolean {
-    return this.canEdit && this.hasControl;
+    return this.can.edit === true && this.hasControl;
   }
 
   private get hasControl(): boolean {
@@ -100,33 +107,34 @@ export class LiveClient implements Session {
   }
 
   get abilities(): Abilities {
-    const blocked =
+    const noControl =
       this.connection !== "connected"
-        ? "There is no connection to the run"
-        : !this.hasControl
-          ? "Another viewer has control: ask for it"
-          : this.state === "ended"
-            ? "The run has ended"
-            : null;
-    const isReplay = this.canReplay ? "This is a replay, which cannot be changed" : null;
-    const canReset =
-      this.connection === "connected" && this.hasControl ? isReplay : (blocked ?? isReplay);
+        ? this.hasRunEnded
+          ? "The run has ended"
+          : "There is no connection to the run"
+        : this.hasControl
+          ? null
+          : "Another viewer has control: ask for it";
+    const atEnd = noControl ?? (this.state === "ended" ? "The run has ended: reset it first" : null);
+    const isReplay = this.can.change === false ? "This is a replay, which cannot be changed" : null;
+    const seek = this.can.seek === true ? noControl : "A run cannot go back";
     return {
-      play: blocked,
-      step: blocked,
-      stepBack: "A run cannot go back",
-      seek: "A run cannot go back",
-      speed: blocked,
-      reset: canReset,
-      end: this.connection === "connected" && this.hasControl ? null : blocked,
-      move: blocked ?? isReplay,
-      drive: blocked ?? isReplay,
+      play: atEnd,
+      step: atEnd,
+      stepBack: seek,
+      seek,
+      speed: noControl,
+      reset: noControl,
+      end: noControl,
+      move: noControl ?? isReplay,
+      drive: this.can.drive === true ? (atEnd ?? isReplay) : "This run does not take it",
     };
   }
 
   private connect(): void {
     this.decoder = new StreamDecoder();
     this.isFirstFrame = true;
+    this.wasWelcomed = false;
     const socket = new WebSocket(this.url, kProtocol);
     socket.binaryType = "arraybuffer";
     this.socket = socket;
@@ -146,20 +154,17 @@ export class LiveClient implements Session {
   private lost(): void {
     this.socket = null;
     this.waiting.clear();
-    if (this.isClosed || this.state === "ended") {
-      this.connection = "none";
-      this.listener.changed();
-      return;
+    this.isSeeking = false;
+    this.nextSeek = null;
+    this.viewers = [];
+    this.realTimeFactor = null;
+    this.connection = this.isClosed || this.hasRunEnded ? "none" : "lost";
+    // a server that has refused this viewer would do so again
+    if (this.connection === "lost" && this.refusal === null) {
+      this.timer = window.setTimeout(() => this.connect(), this.retry);
+      this.retry = Math.min(2 * this.retry, kLongestRetry);
     }
-    if (this.refusal !== null) {
-      this.connection = "lost";
-      this.listener.changed();
-      return;
-    }
-    this.connection = "lost";
     this.listener.changed();
-    this.timer = window.setTimeout(() => this.connect(), this.retry);
-    this.retry = Math.min(2 * this.retry, kLongestRetry);
   }
 
   private receive(data: string | ArrayBuffer): void {
@@ -180,8 +185,11 @@ export class LiveClient implements Session {
     const frame = this.decoder.decode(bytes);
     if (this.decoder.info !== null && this.decoder.info !== before) {
       this.name = this.decoder.info.experimentFile;
-      if (this.isFirstFrame && !this.hasOpened) {
-        this.hasOpened = true;
+      // after a reconnection it is usually the same run
+      const { experimentFile, date, seed } = this.decoder.info;
+      const key = JSON.stringify([experimentFile, date, seed]);
+      if (key !== this.opened) {
+        this.opened = key;
         this.listener.opened(this.decoder.info);
       }
     }
@@ -190,8 +198,6 @@ export class LiveClient implements Session {
       this.showFrame(frame);
     }
   }
-
-  private hasOpened = false;
 
   private showFrame(frame: Frame): void {
     const now = performance.now();
@@ -208,7 +214,7 @@ export class LiveClient implements Session {
     this.isFirstFrame = false;
     this.frameAt = now;
     this.position = frame.tick;
-    this.lastTick = Math.max(frame.tick, 1);
+    this.lastTick = Math.max(frame.tick, this.maxTick, 1);
     this.listener.showFrame(frame, isJump);
     if (isJump) {
       this.listener.setBlend(1);
@@ -220,6 +226,14 @@ export class LiveClient implements Session {
     if (message.re !== undefined) {
       const what = this.waiting.get(message.re) ?? "";
       this.waiting.delete(message.re);
+      if (what === "seek") {
+        this.isSeeking = false;
+        const next = this.nextSeek;
+        this.nextSeek = null;
+        if (next !== null) {
+          this.seek(next);
+        }
+      }
       if (message.error !== undefined) {
         this.listener.notify(message.error, "error");
       } else if (what === "ask_control") {
@@ -228,8 +242,7 @@ export class LiveClient implements Session {
       return;
     }
     if (message.error !== undefined) {
-      this.refusal = message.error;
-      this.listener.notify(message.error, "error");
+      this.closing(message.error);
     }
     if (message.welcome !== undefined) {
       this.welcomed(message.welcome);
@@ -246,14 +259,27 @@ export class LiveClient implements Session {
     }
   }
 
+  // the server says why it closes the connection
+  private closing(text: string): void {
+    if (/^the run has (ended|failed)/.test(text)) {
+      this.hasRunEnded = true;
+      this.state = "ended";
+    } else if (!this.wasWelcomed) {
+      this.refusal = text;
+    }
+    const sentence = text.charAt(0).toUpperCase() + text.slice(1);
+    this.listener.notify(sentence, text === "the run has ended" ? "info" : "error");
+  }
+
   private welcomed(welcome: Welcome): void {
     this.connection = "connected";
+    this.wasWelcomed = true;
     this.retry = kFirstRetry;
     this.refusal = null;
     this.viewer = welcome.viewer ?? 0;
     this.typesToAdd = welcome.types_to_add ?? [];
-    this.canEdit = welcome.can?.edit ?? false;
-    this.canReplay = welcome.can?.replay ?? false;
+    this.can = welcome.can ?? {};
+    this.maxTick = welcome.last_tick ?? 0;
     for (const entity of this.pinned) {
       this.command("pin", { entity });
     }
@@ -266,7 +292,13 @@ export class LiveClient implements Session {
     this.speed = status.speed ?? this.speed;
     this.realTimeFactor = this.state === "playing" ? (status.real_time_factor ?? null) : null;
     this.control = status.control ?? this.control;
+    const asked = new Set(this.viewers.filter(({ asks }) => asks).map(({ id }) => id));
     this.viewers = status.viewers ?? this.viewers;
+    for (const { id, name, asks } of this.viewers) {
+      if (asks === true && !asked.has(id) && this.hasControl) {
+        this.listener.notify(`${name === "" ? `Viewer ${id}` : name} asks for control`, "info");
+      }
+    }
     if (!hadControl && this.hasControl && this.viewers.length > 1) {
       this.listener.notify("You have control of the run", "info");
     }
@@ -294,9 +326,20 @@ export class LiveClient implements Session {
     this.command("pause");
   }
   step(count: number): void {
-    this.command("step", { n: count });
+    if (count < 0) {
+      this.seek(this.position + count);
+    } else {
+      this.command("step", { n: count });
+    }
   }
-  seek(): void {}
+  seek(tick: number): void {
+    if (!this.isSeeking) {
+      this.isSeeking = true;
+      this.command("seek", { tick: Math.max(0, Math.round(tick)) });
+    } else {
+      this.nextSeek = tick; // of many, the last one counts
+    }
+  }
   setSpeed(factor: number): void {
     this.speed = factor;
     this.command("speed", { factor });
@@ -321,7 +364,7 @@ export class LiveClient implements Session {
         this.command("unpin", { entity });
       }
     }
-    for (const entity of ids) {
+    for (const entity of ids.slice(-kMostPinned)) {
       if (!this.pinned.includes(entity)) {
         this.command("pin", { entity });
       }
@@ -331,7 +374,7 @@ export class LiveClient implements Session {
 
   select(id: string | null): void {
     if (this.hasControl) {
-      this.command("user_select", { entity: id ?? "" });
+      this.command("user_select", id === null ? {} : { entity: id });
     }
   }
   move(entity: string, position: readonly [number, number, number], yaw: number): void {

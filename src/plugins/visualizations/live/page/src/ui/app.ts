@@ -253,7 +253,6 @@ export class App implements SessionListener {
     this.recording = null;
     this.session = session;
     this.welcome.hidden = true;
-    this.root.classList.toggle("is-live", session.kind === "live");
     this.liveTools.hidden = session.kind !== "live";
     this.transport.setSession(session);
     this.changed();
@@ -336,6 +335,8 @@ export class App implements SessionListener {
     if (session === null) {
       return;
     }
+    const isRun = session.kind === "live";
+    this.root.classList.toggle("is-live", isRun && session.abilities.seek === "A run cannot go back");
     const names = { loading: "Loading", playing: "Playing", paused: "Paused", ended: "Ended" };
     const text = session.connection === "lost" ? "Connection lost" : names[session.state];
     setText(this.stateChip, text);
@@ -647,7 +648,7 @@ export class App implements SessionListener {
         {},
         ...others.map((viewer) =>
           button({
-            text: `Hand control to ${viewer.name === "" ? `viewer ${viewer.id}` : viewer.name}`,
+            text: `Hand control to ${viewer.name === "" ? `viewer ${viewer.id}` : viewer.name}${viewer.asks === true ? ", who asks" : ""}`,
             onClick: () => session.giveControl(viewer.id),
           }),
         ),
@@ -680,6 +681,7 @@ export class App implements SessionListener {
     }
     const needsSelection = this.selectedId() === null ? "Select a robot first: click it" : null;
     setEnabled(this.driveButton, session.abilities.drive ?? needsSelection);
+    this.driveButton.hidden = session.abilities.drive === "This run does not take it";
     const noTypes = session.typesToAdd.length === 0 ? "This run has nothing that can be added" : null;
     setEnabled(this.addButton, session.abilities.move ?? noTypes);
     const key = session.typesToAdd.join();
@@ -725,7 +727,7 @@ export class App implements SessionListener {
       event.preventDefault();
       return;
     }
-    if (this.session?.kind === "live" && !event.repeat) {
+    if (this.session?.kind === "live" && !event.repeat && target === this.canvas) {
       this.session.key(event.key, true);
     }
     if (this.runKey(event.key, target)) {

@@ -266,16 +266,19 @@ function recordedValues(frame: Frame, number: number): Map<string, Value> {
   return values;
 }
 
+// the values of a tree by path; names have their unit behind them: "x (m)"
 function flatten(tree: Tree, prefix: string, values: Map<string, Value>): void {
   for (const [name, value] of Object.entries(tree)) {
-    const path = prefix === "" ? name : `${prefix}/${name}`;
-    if (Array.isArray(value)) {
-      value.forEach((item, i) => values.set(`${path}/${i + 1}`, { value: item, unit: "" }));
+    const [, plain = name, unit = ""] = /^(.*?)(?: \(([^()]*)\))?$/.exec(name) ?? [];
+    // what is not in a group is in one of its own
+    const path = prefix === "" ? `State/${plain}` : `${prefix}/${plain}`;
+    const group = prefix === "" ? name : `${prefix}/${name}`;
+    if (Array.isArray(value) && value.every((item) => typeof item !== "object")) {
+      values.set(path, { value: value.join(", "), unit });
     } else if (value !== null && typeof value === "object") {
-      flatten(value, path, values);
+      flatten(value as Tree, group, values); // of lists, names are numbers
     } else if (value !== null) {
-      const isRoot = prefix === "";
-      values.set(isRoot ? `Values/${name}` : path, { value, unit: "" });
+      values.set(path, { value, unit });
     }
   }
 }

@@ -167,7 +167,9 @@ export class Transport {
     setText(this.now, session === null ? "0.0 s" : formatTime(position * tickLength));
     setText(
       this.total,
-      session === null ? "" : session.kind === "live" ? `tick ${Math.round(position)}` : formatTime(session.lastTick * tickLength),
+      session === null ? "" : session.abilities.seek === "A run cannot go back"
+          ? `tick ${Math.round(position)}`
+          : formatTime(session.lastTick * tickLength),
     );
     const speed = String(session?.speed ?? 1);
     if (this.speed.value !== speed && document.activeElement !== this.speed) {
