@@ -20,7 +20,7 @@ import type { Entity, Vector } from "../decode/types";
 import type { EntityType } from "../decode/types";
 import { type FieldSpec, InstanceBatch, type Uniforms, makeMaterial, makeQuad } from "./gpu";
 import { add, rotate } from "./math";
-import { MeshKind, kMeshKinds, makeCylinder, makeMesh } from "./meshes";
+import { MeshKind, kMeshKinds, makeCylinder, makeDisc, makeMesh } from "./meshes";
 import { type Model, type Solid, makeModel } from "./models";
 import {
   kContactFragment,
@@ -60,7 +60,7 @@ export const kGlowFields: FieldSpec[] = [
 
 const kShadowSize = 2048; // pixels
 const kNearPixels = 14; // diameter of robots from which they are drawn in full, if they are many
-const kPointPixels = 2.5;
+const kPointPixels = 5;
 
 /** What the machine can draw well. */
 export interface Budget {
@@ -70,6 +70,8 @@ export interface Budget {
   merged: number;
   segments: number;
   mergedSegments: number;
+  /** Merged discs have half the corners, and no edge between top and side. */
+  hasSmoothDiscs: boolean;
   hasShadows: boolean;
 }
 
@@ -78,6 +80,7 @@ export const kGpuBudget: Budget = {
   merged: 40_000,
   segments: 32,
   mergedSegments: 12,
+  hasSmoothDiscs: false,
   hasShadows: true,
 };
 
@@ -85,7 +88,8 @@ export const kSoftwareBudget: Budget = {
   solids: 2_500,
   merged: 12_000,
   segments: 16,
-  mergedSegments: 8,
+  mergedSegments: 6,
+  hasSmoothDiscs: true,
   hasShadows: false,
 };
 
@@ -119,6 +123,7 @@ export class EntityDrawer {
   private numSolids = 0;
   private allNear = false;
   private firstSignalWord = 0;
+  private hasSignals = false;
   readonly shadowTarget: WebGLRenderTarget | null = null;
   /** How entities are drawn now, for the line that says so. */
   counts = { near: 0, merged: 0, points: 0 };
@@ -194,16 +199,22 @@ export class EntityDrawer {
     }
     const all = new Uint32Array(this.firstSignalWord + this.entities.length);
     all.set(words);
+    let isLit = false;
     this.entities.forEach((entity, i) => {
       const first = entity.firstWord + 1;
       for (let led = 0; led < entity.type.numLEDs; ++led) {
         const word = words[first + led]!;
         if ((word & 0xffffff) !== 0) {
           all[this.firstSignalWord + i] = word;
+          isLit = true;
           break;
         }
       }
     });
+    if (isLit !== this.hasSignals) {
+      this.hasSignals = isLit;
+      this.fill();
+    }
     return all;
   }
 
@@ -252,7 +263,7 @@ export class EntityDrawer {
     let largest = 0;
     this.models.forEach((model, i) => {
       const size = pixels(i);
-      largest = Math.max(largest, size);
+      largest = Math.max(largest, model.isRobot ? size : 0);
       // walls and other things are few, and large
       if (size >= kNearPixels || !model.isRobot) {
         sizes.push([model.isRobot ? size : Infinity, i]);
@@ -318,7 +329,7 @@ export class EntityDrawer {
     this.entities.forEach((entity, i) => {
       const model = this.models[i]!;
       if (this.isNear[i] === 0) {
-        if (entity.type.numLEDs > 0) {
+        if (entity.type.numLEDs > 0 && this.hasSignals) {
           signals.push(i);
         }
         return;
@@ -416,7 +427,9 @@ export class EntityDrawer {
 
   // the largest solid of each, of few corners
   private makeMerged(): void {
-    const corners = makeCylinder(this.budget.mergedSegments, false);
+    const corners = this.budget.hasSmoothDiscs
+      ? makeDisc(this.budget.mergedSegments)
+      : makeCylinder(this.budget.mergedSegments, false);
     const box = makeMesh(MeshKind.Box, 0);
     const meshOf = (solid: Solid): typeof box => (solid.kind === MeshKind.Box ? box : corners);
     let numVertices = 0;
@@ -475,20 +488,17 @@ export class EntityDrawer {
     const robots = this.models.flatMap((model, i) => (model.isRobot ? [i] : []));
     const positions = new Float32Array(3 * robots.length);
     const places = new Uint32Array(2 * robots.length);
-    const colors = new Uint8Array(4 * robots.length);
     const radii = new Float32Array(robots.length);
     robots.forEach((number, i) => {
-      const { max, min, largest } = this.models[number]!;
+      const { max, min } = this.models[number]!;
       const entity = this.entities[number]!;
       positions[3 * i + 2] = max[2];
       places.set([entity.firstPose, entity.firstWord], 2 * i);
-      colors.set(largest?.color ?? [128, 128, 128, 255], 4 * i);
       radii[i] = 0.5 * Math.max(max[0] - min[0], max[1] - min[1]);
     });
     const geometry = new BufferGeometry();
     geometry.setAttribute("position", new BufferAttribute(positions, 3));
     geometry.setAttribute("inPlace", new BufferAttribute(places, 2));
-    geometry.setAttribute("inColor", new BufferAttribute(colors, 4, true));
     geometry.setAttribute("inRadius", new BufferAttribute(radii, 1));
     this.points = new Points(geometry, this.pointMaterial);
     this.points.frustumCulled = false;

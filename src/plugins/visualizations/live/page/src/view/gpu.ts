@@ -171,9 +171,11 @@ export class StateTextures {
   private to = makePoseTexture(1);
   private words = makeWordTexture(1);
   private near: DataTexture;
+  private blended: DataTexture | null = null;
   readonly uniforms: Uniforms;
 
-  constructor() {
+  /** @param blendsHere  once a picture for all, instead of in the shaders for each corner. */
+  constructor(private readonly blendsHere: boolean) {
     this.near = this.makeNear(1);
     this.uniforms = {
       uFrom: { value: this.from },
@@ -195,6 +197,7 @@ export class StateTextures {
     }
     [this.from, this.to] = [this.to, this.from];
     const data = this.to.image.data as Float32Array;
+    this.numPoses = poses.length / 7;
     for (let i = 0, place = 0; i < poses.length; i += 7, place += 8) {
       data[place] = poses[i]!;
       data[place + 1] = poses[i + 1]!;
@@ -216,6 +219,48 @@ export class StateTextures {
     this.uniforms.uTo!.value = this.to;
     this.uniforms.uWords!.value = this.words;
   }
+
+  /** The share of the way from the last state to this one. */
+  setBlend(blend: number): void {
+    const { uniforms } = this;
+    if (!this.blendsHere || blend >= 1) {
+      uniforms.uBlend!.value = blend;
+      uniforms.uTo!.value = this.to;
+      return;
+    }
+    if (this.blended === null || this.blended.image.height !== this.to.image.height) {
+      this.blended?.dispose();
+      this.blended = makePoseTexture(this.to.image.height);
+    }
+    const from = this.from.image.data as Float32Array;
+    const to = this.to.image.data as Float32Array;
+    const data = this.blended.image.data as Float32Array;
+    for (let i = 0; i < 8 * this.numPoses; i += 8) {
+      let dot = 0;
+      for (let k = i + 4; k < i + 8; ++k) {
+        dot += from[k]! * to[k]!;
+      }
+      const before = dot < 0 ? blend - 1 : 1 - blend;
+      for (let k = i; k < i + 3; ++k) {
+        data[k] = from[k]! + blend * (to[k]! - from[k]!);
+      }
+      let norm = 0;
+      for (let k = i + 4; k < i + 8; ++k) {
+        const value = before * from[k]! + blend * to[k]!;
+        data[k] = value;
+        norm += value * value;
+      }
+      norm = 1 / Math.sqrt(norm || 1);
+      for (let k = i + 4; k < i + 8; ++k) {
+        data[k]! *= norm;
+      }
+    }
+    this.blended.needsUpdate = true;
+    uniforms.uBlend!.value = 1;
+    uniforms.uTo!.value = this.blended;
+  }
+
+  private numPoses = 0;
 
   /** Which entities are drawn in full, by number. */
   setNear(isNear: Uint8Array): void {

@@ -100,6 +100,25 @@ export function makeCylinder(segments: number, hasBase = true): UnitMesh {
   return mesh;
 }
 
+/** A cylinder whose side takes its shade from its top and its foot. */
+export function makeDisc(segments: number): UnitMesh {
+  const mesh = emptyMesh();
+  for (const z of [1, 0]) {
+    for (let i = 0; i < segments; ++i) {
+      const [x, y] = circle(i, segments);
+      addVertex(mesh, [0.5 * x, 0.5 * y, z], z === 1 ? [0, 0, 1] : [x, y, 0], [kNoEdge, z]);
+    }
+  }
+  for (let i = 2; i < segments; ++i) {
+    mesh.indices.push(0, i - 1, i);
+  }
+  for (let i = 0; i < segments; ++i) {
+    const next = (i + 1) % segments;
+    mesh.indices.push(segments + i, segments + next, next, segments + i, next, i);
+  }
+  return mesh;
+}
+
 function addGrid(mesh: UnitMesh, rows: number, columns: number): void {
   const stride = columns + 1;
   for (let row = 0; row < rows; ++row) {

@@ -239,23 +239,24 @@ void main() {
 }
 `;
 
+/** Robots that would be smaller than a few pixels: discs of the colour of markers, in sRGB. */
 export const kPointVertex = /* glsl */ `${kCommon}${kPoses}
 in vec3 position;
 in uvec2 inPlace;
-in vec4 inColor;
 in float inRadius;
 uniform mat4 viewMatrix;
 uniform mat4 projectionMatrix;
 uniform float uPixelsPerUnit;
 uniform float uPixelScale;
+uniform vec3 uMarker;
 flat out vec4 vColor;
 void main() {
   vec3 origin;
   vec4 turn;
   ReadPose(inPlace.x, origin, turn);
   gl_Position = projectionMatrix * (viewMatrix * vec4(origin + position, 1.0));
-  gl_PointSize = max(2.0 * inRadius * uPixelsPerUnit / gl_Position.w, 2.0 * uPixelScale);
-  vColor = Paled(inColor, ReadWord(inPlace.y));
+  gl_PointSize = max(2.0 * inRadius * uPixelsPerUnit / gl_Position.w, 3.0 * uPixelScale);
+  vColor = Paled(vec4(uMarker, 1.0), ReadWord(inPlace.y));
 }
 `;
 

@@ -77,7 +77,7 @@ export class View {
   hovered = -1;
   private readonly renderer: WebGLRenderer;
   private readonly scene = new Scene();
-  private readonly textures = new StateTextures();
+  private readonly textures: StateTextures;
   private readonly uniforms: Uniforms;
   private readonly groundUniforms: Uniforms;
   private readonly entityDrawer: EntityDrawer;
@@ -132,6 +132,7 @@ export class View {
     this.renderer.outputColorSpace = LinearSRGBColorSpace; // the shaders encode it themselves
     this.renderer.toneMapping = NoToneMapping;
     this.renderer.autoClear = false;
+    this.textures = new StateTextures(this.isSoftware);
     this.uniforms = this.makeUniforms();
     this.groundUniforms = { ...this.uniforms };
     for (const name of kGroundColors) {
@@ -179,6 +180,8 @@ export class View {
       const color = new ThreeColor().setStyle(hex, LinearSRGBColorSpace);
       return this.isSoftware ? new Vector3(color.r, color.g, color.b) : linear(hex);
     };
+    const marker = new ThreeColor().setStyle(look.marker, LinearSRGBColorSpace);
+    u.uMarker!.value = new Vector3(marker.r, marker.g, marker.b);
     const g = this.groundUniforms;
     g.uBackground!.value = ground(look.background);
     g.uGround!.value = ground(look.ground);
@@ -352,7 +355,7 @@ export class View {
     u.uSignalPixels!.value = 4.4;
     u.uPictureSize!.value.set(size.x, size.y);
     u.uNear!.value = this.camera.isParallel ? -1e9 : this.camera.near;
-    u.uBlend!.value = this.blend;
+    this.textures.setBlend(this.blend);
     u.uGridStrength!.value = this.options.grid ? 1 : 0;
     u.uGridSpacing!.value = 10 ** Math.round(Math.log10(this.camera.distance / 10));
     const eye = camera.position;
@@ -788,6 +791,7 @@ export class View {
     add("uWorldToShadow", new Matrix4());
     add("uGridStrength", 1);
     add("uGridSpacing", 1);
+    add("uMarker", new Vector3());
     for (const name of [
       ...["uSkyLight"],
       ...["uBounceLight", "uSunIntensity", "uAmbientIntensity", "uSpecularIntensity"],
