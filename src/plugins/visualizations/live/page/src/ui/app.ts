@@ -44,7 +44,6 @@ const kKeys: [string, string][] = [
   ["O", "From the side, whole arena"],
   ["F / E", "Follow the selected robot / look ahead from it"],
   ["I R H S U A B G", "Ids, trails, headings, rays, drawings, axes, scale bar, grid"],
-  ["W A S D", "Drive the selected robot, where “Drive” is on"],
   ["Esc", "Unselect"],
   ["Drag", "Turn the camera; with Shift or the right button: move it"],
   ["Wheel", "Zoom"],
