@@ -70,7 +70,7 @@ export class PointerControl {
     const last = this.pointers.get(event.pointerId);
     if (last === undefined) {
       if (event.pointerType === "mouse") {
-        this.view.hovered = this.view.pick(event.offsetX, event.offsetY);
+        this.view.hover(event.offsetX, event.offsetY);
         this.canvas.style.cursor = this.view.hovered >= 0 ? "pointer" : "";
       }
       return;

@@ -60,7 +60,11 @@ export const kGlowFields: FieldSpec[] = [
 
 const kShadowSize = 2048; // pixels
 const kNearPixels = 14; // diameter of robots from which they are drawn in full, if they are many
+const kDetailPixels = 48; // the same for small parts of them
+const kSmallPart = 0.3; // of the extent of an entity
 const kPointPixels = 5;
+
+const kWithoutDetails = 2;
 
 /** What the machine can draw well. */
 export interface Budget {
@@ -85,7 +89,7 @@ export const kGpuBudget: Budget = {
 };
 
 export const kSoftwareBudget: Budget = {
-  solids: 2_500,
+  solids: 900,
   merged: 12_000,
   segments: 16,
   mergedSegments: 6,
@@ -273,13 +277,13 @@ export class EntityDrawer {
     const isNear = new Uint8Array(this.entities.length);
     let left = this.budget.solids;
     let near = 0;
-    for (const [, i] of sizes) {
+    for (const [size, i] of sizes) {
       const model = this.models[i]!;
       left -= model.solids.length + 0.5 * model.glows.length;
       if (left < 0) {
         break;
       }
-      isNear[i] = 1;
+      isNear[i] = size < kDetailPixels ? kWithoutDetails : 1;
       ++near;
     }
     const far = this.entities.length - near;
@@ -334,7 +338,12 @@ export class EntityDrawer {
         }
         return;
       }
+      const least =
+        this.isNear[i] === kWithoutDetails ? kSmallPart * (model.max[0] - model.min[0]) : 0;
       for (const solid of model.solids) {
+        if (solid.isDetail && Math.max(...solid.size) < least) {
+          continue;
+        }
         const batches = solid.color[3] === 255 ? this.opaque : this.translucent;
         const batch = batches[solid.kind]!;
         const list = solids.get(batch) ?? [];

@@ -56,6 +56,7 @@ const kMostTrailParts = 24_000;
 const kTrailStates = 200;
 const kChoicePeriod = 250; // ms
 const kPickPixels = 9;
+const kMostHovered = 5000;
 
 export class View {
   readonly camera = new ViewCamera();
@@ -105,7 +106,7 @@ export class View {
 
   constructor(
     private readonly canvas: HTMLCanvasElement,
-    labelCanvas: HTMLCanvasElement,
+    private readonly labelCanvas: HTMLCanvasElement,
   ) {
     const probe = document.createElement("canvas").getContext("webgl2");
     if (probe === null) {
@@ -297,6 +298,12 @@ export class View {
     return this.entityDrawer.models[entity]!.max[2];
   }
 
+  /** The entity below the mouse; of very many, none, because it is looked for at each movement. */
+  hover(x: number, y: number): void {
+    const isFew = this.entityDrawer.entities.length <= kMostHovered;
+    this.hovered = isFew ? this.pick(x, y) : -1;
+  }
+
   /** The nearest entity at a place of the picture, pixels; -1: none. */
   pick(x: number, y: number): number {
     const { origin, direction } = this.camera.ray(x, y);
@@ -399,9 +406,17 @@ export class View {
 
   private hasChosen = false;
 
-  /** The picture as a PNG. */
+  /** The picture with its texts, as a PNG. */
   toBlob(): Promise<Blob | null> {
-    return new Promise((resolve) => this.canvas.toBlob(resolve, "image/png"));
+    const picture = document.createElement("canvas");
+    picture.width = this.canvas.width;
+    picture.height = this.canvas.height;
+    const context = picture.getContext("2d")!;
+    context.drawImage(this.canvas, 0, 0);
+    if (this.labelCanvas.width > 0) {
+      context.drawImage(this.labelCanvas, 0, 0, picture.width, picture.height);
+    }
+    return new Promise((resolve) => picture.toBlob(resolve, "image/png"));
   }
 
   private show(frame: Frame, isJump: boolean): void {
