@@ -10,6 +10,8 @@ import { formatNumber } from "./format";
 import { Plot, Series } from "./plots";
 
 const kMostListed = 300;
+const kLeastBars = 6; // numbers of a group that has bars
+const kMostOpen = 8; // longer ones are closed at first
 
 interface Value {
   value: number | string | boolean;
@@ -97,9 +99,11 @@ class Card {
     if (number < 0) {
       return;
     }
-    for (const [path, { value, unit }] of this.collect(frame, number)) {
+    const values = this.collect(frame, number);
+    for (const [path, { value, unit }] of values) {
       this.show(path, value, unit, time);
     }
+    this.showBars(values);
     for (const plot of this.plots.values()) {
       plot.update(time);
     }
@@ -200,6 +204,34 @@ class Card {
     return shown;
   }
 
+  // many numbers of a group, such as those of a ring of sensors, as bars beside its name
+  private showBars(values: Map<string, Value>): void {
+    const numbers = new Map<string, number[]>();
+    for (const [path, { value }] of values) {
+      const group = path.slice(0, path.lastIndexOf("/"));
+      if (typeof value === "number" && group !== "Pose") {
+        numbers.set(group, [...(numbers.get(group) ?? []), value]);
+      }
+    }
+    for (const [group, details] of this.groups) {
+      const list = numbers.get(group) ?? [];
+      const bars = details.querySelector(".bars") as HTMLElement;
+      if (list.length < kLeastBars || list.length > 64) {
+        bars.replaceChildren();
+        continue;
+      }
+      if (bars.childElementCount !== list.length) {
+        bars.replaceChildren(...list.map(() => h("i", {})));
+        (details as HTMLDetailsElement).open = list.length <= kMostOpen;
+      }
+      const most = Math.max(...list.map(Math.abs), 1e-12);
+      list.forEach((value, i) => {
+        const share = Math.round((100 * Math.abs(value)) / most);
+        (bars.children[i] as HTMLElement).style.height = `${Math.max(share, 8)}%`;
+      });
+    }
+  }
+
   // nested details elements
   private group(parts: string[]): HTMLElement {
     const path = parts.join("/");
@@ -208,7 +240,14 @@ class Card {
       return found;
     }
     const parent = parts.length > 1 ? this.group(parts.slice(0, -1)) : this.body;
-    const details = h("details", { open: parts.length === 1 }, h("summary", {}, parts[parts.length - 1] ?? ""));
+    const name = (parts[parts.length - 1] ?? "").replace(":", ": ");
+    const title = name.charAt(0).toUpperCase() + name.slice(1);
+    const bars = h("span", { class: "bars", "aria-hidden": "true" });
+    const details = h(
+      "details",
+      { open: parts.length === 1 && path !== "orientation" },
+      h("summary", {}, h("span", { class: "title" }, title), bars),
+    );
     parent.append(details);
     this.groups.set(path, details);
     return details;
@@ -266,18 +305,28 @@ function recordedValues(frame: Frame, number: number): Map<string, Value> {
   return values;
 }
 
+const kNatural = new Intl.Collator("en", { numeric: true });
+// shown already, from the states
+const kKnownGroups = new Set(["type", "pose", "leds", "quarantined", "stopped"]);
+
 // the values of a tree by path; names have their unit behind them: "x (m)"
 function flatten(tree: Tree, prefix: string, values: Map<string, Value>): void {
-  for (const [name, value] of Object.entries(tree)) {
-    const [, plain = name, unit = ""] = /^(.*?)(?: \(([^()]*)\))?$/.exec(name) ?? [];
-    // what is not in a group is in one of its own
+  const names = Object.keys(tree).sort((a, b) => kNatural.compare(a, b));
+  for (const name of names) {
+    const value = tree[name]!;
+    if (value === null || (prefix === "" && kKnownGroups.has(name))) {
+      continue;
+    }
+    const [, full = name, unit = ""] = /^(.*?)(?: \(([^()]*)\))?$/.exec(name) ?? [];
+    // "readings:proximity" has "proximity_1", of which "1" says the same
+    const label = `${prefix.split(/[:/]/).pop() ?? ""}_`;
+    const plain = prefix !== "" && full.startsWith(label) ? full.slice(label.length) : full;
     const path = prefix === "" ? `State/${plain}` : `${prefix}/${plain}`;
-    const group = prefix === "" ? name : `${prefix}/${name}`;
     if (Array.isArray(value) && value.every((item) => typeof item !== "object")) {
       values.set(path, { value: value.join(", "), unit });
-    } else if (value !== null && typeof value === "object") {
-      flatten(value as Tree, group, values); // of lists, names are numbers
-    } else if (value !== null) {
+    } else if (typeof value === "object") {
+      flatten(value as Tree, prefix === "" ? name : `${prefix}/${name}`, values); // names in lists are numbers
+    } else {
       values.set(path, { value, unit });
     }
   }
