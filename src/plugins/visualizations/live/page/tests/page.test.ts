@@ -198,7 +198,10 @@ test("page: the picture is that of the off-screen view, within 3.5 grey levels",
       return context.getImageData(0, 0, image.width, image.height).data;
     };
     const a = pixels(image);
-    const b = pixels(document.querySelector<HTMLCanvasElement>("canvas.picture")!);
+    const { argosView: view } = window as unknown as {
+      argosView: { capture(withLabels: boolean): HTMLCanvasElement };
+    };
+    const b = pixels(view.capture(false));
     let sum = 0;
     let different = 0;
     for (let i = 0; i < a.length; i += 4) {
@@ -240,7 +243,7 @@ test("page: a run is watched, played, stepped and reset", { skip, timeout: kTime
   await tab.page.locator(".entities button").first().click();
   const card = tab.page.getByRole("region", { name: "fb0" });
   await tab.button("One tick ahead").click();
-  await card.getByText("proximity_1").waitFor();
+  await card.getByText("Proximity", { exact: true }).waitFor();
   assert.match(await card.innerText(), /left\s+\d m\/s/);
   await shoot(tab, "live");
   server.sendAll({ log: [{ level: "error", text: "<b>a robot</b> failed", tick: 1 }] });

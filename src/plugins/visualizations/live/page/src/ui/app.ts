@@ -24,6 +24,10 @@ import { Transport } from "./transport";
 type Theme = "auto" | "light" | "dark";
 type TabName = "inspect" | "metrics" | "log" | "info";
 
+const kUiPeriod = 120; // ms
+const kSlowPeriod = 60; // ms from picture to picture
+const kMostSlow = 15; // pictures
+
 const kOptionNames: [keyof ViewOptions, string, string][] = [
   ["ids", "Ids", "I"],
   ["trails", "Trails", "R"],
@@ -328,8 +332,31 @@ export class App implements SessionListener {
     this.view.setBlend(blend);
   }
 
+  private uiKey = "";
+  private uiChangedAt = 0;
+  private needsUi = false;
+
   changed(): void {
     const { session } = this;
+    const key =
+      session === null
+        ? ""
+        : JSON.stringify([
+            ...[session.state, session.connection, session.speed, session.control],
+            ...[session.viewers, session.abilities, session.typesToAdd],
+          ]);
+    this.needsUi = true;
+    if (key !== this.uiKey) {
+      this.uiKey = key;
+      this.updateUi();
+    }
+  }
+
+  // time moves on in each picture, but drawing it costs as much as a picture
+  private updateUi(): void {
+    const { session } = this;
+    this.needsUi = false;
+    this.uiChangedAt = performance.now();
     this.transport.update();
     if (session === null) {
       return;
@@ -378,7 +405,12 @@ export class App implements SessionListener {
   private draw(now: number): void {
     requestAnimationFrame((next) => this.draw(next));
     this.session?.update(now);
-    this.view.render(now);
+    if (this.needsUi && performance.now() - this.uiChangedAt > kUiPeriod) {
+      this.updateUi();
+    }
+    if (this.view.render(now)) {
+      this.watchSpeed(now);
+    }
     ++this.frames;
     if (now - this.framesSince > 1000) {
       this.root.dataset.fps = ((1000 * this.frames) / (now - this.framesSince)).toFixed(1);
@@ -388,10 +420,32 @@ export class App implements SessionListener {
     }
   }
 
+  private slowFrames = 0;
+  private lastDrawn = 0;
+
+  // where the processor draws, a smaller picture keeps it fluid
+  private watchSpeed(now: number): void {
+    const period = now - this.lastDrawn;
+    this.lastDrawn = now;
+    if (period > kSlowPeriod && period < 1000) {
+      ++this.slowFrames;
+    } else {
+      this.slowFrames = Math.max(0, this.slowFrames - 2);
+    }
+    if (this.slowFrames > kMostSlow) {
+      this.slowFrames = 0;
+      this.view.reduce();
+    }
+  }
+
   private updateNote(): void {
     const parts: string[] = [];
     if (this.view.isSoftware) {
-      parts.push("Drawn by the processor: no shadows");
+      parts.push(
+        this.view.isReduced
+          ? "Drawn by the processor: no shadows, fewer pixels"
+          : "Drawn by the processor: no shadows",
+      );
     }
     const { merged, points } = this.view.counts;
     if (points > 0) {
@@ -1029,9 +1083,14 @@ export class App implements SessionListener {
   }
 
   private async savePicture(): Promise<void> {
-    const blob = await this.view.toBlob();
-    if (blob === null || this.frame === null) {
+    if (this.frame === null) {
       this.notify("There is no picture yet", "error");
+      return;
+    }
+    const picture = this.view.capture(true);
+    const blob = await new Promise<Blob | null>((resolve) => picture.toBlob(resolve, "image/png"));
+    if (blob === null) {
+      this.notify("The browser cannot write the picture", "error");
       return;
     }
     const link = h("a", {

@@ -74,6 +74,8 @@ export class LabelCanvas {
     if (this.isEmpty && labels.length === 0 && overlay.length === 0) {
       return;
     }
+    const hasNothing = labels.length === 0 && overlay.length === 0;
+    this.canvas.style.visibility = hasNothing ? "hidden" : ""; // browsers then need not blend it
     const ratio = window.devicePixelRatio;
     const width = this.canvas.clientWidth;
     const height = this.canvas.clientHeight;

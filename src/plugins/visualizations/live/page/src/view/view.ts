@@ -55,6 +55,8 @@ const kMostIds = 400;
 const kMostTrailParts = 24_000;
 const kTrailStates = 200;
 const kChoicePeriod = 250; // ms
+const kSoftwarePixels = 700_000;
+const kLeastPixelShare = 0.4;
 const kPickPixels = 9;
 const kMostHovered = 5000;
 
@@ -127,7 +129,6 @@ export class View {
       canvas,
       antialias: !this.isSoftware,
       alpha: false,
-      preserveDrawingBuffer: true,
       powerPreference: "high-performance",
     });
     this.renderer.outputColorSpace = LinearSRGBColorSpace; // the shaders encode it themselves
@@ -332,24 +333,41 @@ export class View {
     return found;
   }
 
+  /** Whether the picture has fewer pixels than its place. */
+  isReduced = false;
+  private pixelShare = 1;
+
+  /** Draws fewer pixels from now on. Returns false if there is no more to save. */
+  reduce(): boolean {
+    if (!this.isSoftware || this.pixelShare <= kLeastPixelShare) {
+      return false;
+    }
+    this.pixelShare *= 0.7;
+    this.resize();
+    return true;
+  }
+
   resize(): void {
     const width = Math.max(1, this.canvas.clientWidth);
     const height = Math.max(1, this.canvas.clientHeight);
     const ratio = this.isSoftware ? 1 : Math.min(window.devicePixelRatio, 2);
     // where the processor draws, fewer pixels keep it fluid
-    const share = this.isSoftware ? Math.min(1, Math.sqrt(700_000 / (width * height))) : 1;
+    const most = kSoftwarePixels * this.pixelShare;
+    const share = this.isSoftware ? Math.min(1, Math.sqrt(most / (width * height))) : 1;
+    this.isReduced = share < 1;
     this.renderer.setPixelRatio(1);
     this.renderer.setSize(Math.round(width * ratio * share), Math.round(height * ratio * share), false);
     this.camera.resize(width, height);
   }
 
-  render(now: number): void {
+  /** Draws, if the picture would be another one. Returns whether it has drawn. */
+  render(now: number): boolean {
     if (this.frame === null) {
       this.renderer.clear();
-      return;
+      return false;
     }
     if (!this.needsPicture(now)) {
-      return;
+      return false;
     }
     const size = this.renderer.getSize(new Vector2());
     const u = this.uniforms;
@@ -384,6 +402,7 @@ export class View {
     this.renderer.clear();
     this.renderer.render(this.scene, camera);
     this.drawLabels();
+    return true;
   }
 
   private pictureKey = "";
@@ -406,17 +425,20 @@ export class View {
 
   private hasChosen = false;
 
-  /** The picture with its texts, as a PNG. */
-  toBlob(): Promise<Blob | null> {
+  /** The picture, with its texts or without. */
+  capture(withLabels: boolean): HTMLCanvasElement {
+    // what was drawn can be read only until the browser shows it
+    ++this.changes;
+    this.render(performance.now());
     const picture = document.createElement("canvas");
     picture.width = this.canvas.width;
     picture.height = this.canvas.height;
     const context = picture.getContext("2d")!;
     context.drawImage(this.canvas, 0, 0);
-    if (this.labelCanvas.width > 0) {
+    if (withLabels && this.labelCanvas.width > 0) {
       context.drawImage(this.labelCanvas, 0, 0, picture.width, picture.height);
     }
-    return new Promise((resolve) => picture.toBlob(resolve, "image/png"));
+    return picture;
   }
 
   private show(frame: Frame, isJump: boolean): void {
