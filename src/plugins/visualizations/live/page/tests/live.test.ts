@@ -1,0 +1,118 @@
+import assert from "node:assert/strict";
+import { type ChildProcess, spawn } from "node:child_process";
+import { after, before, test } from "node:test";
+
+import type { Browser } from "playwright-core";
+
+import { Tab, launch, missingBrowser } from "./browser";
+import { argos3, experiment, folder, run } from "./runs";
+
+const kTimeout = 40_000; // ms, of a test
+const skip =
+  missingBrowser() ?? (run("--help").includes("--live") ? false : "this argos3 has no --live");
+let browser: Browser;
+const programs: ChildProcess[] = [];
+
+before(async () => {
+  if (skip === false) {
+    browser = await launch();
+  }
+});
+after(async () => {
+  programs.forEach((program) => program.kill("SIGKILL"));
+  await browser?.close();
+});
+
+interface Run {
+  url: string;
+  /** Resolves with the exit status. */
+  ended: Promise<number | null>;
+}
+
+function startRun(name: string): Promise<Run> {
+  const program = spawn(argos3, [experiment(name), "--live"], { cwd: folder });
+  programs.push(program);
+  const ended = new Promise<number | null>((resolve) => program.on("exit", resolve));
+  return new Promise((resolve, reject) => {
+    let text = "";
+    const read = (data: Buffer): void => {
+      text += String(data);
+      const url = /Live view: (http:\S+)/.exec(text)?.[1];
+      if (url !== undefined) {
+        resolve({ url, ended });
+      }
+    };
+    program.stdout.on("data", read);
+    program.stderr.on("data", read);
+    program.on("exit", () => reject(new Error(`argos3 has ended: ${text}`)));
+  });
+}
+
+async function numEntities(tab: Tab): Promise<number> {
+  return tab.page.evaluate(
+    () =>
+      (window as unknown as { argosView: { frame: { entities: unknown[] } } }).argosView.frame.entities
+        .length,
+  );
+}
+
+async function waitForEntities(tab: Tab, expected: number): Promise<void> {
+  for (let i = 0; i < 100 && (await numEntities(tab)) !== expected; ++i) {
+    await tab.page.waitForTimeout(50);
+  }
+  assert.equal(await numEntities(tab), expected);
+}
+
+test("live: a run is played, its robot looked into, and it is ended", { skip, timeout: kTimeout }, async () => {
+  const { url, ended } = await startRun("diffusion_10");
+  const tab = await Tab.open(browser, url);
+  await tab.waitForTick((tick) => tick === 0, "the first state");
+  await tab.button("Play").click();
+  await tab.waitForTick((tick) => tick > 5, "the run");
+  await tab.page.locator(".entities button").first().click();
+  await tab.page.getByText("Readings: footbot_proximity").waitFor();
+  await tab.button("Pause").click();
+  await tab.button("Play").waitFor();
+  await tab.page.waitForTimeout(300);
+  const paused = await tab.tick();
+  await tab.button("One tick ahead").click();
+  await tab.waitForTick((tick) => tick === paused + 1, "a step");
+  await tab.button("Reset the run, with the same seed").click();
+  await tab.waitForTick((tick) => tick === 0, "the reset");
+  tab.page.on("dialog", (dialog) => void dialog.accept());
+  await tab.button("End the run").click();
+  assert.equal(await ended, 0);
+  await tab.page.getByText("Ended", { exact: true }).waitFor();
+  assert.equal(await tab.button("Play").getAttribute("title"), "The run has ended");
+  assert.deepEqual(await tab.close(), []);
+});
+
+test("live: a robot is dragged, refused in a wall, added and removed", { skip, timeout: kTimeout }, async () => {
+  const { url } = await startRun("diffusion_10");
+  const tab = await Tab.open(browser, url);
+  await tab.waitForTick((tick) => tick === 0, "the first state");
+  await tab.page.keyboard.press("t");
+  await tab.page.waitForTimeout(300);
+  const drag = async (id: string, to: { x: number; y: number }): Promise<void> => {
+    const from = await tab.placeOf(id);
+    await tab.page.mouse.move(from.x, from.y);
+    await tab.page.mouse.down();
+    await tab.page.mouse.move(to.x, to.y, { steps: 3 });
+    await tab.page.mouse.up();
+  };
+  const start = await tab.placeOf("fb0");
+  await tab.page.mouse.click(start.x, start.y);
+  const card = tab.page.getByRole("region", { name: "fb0" });
+  await card.waitFor();
+  await drag("fb0", await tab.placeOf("wall_north"));
+  await tab.page.getByRole("alert").first().waitFor();
+  assert.match(await tab.page.getByRole("alert").first().innerText(), /"fb0" would overlap "wall_north"/);
+  const before = await numEntities(tab);
+  await card.getByRole("button", { name: "Remove it from the arena" }).click();
+  await waitForEntities(tab, before - 1);
+  await card.getByText("no longer in the arena").waitFor();
+  await tab.button("Add a robot or a thing").click();
+  await tab.button("Add a cylinder in the middle of the picture").click();
+  await waitForEntities(tab, before);
+  assert.deepEqual(await tab.close(), []);
+});
