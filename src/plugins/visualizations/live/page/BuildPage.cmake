@@ -1,7 +1,8 @@
-# Builds PAGE from SOURCE with the packages in FOLDER; without these, there is no page, and each build looks again.
+# Builds PAGE from SOURCE with the packages in FOLDER. Without these there is no page, and the next build tries to install
+# them again.
 file(READ "${FOLDER}/stamp" installed)
 if(installed STREQUAL "")
-  file(REMOVE "${PAGE}")
+  file(REMOVE "${PAGE}" "${FOLDER}/stamp")
   return()
 endif()
 execute_process(

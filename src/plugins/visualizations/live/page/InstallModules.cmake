@@ -2,7 +2,8 @@
 file(MAKE_DIRECTORY "${FOLDER}")
 file(COPY "${SOURCE}/package.json" "${SOURCE}/package-lock.json" DESTINATION "${FOLDER}")
 execute_process(
-  COMMAND "${NPM}" ci --prefer-offline --ignore-scripts --no-audit --no-fund --loglevel=error
+  COMMAND "${NPM}" ci --prefer-offline --ignore-scripts --no-audit --no-fund --fetch-retries=1
+    --fetch-timeout=30000 --loglevel=error
   WORKING_DIRECTORY "${FOLDER}"
   TIMEOUT 300
   RESULT_VARIABLE result
