@@ -1,6 +1,7 @@
 #include <argos3/plugins/simulator/outputs/recording/capture.h>
 
 #include <argos3/core/simulator/entity/floor_entity.h>
+#include <argos3/core/simulator/space/metrics.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/simulator/visualization/floor_samples.h>
 #include <argos3/plugins/simulator/outputs/recording/format/type_coding.h>
@@ -124,6 +125,13 @@ std::shared_ptr<const SRecordedFloor> CCapture::ReadFloor(CSpace& space,
     }
   }
   return image;
+}
+
+void TakeMetrics(CSpace& space, SFrameUpdate& update) {
+  update.Metrics.clear();
+  for (const CMetrics::SMetric& metric : space.GetExtension<CMetrics>().GetAll()) {
+    update.Metrics.push_back({metric.Name, metric.Unit, metric.Value});
+  }
 }
 
 }  // namespace argos

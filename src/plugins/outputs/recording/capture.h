@@ -38,6 +38,9 @@ class CCapture {
   UInt64 m_floorVersion = 0;  // of m_floor
 };
 
+/** Sets the metrics of an update to those of now. */
+void TakeMetrics(CSpace& space, SFrameUpdate& update);
+
 }  // namespace argos
 
 #endif

@@ -4,18 +4,16 @@
 #include <argos3/core/simulator/context/simulation_context.h>
 #include <argos3/core/simulator/loading/loading_check.h>
 #include <argos3/core/simulator/simulator.h>
-#include <argos3/core/simulator/space/metrics.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/utility/logging/log_control.h>
 #include <argos3/core/utility/text/string_utilities.h>
 #include <argos3/plugins/simulator/outputs/recording/format/drawing_coding.h>
+#include <argos3/plugins/simulator/outputs/recording/run_info.h>
 #include <argos3/support/numbered_file.h>
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <ctime>
 #include <set>
 
 namespace argos {
@@ -85,25 +83,11 @@ void CRecordingOutput::Init(TConfigurationNode& tree) {
   }
 }
 
-SRecordingInfo CRecordingOutput::MakeInfo() const {
-  CSimulator& simulator = CurrentSimulator();
-  SRecordingInfo info;
-  info.ExperimentFile = simulator.GetExperimentFileName();
-  info.Experiment = simulator.GetExperimentText();
-  info.Overrides = simulator.GetOverrides();
-  info.Seed = simulator.GetRandomSeed();
-  info.Version = ARGOS_VERSION "-" ARGOS_RELEASE;
-  info.Build = ARGOS_BUILD_FLAGS;
-  info.Date = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
-  info.TickLength = simulator.GetTickLength();
+void CRecordingOutput::Open() {
+  SRecordingInfo info = MakeRunInfo(CurrentSimulator());
   info.Every = m_every;
   info.Precision = m_precision;
-  return info;
-}
-
-void CRecordingOutput::Open() {
-  m_writer =
-      std::make_unique<CRecordingWriter>(NumberFile(m_file, static_cast<int>(m_run)), MakeInfo());
+  m_writer = std::make_unique<CRecordingWriter>(NumberFile(m_file, static_cast<int>(m_run)), info);
 }
 
 void CRecordingOutput::Observe(CSimulator& simulator) {
@@ -130,19 +114,12 @@ void CRecordingOutput::Record(CSimulator& simulator) {
     CByteWriter out(update.Drawing);
     WriteDrawing(m_drawing.Draw(simulator, m_width, m_height), out);
   }
-  ReadMetrics(space, update);
+  TakeMetrics(space, update);
   AddPending();
   m_pending = std::move(update);
   m_lastTick = space.GetSimulationClock();
   ++m_numFrames;
   m_numRobotTicks += space.GetControllableEntities().size();
-}
-
-void CRecordingOutput::ReadMetrics(CSpace& space, SFrameUpdate& update) {
-  update.Metrics.clear();
-  for (const CMetrics::SMetric& metric : space.GetExtension<CMetrics>().GetAll()) {
-    update.Metrics.push_back({metric.Name, metric.Unit, metric.Value});
-  }
 }
 
 void CRecordingOutput::AddPending() {
@@ -172,7 +149,7 @@ void CRecordingOutput::Finish(CSimulator& simulator) {
     Record(simulator);
   } else if (m_pending) {
     // PostExperiment() may have recorded results, or replaced those of the last tick
-    ReadMetrics(simulator.GetSpace(), *m_pending);
+    TakeMetrics(simulator.GetSpace(), *m_pending);
   }
   AddPending();
   m_writer->Close();

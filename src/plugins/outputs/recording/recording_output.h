@@ -31,10 +31,8 @@ class CRecordingOutput : public CRunOutput {
  private:
   void Open();
   void Record(CSimulator& simulator);
-  static void ReadMetrics(CSpace& space, SFrameUpdate& update);
   void AddPending();
   void KeepReplayedFields(CSpace& space);
-  SRecordingInfo MakeInfo() const;
 
   std::string m_location;  // of the element
   std::string m_file;  // as given
