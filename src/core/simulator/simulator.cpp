@@ -282,6 +282,11 @@ void CSimulator::AddVideo(const std::string& file, const std::string& speed) {
   m_settings.Outputs.push_back(output);
 }
 
+void CSimulator::SetVisualization(
+    const std::string& tag, const std::vector<std::pair<std::string, std::string>>& attributes) {
+  m_settings.Visualization = SRunSettings::SOutput{tag, attributes, false, {}};
+}
+
 std::string CSimulator::GetExperimentText() const {
   if (m_experiment->Document == nullptr) {
     THROW_ARGOSEXCEPTION("no experiment is loaded: there is no text of it");
@@ -484,6 +489,7 @@ void CSimulator::Destroy() {
   }
   m_settings.ForgetWhatWasSet();
   m_terminated = false;
+  m_isStopped = false;
   LOG.Flush();
   LOGERR.Flush();
   if (failure != nullptr) {
@@ -518,9 +524,38 @@ void CSimulator::UpdateSpace() {
     outputs.Abandon();
     throw;
   }
+  CallTickObserver();
+}
+
+void CSimulator::CallTickObserver() {
   if (m_tickObserver) {
     m_tickObserver(*this);
   }
+}
+
+void CSimulator::Stop() {
+  m_isStopped = true;
+  Terminate();
+}
+
+bool CSimulator::IsReplay() const {
+  return m_experiment->Replay != nullptr;
+}
+
+void CSimulator::SeekReplay(UInt32 tick) {
+  m_context.Run.CheckIsIdle("CSimulator::SeekReplay()");
+  if (!IsReplay()) {
+    THROW_ARGOSEXCEPTION("only a replay can be shown from another tick on");
+  }
+  const CScope scope(*this);
+  CRunOutputs& outputs = m_experiment->Outputs;
+  outputs.Begin(*this);
+  // ticks of outputs only increase
+  if (tick <= m_space->GetSimulationClock()) {
+    outputs.Reset(*this);
+  }
+  m_experiment->Replay->Seek(*m_space, tick);
+  outputs.Begin(*this);
 }
 
 bool CSimulator::IsExperimentFinished() const {

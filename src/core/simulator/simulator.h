@@ -179,6 +179,12 @@ class CSimulator {
    * @param speed  the attribute "speed"; empty: that of the element, by default 1.
    */
   void AddVideo(const std::string& file, const std::string& speed = "");
+  /**
+   * Uses a visualization in place of the children of `<visualization>`; call it before loading.
+   * @param tag  of a CVisualization. @param attributes  added to those of its element, if any.
+   */
+  void SetVisualization(const std::string& tag,
+                        const std::vector<std::pair<std::string, std::string>>& attributes);
   /** Paths and values of AddOverride(), of the experiment that is loaded. */
   const std::vector<std::pair<std::string, std::string>>& GetOverrides() const {
     return m_settings.Overrides;
@@ -190,6 +196,9 @@ class CSimulator {
 
   /** Ends the experiment at the next check of IsExperimentFinished(). */
   void Terminate() { m_terminated = true; }
+  /** The same for a program that is asked to end: a visualization does not wait for its user. */
+  void Stop();
+  bool IsStopped() const { return m_isStopped; }
   std::string GetInstallationDirectory() const;
 
   /** Loads from a tree; the document must outlive the experiment. */
@@ -241,6 +250,9 @@ class CSimulator {
   void Execute();
   /** One tick, and its outputs. @throws CARGoSException in a tick. */
   void UpdateSpace();
+  bool IsReplay() const;
+  /** In a replay: shows the first state at this tick or later. @throws CARGoSException */
+  void SeekReplay(UInt32 tick);
   bool IsExperimentFinished() const;
   /**
    * For a process that ends within users' code: finishes and destroys the outputs. In a hook of the
@@ -253,6 +265,8 @@ class CSimulator {
   void SetTickObserver(std::function<void(CSimulator&)> observer) {
     m_tickObserver = std::move(observer);
   }
+  /** For visualizations that pause: the program may stop the run meanwhile. */
+  void CallTickObserver();
   /** The threads on which phases run. */
   CThreadPool& GetThreadPool();
 
@@ -277,6 +291,7 @@ class CSimulator {
   SRunSettings m_settings;
   std::unique_ptr<SExperimentParts> m_experiment;  // never null; its reset is Destroy()
   std::atomic<bool> m_terminated{false};  // controllers may end the experiment concurrently
+  bool m_isStopped = false;
   std::function<void(CSimulator&)> m_tickObserver;
 };
 

@@ -490,9 +490,14 @@ void CExperimentLoader::PostSpaceInit(CLoadErrors& errors) {
 }
 
 void CExperimentLoader::InitViews(TConfigurationNode& root, CLoadErrors& errors) {
+  if (m_settings.Visualization) {
+    errors.Try("", [&] { InitSetView(root); });
+  }
   if (NodeExists(root, "visualization")) {
     TConfigurationNode& section = GetNode(root, "visualization");
-    if (m_settings.ForceNoVisualization) {
+    if (m_settings.Visualization) {
+      MarkSubtreeRead(section);
+    } else if (m_settings.ForceNoVisualization) {
       MarkSubtreeRead(section);
     } else {
       TConfigurationNodeIterator it;

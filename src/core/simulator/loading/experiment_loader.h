@@ -72,6 +72,7 @@ class CExperimentLoader {
   void AddOutputElements(CLoadErrors& errors);
   void InitViews(TConfigurationNode& root, CLoadErrors& errors);
   void InitView(TConfigurationNode& node);
+  void InitSetView(TConfigurationNode& root);
   void InitOutputs(TConfigurationNode& root, CLoadErrors& errors);
   bool MayAddRobots() const;
   void CheckUnread(CLoadErrors& errors) const;

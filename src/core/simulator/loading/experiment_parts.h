@@ -4,6 +4,7 @@
 #include <argos3/core/simulator/context/simulation_context.h>
 #include <argos3/core/simulator/outputs/run_outputs.h>
 #include <argos3/core/simulator/physics_engine/engine_lookup.h>
+#include <argos3/core/utility/configuration/argos_configuration.h>
 #include <argos3/core/utility/math/rng.h>
 
 #include <exception>
@@ -62,6 +63,7 @@ struct SExperimentParts {
   std::unique_ptr<CLoopFunctions> OwnLoopFunctions; /**< null if the program owns them */
   bool AreLoopFunctionsReady = false; /**< initialised and not destroyed */
   bool ChecksControllersAtEnd = false; /**< whether robots have used those of the file */
+  std::unique_ptr<TConfigurationNode> SetView; /**< of the program; null: that of the file */
   std::unique_ptr<CVisualization> Visualization;
   CRunOutputs Outputs;
   CEngineLookup EngineLookup;

@@ -31,6 +31,7 @@ void SRunSettings::DrawSeedFromClock() {
 void SRunSettings::ForgetWhatWasSet() {
   Overrides.clear();
   Outputs.clear();
+  Visualization.reset();
   IsSeedSet = AreThreadsSet = IsLengthSet = false;
   IsSeedFromClock = true;
   IsRealTime = false;

@@ -3,6 +3,7 @@
 
 #include <argos3/core/utility/datatypes/datatypes.h>
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,6 +26,7 @@ struct SRunSettings {
 
   std::vector<std::pair<std::string, std::string>> Overrides; /**< `--set`: path and value */
   std::vector<SOutput> Outputs; /**< added to those of the file */
+  std::optional<SOutput> Visualization; /**< the only child of `<visualization>` */
   bool ForceNoVisualization = false;
 
   bool IsSeedSet = false; /**< by the program */

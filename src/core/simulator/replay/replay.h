@@ -39,6 +39,9 @@ class CReplay {
   /** Opens the recording. @throws CARGoSException if it cannot be read, or has no such part. */
   virtual void Open(const SReplayRequest& request) = 0;
 
+  /** The seed of the run that a recording contains. @throws CARGoSException as Open() */
+  virtual UInt32 ReadSeed(const std::string& file) const = 0;
+
   /** The XML of the experiment that was recorded. */
   virtual const std::string& GetExperiment() const = 0;
   /** Its file, for messages. */
@@ -57,6 +60,8 @@ class CReplay {
   virtual void Begin(CSpace& space) = 0;
   /** Sets the next state. Does nothing at the end. @throws CARGoSException */
   virtual void Advance(CSpace& space) = 0;
+  /** Sets the first state at @p tick or later, at most the last one. @throws CARGoSException */
+  virtual void Seek(CSpace& space, UInt32 tick) = 0;
   /** @return true if there is no further state. */
   virtual bool IsAtEnd() const = 0;
 };

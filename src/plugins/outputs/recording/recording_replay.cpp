@@ -109,6 +109,10 @@ void CRecordingReplay::SelectPart(const SReplayRequest& request) {
   }
 }
 
+UInt32 CRecordingReplay::ReadSeed(const std::string& file) const {
+  return CRecordingReader(file).GetInfo().Seed;
+}
+
 const std::string& CRecordingReplay::GetExperiment() const {
   return m_reader->GetInfo().Experiment;
 }
@@ -130,8 +134,12 @@ std::unique_ptr<CLoopFunctions> CRecordingReplay::MakeLoopFunctions() {
 }
 
 void CRecordingReplay::Begin(CSpace& space) {
-  m_reader->Seek(m_firstTick);
-  m_nextTick = m_firstTick;
+  Seek(space, m_firstTick);
+}
+
+void CRecordingReplay::Seek(CSpace& space, UInt32 tick) {
+  m_nextTick = std::clamp(tick, m_firstTick, m_lastTick);
+  m_reader->Seek(m_nextTick);
   m_hasEnded = false;
   Advance(space);
 }

@@ -19,6 +19,7 @@ class CRecordingReplay : public CReplay {
   ~CRecordingReplay() override;
 
   void Open(const SReplayRequest& request) override;
+  UInt32 ReadSeed(const std::string& file) const override;
   const std::string& GetExperiment() const override;
   const std::string& GetExperimentFile() const override { return m_experimentFile; }
   UInt32 GetSeed() const override;
@@ -28,6 +29,7 @@ class CRecordingReplay : public CReplay {
   std::unique_ptr<CLoopFunctions> MakeLoopFunctions() override;
   void Begin(CSpace& space) override;
   void Advance(CSpace& space) override;
+  void Seek(CSpace& space, UInt32 tick) override;
   bool IsAtEnd() const override { return m_hasEnded; }
 
   /** What users' code drew in the present state, see DrawAgain(); empty if it is not recorded. */
