@@ -4,6 +4,7 @@
 #include <argos3/core/simulator/context/simulation_context.h>
 #include <argos3/core/simulator/loading/loading_check.h>
 #include <argos3/core/simulator/simulator.h>
+#include <argos3/core/simulator/space/run_commands.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/utility/logging/log_control.h>
 #include <argos3/core/utility/text/string_utilities.h>
@@ -15,6 +16,7 @@
 #include <fmt/ranges.h>
 
 #include <set>
+#include <utility>
 
 namespace argos {
 
@@ -23,6 +25,13 @@ namespace {
 // size of the picture for which users' code draws
 constexpr UInt32 kDefaultWidth = 1280;  // pixels
 constexpr UInt32 kDefaultHeight = 960;
+
+// adds those since the last call
+void TakeCommands(CSpace& space, SFrameUpdate& update) {
+  for (CRunCommands::SCommand& command : space.GetExtension<CRunCommands>().Take()) {
+    update.Commands.push_back({command.Tick, std::move(command.Text)});
+  }
+}
 
 }  // namespace
 
@@ -71,6 +80,7 @@ void CRecordingOutput::Init(TConfigurationNode& tree) {
     GetNodeAttribute(tree, "fields", fields);
     m_fields.emplace(m_location, fields, CurrentSpace());
   }
+  CurrentSpace().GetExtension<CRunCommands>().Keep();
   try {
     if (CLoadingCheck::IsActive()) {
       CRecordingWriter::Check(m_file);
@@ -115,6 +125,7 @@ void CRecordingOutput::Record(CSimulator& simulator) {
     WriteDrawing(m_drawing.Draw(simulator, m_width, m_height), out);
   }
   TakeMetrics(space, update);
+  TakeCommands(space, update);
   AddPending();
   m_pending = std::move(update);
   m_lastTick = space.GetSimulationClock();
@@ -150,6 +161,7 @@ void CRecordingOutput::Finish(CSimulator& simulator) {
   } else if (m_pending) {
     // PostExperiment() may have recorded results, or replaced those of the last tick
     TakeMetrics(simulator.GetSpace(), *m_pending);
+    TakeCommands(simulator.GetSpace(), *m_pending);
   }
   AddPending();
   m_writer->Close();

@@ -18,7 +18,8 @@ enum ESection : int {
   SECTION_FLOOR = 5,
   SECTION_COLUMNS = 6,
   SECTION_DRAWING = 7,
-  SECTION_METRICS = 8
+  SECTION_METRICS = 8,
+  SECTION_COMMANDS = 9
 };
 
 constexpr UInt32 kMaxPixels = 1 << 14;  // along one side of the floor
@@ -41,6 +42,23 @@ void ReadMetrics(std::vector<SRecordedMetric>& metrics, CByteReader& in) {
     metric.Name = in.ReadText();
     metric.Unit = in.ReadText();
     metric.Value = in.ReadReal();
+  }
+}
+
+void WriteCommands(const std::vector<SRecordedCommand>& commands, CByteWriter& out) {
+  out.WriteNumber(commands.size());
+  for (const SRecordedCommand& command : commands) {
+    out.WriteNumber(command.Tick);
+    out.WriteText(command.Text);
+  }
+}
+
+void ReadCommands(std::vector<SRecordedCommand>& commands, CByteReader& in) {
+  const size_t count = in.ReadCount("number of commands");
+  for (size_t i = 0; i < count; ++i) {
+    SRecordedCommand& command = commands.emplace_back();
+    command.Tick = static_cast<UInt32>(in.ReadNumberUpTo(~UInt32(0), "tick of a command"));
+    command.Text = in.ReadText();
   }
 }
 
@@ -146,6 +164,9 @@ void CFrameEncoder::Encode(SFrameUpdate& update, bool isKey, std::string& bytes)
   if (!update.Metrics.empty()) {
     AddSection(SECTION_METRICS, [&](CByteWriter& out) { WriteMetrics(update.Metrics, out); });
   }
+  if (!update.Commands.empty()) {
+    AddSection(SECTION_COMMANDS, [&](CByteWriter& out) { WriteCommands(update.Commands, out); });
+  }
   if (update.Drawing != m_drawing || (isKey && !update.Drawing.empty())) {
     m_drawing = update.Drawing;
     AddSection(SECTION_DRAWING, [&](CByteWriter& out) { out.WriteText(m_drawing); });
@@ -170,6 +191,7 @@ const SRecordedFrame& CFrameDecoder::Decode(CByteReader& in, bool isKey) {
   m_frame.Rays.clear();
   m_frame.Columns.clear();
   m_frame.Metrics.clear();
+  m_frame.Commands.clear();
   if (isKey) {
     m_table = CEntityTable();
     m_poses.Restart(0);
@@ -216,6 +238,9 @@ void CFrameDecoder::DecodeSection(UInt64 number, CByteReader& in) {
       break;
     case SECTION_METRICS:
       ReadMetrics(m_frame.Metrics, in);
+      break;
+    case SECTION_COMMANDS:
+      ReadCommands(m_frame.Commands, in);
       break;
     case SECTION_DRAWING:
       m_frame.Drawing = in.ReadText();

@@ -13,6 +13,7 @@ void SFrameUpdate::Clear() {
   Floor.reset();
   Columns.clear();
   Metrics.clear();
+  Commands.clear();
   Drawing.clear();
 }
 

@@ -98,6 +98,14 @@ struct SRecordedMetric {
   bool operator==(const SRecordedMetric& other) const = default;
 };
 
+/** What a user has changed in the run, see CRunCommands. */
+struct SRecordedCommand {
+  UInt32 Tick = 0; /**< after which it was given; before that of the frame, or the last frame's */
+  std::string Text;
+
+  bool operator==(const SRecordedCommand& other) const = default;
+};
+
 /**
  * All that a view shows of one tick, as a difference to the last one in the list of entities: first
  * entities are removed, then others are added at the end.
@@ -115,6 +123,7 @@ struct SFrameUpdate {
   std::shared_ptr<const SRecordedFloor> Floor; /**< null: none; another object if it changed */
   std::vector<SRecordedColumn> Columns;
   std::vector<SRecordedMetric> Metrics;
+  std::vector<SRecordedCommand> Commands; /**< since the last frame */
   std::string Drawing; /**< what users' code draws, in a form that the caller knows */
 
   /** Ready for the next tick; keeps memory. */
@@ -135,6 +144,7 @@ struct SRecordedFrame {
   std::shared_ptr<const SRecordedFloor> Floor;
   std::vector<SRecordedColumn> Columns;
   std::vector<SRecordedMetric> Metrics;
+  std::vector<SRecordedCommand> Commands;
   std::string Drawing;
 };
 

@@ -248,6 +248,7 @@ TEST_CASE("frames: rays, floor, columns and drawings are decoded as they were",
   second.Columns = {{"battery", "battery_charge", "J", false, {0.75}, {}},
                     {"lua:state", "lua_state", "", true, {1.0}, {"walk", "rest"}}};
   second.Metrics = {{"food", "", 3.0}, {"spread", "m", 0.5}};
+  second.Commands = {{1, "{\"do\":\"move\"}"}, {1, ""}};
   second.Drawing = "shapes";
   encoder.Encode(second, false, bytes);
 
@@ -274,6 +275,7 @@ TEST_CASE("frames: rays, floor, columns and drawings are decoded as they were",
   CHECK(frame.Columns[1].Values == std::vector<Real>{1.0});
   CHECK(frame.Columns[1].Texts == std::vector<std::string>{"walk", "rest"});
   CHECK(frame.Metrics == second.Metrics);
+  CHECK(frame.Commands == second.Commands);
   CHECK(frame.Drawing == "shapes");
 }
 
