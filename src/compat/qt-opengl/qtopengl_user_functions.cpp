@@ -2,12 +2,30 @@
 
 #include <argos3/plugins/simulator/visualizations/qt-opengl/qt_conversions.h>
 
+#include <cctype>
+#include <map>
+
 namespace argos {
 
 namespace {
 
 // the default of vertices: a circle that was meant to be round
 constexpr GLuint kRoundVertices = 20;
+
+// of Qt::Key, for a name of browsers; those of characters are their codes, of letters in upper case
+int ToQtKey(const std::string& key) {
+  static const std::map<std::string, int> named = {
+      {"Escape", Qt::Key_Escape}, {"Tab", Qt::Key_Tab},          {"Backspace", Qt::Key_Backspace},
+      {"Enter", Qt::Key_Return},  {"Insert", Qt::Key_Insert},    {"Delete", Qt::Key_Delete},
+      {"Home", Qt::Key_Home},     {"End", Qt::Key_End},          {"ArrowLeft", Qt::Key_Left},
+      {"ArrowUp", Qt::Key_Up},    {"ArrowRight", Qt::Key_Right}, {"ArrowDown", Qt::Key_Down},
+      {"PageUp", Qt::Key_PageUp}, {"PageDown", Qt::Key_PageDown}};
+  if (key.size() == 1) {
+    return std::toupper(static_cast<unsigned char>(key[0]));
+  }
+  const auto found = named.find(key);
+  return found == named.end() ? 0 : found->second;
+}
 
 }  // namespace
 
@@ -22,6 +40,37 @@ void CQTOpenGLUserFunctions::KeyPressed(QKeyEvent* event) {
 
 void CQTOpenGLUserFunctions::KeyReleased(QKeyEvent* event) {
   GetQTOpenGLWidget().KeyReleased(event);
+}
+
+void CQTOpenGLUserFunctions::HandleSelection(CEntity* root) {
+  if (root != nullptr) {
+    SelectEntity(*root);
+  } else {
+    DeselectEntity();
+  }
+}
+
+void CQTOpenGLUserFunctions::ForgetSelection() {
+  GetQTOpenGLWidget().ForgetSelection();
+}
+
+void CQTOpenGLUserFunctions::HandleMove(CEntity& root, const SBodyPose& before,
+                                        const SBodyPose& now) {
+  if (!(before.Position == now.Position)) {
+    EntityMoved(root, before.Position, now.Position);
+  }
+  if (!(before.Orientation == now.Orientation)) {
+    EntityRotated(root, before.Orientation, now.Orientation);
+  }
+}
+
+void CQTOpenGLUserFunctions::HandleKey(const std::string& key, bool isDown) {
+  QKeyEvent event(ToQtKey(key), key.size() == 1 ? QString(key) : QString());
+  if (isDown) {
+    KeyPressed(&event);
+  } else {
+    KeyReleased(&event);
+  }
 }
 
 CEntity* CQTOpenGLUserFunctions::GetSelectedEntity() {

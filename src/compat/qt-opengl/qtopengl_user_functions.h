@@ -47,6 +47,11 @@ class CQTOpenGLUserFunctions : public CDrawingFunctions {
 
   /** In the world frame, if the arena has a floor. */
   virtual void Draw(CFloorEntity&) {}
+  void HandleSelection(CEntity* root) override;
+  void ForgetSelection() override;
+  void HandleMove(CEntity& root, const SBodyPose& before, const SBodyPose& now) override;
+  void HandleKey(const std::string& key, bool isDown) override;
+
   /** Draws over the picture, in pixels from its upper left corner. */
   virtual void DrawOverlay(QPainter&) {}
   void DrawInOverlay() override;

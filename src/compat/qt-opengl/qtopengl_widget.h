@@ -83,6 +83,8 @@ class CQTOpenGLWidget : public QOpenGLWidget, protected QOpenGLFunctions {
   CEntity* GetSelectedEntity() { return m_selected; }
   /** Calls EntityDeselected() for the entity selected before, if any, and EntitySelected(). */
   void SelectEntity(CEntity& entity);
+  /** The selected entity does not exist any more: calls nothing. */
+  void ForgetSelection() { m_selected = nullptr; }
   /** Calls EntityDeselected() if an entity is selected. */
   void DeselectEntity();
 

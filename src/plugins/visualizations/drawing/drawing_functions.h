@@ -2,11 +2,13 @@
 #define ARGOS3_PLUGINS_VISUALIZATIONS_DRAWING_DRAWING_FUNCTIONS_H
 
 #include <argos3/core/simulator/entity/entity.h>
+#include <argos3/core/simulator/geometry/body_pose.h>
 #include <argos3/core/simulator/visualization/drawing.h>
 #include <argos3/core/utility/configuration/base_configurable_resource.h>
 #include <argos3/core/utility/plugins/factory.h>
 
 #include <functional>
+#include <string>
 #include <vector>
 
 namespace argos {
@@ -37,6 +39,19 @@ class CDrawingFunctions : public CBaseConfigurableResource {
   virtual void DrawInOverlay() {}
   /** Calls the function that is registered for exactly the class of @p entity, if there is one. */
   virtual void Call(CEntity& entity);
+
+  /**
+   * What the user of an interactive view does, such as <live>: called between ticks, and may change
+   * the experiment.
+   * @param root  root entity that was selected; null: none is.
+   */
+  virtual void HandleSelection(CEntity* /*root*/) {}
+  /** The selected entity was removed, by whatever: it must not be used any more. */
+  virtual void ForgetSelection() {}
+  virtual void HandleMove(CEntity& /*root*/, const SBodyPose& /*before*/,
+                          const SBodyPose& /*now*/) {}
+  /** @param key  as browsers name it: the character, or "ArrowUp", "Enter", ... */
+  virtual void HandleKey(const std::string& /*key*/, bool /*isDown*/) {}
 
   /**
    * The list that a hook draws to.

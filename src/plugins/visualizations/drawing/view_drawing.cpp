@@ -68,6 +68,12 @@ void CViewDrawing::Destroy() {
   DestroyParts(m_overlays);
 }
 
+void CViewDrawing::ForEachFunctions(const std::function<void(CDrawingFunctions&)>& call) const {
+  for (const std::unique_ptr<CDrawingFunctions>& functions : m_functions) {
+    call(*functions);
+  }
+}
+
 void CViewDrawing::NoticeReset(CSimulator& simulator) {
   const UInt32 tick = simulator.GetSpace().GetSimulationClock();
   if (tick < m_lastTick) {

@@ -6,6 +6,7 @@
 #include <argos3/core/simulator/visualization/overlay.h>
 #include <argos3/core/utility/configuration/argos_configuration.h>
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -32,6 +33,9 @@ class CViewDrawing {
   void Init(TConfigurationNode& view);
   /** Destroys functions and overlays, the last one first. */
   void Destroy();
+
+  /** For interactive views: passes on what their user does. */
+  void ForEachFunctions(const std::function<void(CDrawingFunctions&)>& call) const;
 
   /** Views call it before the first tick and after each one: for overlays that need the past. */
   void Observe(CSimulator& simulator);
