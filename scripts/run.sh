@@ -5,12 +5,13 @@
 # repository. The simulator runs in the current folder: frames are written under its out/. It is built in build/ of the
 # repository, or where BUILD_DIR says, with warnings as errors on the compiler of Debian 12.
 #   scripts/run.sh experiments/diffusion_10.argos --seed 7 --threads 2
+#   scripts/run.sh experiments/diffusion_10.argos --live     in a web browser; installs and builds what that needs
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 
 experiment="experiments/diffusion_10.argos"
 if (($# > 0)) && [[ "$1" == -h || "$1" == --help ]]; then
-  sed -n '2,7s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"
+  sed -n '2,8s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"
   exit 0
 fi
 if (($# > 0)) && [[ "$1" != -* ]]; then
@@ -24,7 +25,11 @@ if [[ ! -f "$experiment" ]]; then
 fi
 
 say "Packages"
-"$repo/scripts/setup.sh" run
+marks=(run)
+for argument in "$@"; do
+  [[ "$argument" != --live && "$argument" != --live=* ]] || marks=(run live)
+done
+"$repo/scripts/setup.sh" "${marks[@]}"
 
 say "Build (Release, in ${release_build#"$repo"/}/)"
 if [[ "$(sed -n 's/^ARGOS_BUILD_TESTING:BOOL=//p' "$release_build/CMakeCache.txt" 2>/dev/null)" != ON ]]; then
@@ -32,6 +37,10 @@ if [[ "$(sed -n 's/^ARGOS_BUILD_TESTING:BOOL=//p' "$release_build/CMakeCache.txt
   werror=OFF
   [[ "$(c++ --version 2>/dev/null | head -n 1)" != *"Debian 12."* ]] || werror=ON
   configure_release "$release_build" -DARGOS_BUILD_TESTING=OFF -DARGOS_WERROR="$werror"
+fi
+# a build that was configured before Boost and npm were there looks for them again
+if ((${#marks[@]} > 1)) && [[ ! -f "$release_build/share/argos3/live/index.html" ]]; then
+  cmake "$release_build" >/dev/null
 fi
 build "$release_build" --target run
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs missing packages of packages.txt; if none is missing, does nothing and needs no network.
-#   scripts/setup.sh [MARK]...           those with one of the marks run, test, site, package; by default run
+#   scripts/setup.sh [MARK]...           those with one of the marks run, live, test, site, package; by default run
 #   scripts/setup.sh --list [MARK]...    prints them instead
 # Run by run.sh and test.sh, and by those who build by hand.
 set -euo pipefail
@@ -24,7 +24,7 @@ if [[ "${1:-}" == --list ]]; then
 fi
 (($# > 0)) || set -- run
 for mark in "$@"; do
-  [[ "$mark" =~ ^(run|test|site|package|guide|runtime|dev|option)$ ]] || fail "'$mark' is no mark of $list"
+  [[ "$mark" =~ ^(run|live|test|site|package|guide|runtime|dev|option)$ ]] || fail "'$mark' is no mark of $list"
 done
 mapfile -t wanted < <(awk -v marks="$*" '
   /^[^#]/ {

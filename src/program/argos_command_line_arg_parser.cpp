@@ -59,6 +59,10 @@ CLI::Option* AddOption(CLI::App& app, const SCommandLineOption& row, bool& value
 
 // if given repeatedly, it is reported
 CLI::Option* AddOption(CLI::App& app, const SCommandLineOption& row, std::string& value) {
+  if (row.Value.empty()) {
+    // a word that follows is not its value: "true" without "=..."
+    return app.add_flag(row.Names, value);
+  }
   return app.add_option(row.Names, value)
       ->expected(row.IsValueOptional() ? 0 : 1, 1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast)
@@ -243,6 +247,19 @@ void ReadTime(const CLI::App& app, const std::string& name, const std::string& t
   time = read;
 }
 
+void ReadLivePort(const CLI::App& app, const std::string& text, std::optional<UInt16>& port,
+                  CProblems& problems) {
+  if (app.count("--live") == 0) {
+    return;
+  }
+  constexpr UInt16 kMaxPort = 65535;
+  port = 0;
+  if (text != "true") {
+    ReadNumber(app, "--live", text, kMaxPort, "a port, from 0 to 65535, as in --live=8000", port,
+               problems);
+  }
+}
+
 void ReadStep(const CLI::App& app, const std::string& text, UInt32& every, CProblems& problems) {
   std::optional<UInt32> step;
   ReadNumber(app, "--every", text, ~UInt32(0), "a number of ticks, at least 1", step, problems);
@@ -311,9 +328,14 @@ bool SameFile(const std::string& first, const std::string& second) {
 
 void CheckFiles(const CLI::App& app, const SOptions& options, CProblems& problems) {
   const std::pair<const char*, const std::string*> files[] = {
-      {"--config-file", &options.ExperimentFile}, {"--replay", &options.Replay.File},
-      {"--record", &options.RecordFile},          {"--video", &options.VideoFile},
-      {"--log-file", &options.LogFile},           {"--logerr-file", &options.LogErrFile}};
+      {"--config-file", &options.ExperimentFile},
+      {"--replay", &options.Replay.File},
+      {"--record", &options.RecordFile},
+      {"--video", &options.VideoFile},
+      {"--replay-commands", &options.CommandsFile},
+      {"--html", &options.HTMLFile},
+      {"--log-file", &options.LogFile},
+      {"--logerr-file", &options.LogErrFile}};
   for (size_t i = 0; i < std::size(files); ++i) {
     if (app.count(files[i].first) == 0 && files[i].second->empty()) {
       continue;
@@ -328,6 +350,13 @@ void CheckFiles(const CLI::App& app, const SOptions& options, CProblems& problem
                      " are the same file, " + *files[i].second);
       }
     }
+  }
+}
+
+// both run the experiment
+void CheckRunners(const CLI::App& app, CProblems& problems) {
+  if (app.count("--live") > 0 && app.count("--replay-commands") > 0) {
+    problems.Add("only one of --live and --replay-commands may be given");
   }
 }
 
@@ -435,10 +464,12 @@ void CARGoSCommandLineArgParser::Parse(SInt32 argc, const char* const* argv) {
              m_options.Threads, problems);
   ReadNumber(app, "--length", raw.Length, 1e18, "a number of seconds, at least 0", m_options.Length,
              problems);
+  ReadLivePort(app, raw.Live, m_options.LivePort, problems);
   ReadOverrides(raw.Overrides, m_options.Overrides, problems);
   m_options.Replay.File = raw.Replay;
   CheckFiles(app, m_options, problems);
   CheckFolder(app, m_options, problems);
+  CheckRunners(app, problems);
   CheckVideoSpeed(app, m_options.VideoSpeed, problems);
   ReadTime(app, "--from", raw.From, m_options.Replay.From, problems);
   ReadTime(app, "--to", raw.To, m_options.Replay.To, problems);

@@ -32,9 +32,12 @@ class CARGoSCommandLineArgParser {
     /** Of ACTION_RUN_EXPERIMENT; of queries and schemas, its libraries are loaded. */
     std::string ExperimentFile;
     SReplayRequest Replay; /**< of ACTION_REPLAY */
+    std::optional<UInt16> LivePort; /**< show the run in a browser; 0: at a free port */
     std::string RecordFile; /**< empty: the run is not recorded */
     std::string VideoFile; /**< empty: no film besides those of the file */
     std::string VideoSpeed; /**< a positive number; empty: that of the file */
+    std::string CommandsFile; /**< recording whose commands are repeated; empty: none */
+    std::string HTMLFile; /**< into which a recording is exported; empty: none */
     std::string Query; /**< of ACTION_QUERY_PLUGINS */
     bool Json = false; /**< of ACTION_QUERY_PLUGINS: as JSON */
     std::string SchemaFormat; /**< of ACTION_MAKE_SCHEMA: "rng" or "rnc" */

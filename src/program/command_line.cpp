@@ -16,6 +16,7 @@
 #include <argos3/program/catalogue/version_text.h>
 #include <argos3/program/crash_handler.h>
 #include <argos3/program/exit_guard.h>
+#include <argos3/program/page_export.h>
 #include <argos3/program/progress.h>
 #include <argos3/program/query_plugins.h>
 #include <argos3/program/shell_documents.h>
@@ -30,7 +31,9 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace argos {
@@ -166,6 +169,23 @@ void ApplyRunOptions(CSimulator& simulator, const SOptions& options) {
   }
 }
 
+// what runs the experiment in place of the file's visualization
+void SetVisualization(CSimulator& simulator, const SOptions& options) {
+  if (options.LivePort) {
+    std::vector<std::pair<std::string, std::string>> attributes;
+    if (*options.LivePort != 0) {
+      attributes.emplace_back("port", std::to_string(*options.LivePort));
+    }
+    simulator.SetVisualization("live", attributes);
+  } else if (!options.CommandsFile.empty()) {
+    simulator.SetVisualization("live", {{"commands", options.CommandsFile}});
+    if (!options.Seed) {
+      const std::unique_ptr<CReplay> recording(CFactory<CReplay>::New("recording"));
+      simulator.SetRandomSeed(recording->ReadSeed(options.CommandsFile));
+    }
+  }
+}
+
 void LoadExperiment(CSimulator& simulator, const SOptions& options) {
   CDynamicLoading::LoadAllLibrariesByLabel();
   ApplyRunOptions(simulator, options);
@@ -175,6 +195,7 @@ void LoadExperiment(CSimulator& simulator, const SOptions& options) {
   if (!options.VideoFile.empty()) {
     simulator.AddVideo(options.VideoFile, options.VideoSpeed);
   }
+  SetVisualization(simulator, options);
   for (const auto& [path, value] : options.Overrides) {
     simulator.AddOverride(path, value);
   }
@@ -211,7 +232,7 @@ void Execute(CRun& run, CSimulator& simulator, const SOptions& options) {
     ThrowIfLogsFailed();
     progress.Update();
     if (CStopSignals::WasStopped()) {
-      running.Terminate();
+      running.Stop();
     }
   });
 }
@@ -339,6 +360,13 @@ int Act(const SOptions& options) {
       LoadLibrariesSilently(options);
       PrintPlain(MakeSchema(options.SchemaFormat));
       break;
+    case CARGoSCommandLineArgParser::ACTION_REPLAY:
+      if (!options.HTMLFile.empty()) {
+        ExportPage(options.Replay.File, options.HTMLFile,
+                   CSimulator::GetInstance().GetInstallationDirectory());
+        break;
+      }
+      return RunExperiment(options);
     default:
       return options.Check ? CheckExperiment(options) : RunExperiment(options);
   }

@@ -27,6 +27,7 @@ constexpr char kExamples[] = R"(  argos3 experiment.argos                     ru
                                               a film of a run, twice as fast as real time
   argos3 --replay run.rec --from 10s --to 20s --every 5 -c other_cameras.argos
                                               show a part of it, every 5 ticks, in other views
+  argos3 experiment.argos --live              watch and touch a run in a web browser
   argos3 -n -l log.txt -e errors.txt -c experiment.argos
                                               write the two logs to files
   argos3 -q sensors                           list all sensors
@@ -151,6 +152,11 @@ TOptions MakeOutputOptions() {
        "write the log to this file; it is truncated", EUse::Always, EWords::File},
       {"-e,--logerr-file", "FILE", &SOptions::LogErrFile, kOutput,
        "write the error log to this file; it is truncated", EUse::Always, EWords::File},
+      {"--live", "", &STexts::Live, kOutput,
+       "show the run in a web browser, in place of the <visualization> of the file; --live=PORT: "
+       "at "
+       "that port",
+       EUse::Run},
       {"--record", "FILE", &SOptions::RecordFile, kOutput,
        "record the run to this file, for --replay; adds <recording> to <outputs>", EUse::Run,
        EWords::File},
@@ -169,6 +175,10 @@ TOptions MakeReplayOptions() {
       {"--to", "TICK|TIMEs", &STexts::To, kReplay, "end with this tick, or time", EUse::Replay},
       {"--every", "N", &STexts::Every, kReplay,
        "ticks from state to state: 10 is ten times as fast", EUse::Replay},
+      {"--html", "FILE", &SOptions::HTMLFile, kReplay,
+       "write the recording and the page of the live view into one file, which a browser opens; "
+       "nothing is replayed",
+       EUse::Replay, EWords::File},
   };
 }
 
@@ -190,6 +200,9 @@ TOptions MakeRunOptions() {
       {"--set", "XPATH=VALUE", &STexts::Overrides, kRun,
        "set an attribute of the file before it is used; may be repeated", EUse::Run,
        EWords::XPaths},
+      {"--replay-commands", "FILE", &SOptions::CommandsFile, kRun,
+       "repeat what viewers of the live view did in the run of this recording, with its seed",
+       EUse::Simulation, EWords::Recording},
       {"--lenient", "", &SOptions::Lenient, kRun,
        "read malformed numbers as ARGoS 3 does, with a warning, instead of refusing them",
        EUse::Simulation},

@@ -33,7 +33,7 @@ enum class EOptionWords {
 /** What the user has given for options whose values are checked further, or that are no values. */
 struct SOptionTexts {
   bool Help = false, Version = false, Quiet = false;
-  std::string Replay, LogLevel, Progress, Seed, Threads, Length, From, To, Every;
+  std::string Replay, Live, LogLevel, Progress, Seed, Threads, Length, From, To, Every;
   std::vector<std::string> Overrides;
 };
 
@@ -49,7 +49,8 @@ using TOptionTarget =
  */
 struct SCommandLineOption {
   std::string Names; /**< "-c,--config-file" or "--seed" */
-  std::string Value; /**< "FILE"; "[WORD]" may be left out; empty: a flag */
+  /** "FILE"; "[WORD]" may be left out; empty: a flag, which may have a value only as in "--live=8000" */
+  std::string Value;
   TOptionTarget Target;
   std::string Group; /**< heading in the help */
   std::string Help;

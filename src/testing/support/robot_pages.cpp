@@ -1,5 +1,6 @@
 #include <argos3/testing/support/robot_pages.h>
 
+#include <argos3/core/simulator/entity/entity.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/testing/support/fitting_devices.h>
 

@@ -62,6 +62,21 @@ TEST_CASE("command line: the four actions are recognised", "[command_line]") {
   CHECK(Parse({"--version"}).Action == TParser::ACTION_SHOW_VERSION);
 }
 
+TEST_CASE("command line: --live takes a port only behind '='", "[command_line]") {
+  CHECK_FALSE(Parse({"a.argos"}).LivePort.has_value());
+  const TParser::SOptions options = Parse({"--live", "a.argos"});
+  CHECK(options.LivePort == UInt16(0));
+  CHECK(options.ExperimentFile == "a.argos");
+  CHECK(Parse({"a.argos", "--live=8000"}).LivePort == UInt16(8000));
+  CHECK(Parse({"--replay", "r.rec", "--live"}).LivePort == UInt16(0));
+  CHECK_THAT(ErrorOf({"a.argos", "--live=65536"}), Contains("expected a port"));
+  CHECK_THAT(ErrorOf({"a.argos", "--live=x"}), Contains("expected a port"));
+  CHECK_THAT(ErrorOf({"-q", "all", "--live"}), Contains("only be used with an experiment"));
+  CHECK_THAT(ErrorOf({"a.argos", "--live", "--replay-commands", "r.rec"}),
+             Contains("only one of --live and --replay-commands"));
+  CHECK_THAT(ErrorOf({"a.argos", "--html", "a.html"}), Contains("with --replay"));
+}
+
 TEST_CASE("command line: an experiment needs no option", "[command_line]") {
   const TParser::SOptions first = Parse({"a.argos", "--seed", "3", "-z"});
   CHECK(first.Action == TParser::ACTION_RUN_EXPERIMENT);

@@ -1,0 +1,307 @@
+#include <argos3/plugins/simulator/visualizations/live/run/command_executor.h>
+
+#include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/core/simulator/entity/floor_entity.h>
+#include <argos3/core/simulator/entity/positional_entity.h>
+#include <argos3/core/simulator/geometry/body_index.h>
+#include <argos3/core/simulator/outputs/root_components.h>
+#include <argos3/core/simulator/simulator.h>
+#include <argos3/core/simulator/space/space.h>
+#include <argos3/core/simulator/visualization/view_drawing.h>
+#include <argos3/core/utility/errors/argos_exception.h>
+#include <argos3/plugins/simulator/visualizations/live/run/command_arguments.h>
+
+#include <algorithm>
+
+namespace argos {
+
+namespace {
+
+constexpr Real kMostMetres = 1e6;
+constexpr Real kMostDegrees = 1e6;
+constexpr Real kMinSize = 1e-3;  // m, of things that are added
+constexpr Real kMaxSize = 100.0;
+constexpr Real kMinMass = 1e-3;  // kg
+constexpr Real kMaxMass = 1e6;
+constexpr Real kMostRadians = 1e3;
+
+CQuaternion Upright(Real yaw) {
+  return CQuaternion(CRadians(yaw), CVector3::Z);
+}
+
+// of the body, or of the entity; the origin if it has none
+SBodyPose GetPose(CEntity& root) {
+  if (const auto* const body = FindExisting<CEmbodiedEntity>(root)) {
+    return {body->GetOriginAnchor().Position, body->GetOriginAnchor().Orientation};
+  }
+  if (const auto* const positional = dynamic_cast<CPositionalEntity*>(&root)) {
+    return {positional->GetPosition(), positional->GetOrientation()};
+  }
+  return {};
+}
+
+bool IsThing(const std::string& type) {
+  return type == "box" || type == "cylinder";
+}
+
+// calls take(element) for elements of entities, those of <distribute>, too
+template <typename TAKE>
+void ForEachEntityElement(TConfigurationNode& arena, TAKE&& take) {
+  TConfigurationNodeIterator it;
+  for (it = it.begin(&arena); it != it.end(); ++it) {
+    if (it->Value() != "distribute") {
+      take(*it);
+    } else if (NodeExists(*it, "entity")) {
+      TConfigurationNodeIterator inner;
+      inner = inner.begin(&GetNode(*it, "entity"));
+      if (inner != inner.end()) {
+        take(*inner);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+bool CCommandExecutor::Knows(const std::string& command) {
+  return command == "move" || command == "add" || command == "remove" || command == "user_select" ||
+         command == "user_key";
+}
+
+TJson CCommandExecutor::Do(const std::string& command, const TJson& arguments) {
+  if (m_simulator.IsReplay()) {
+    THROW_ARGOSEXCEPTION("a replay shows what was recorded: nothing can be changed in it");
+  }
+  if (command == "move") {
+    return Move(arguments);
+  }
+  if (command == "user_select") {
+    return Select(arguments);
+  }
+  if (command == "user_key") {
+    return PressKey(arguments);
+  }
+  return command == "add" ? Add(arguments) : Remove(arguments);
+}
+
+CEntity& CCommandExecutor::GetRoot(const TJson& arguments) {
+  const std::string id = ReadTextArgument(arguments, "entity");
+  CEntity* const entity = m_simulator.GetSpace().TryGetEntity(id);
+  if (entity == nullptr) {
+    THROW_ARGOSEXCEPTION("there is no entity \"" << id << '"');
+  }
+  return entity->GetRootEntity();
+}
+
+void CCommandExecutor::CheckPlace(const CVector3& position) const {
+  const CRange<CVector3>& limits = m_simulator.GetSpace().GetArenaLimits();
+  const CVector3& least = limits.GetMin();
+  const CVector3& most = limits.GetMax();
+  if (position.GetX() < least.GetX() || position.GetY() < least.GetY() ||
+      position.GetX() > most.GetX() || position.GetY() > most.GetY()) {
+    THROW_ARGOSEXCEPTION("(" << position << ") is outside of the arena");
+  }
+}
+
+std::string CCommandExecutor::DescribeObstacle(const CEmbodiedEntity& body,
+                                               const CVector3& position,
+                                               const CQuaternion& orientation) const {
+  const CBodyIndex& index = m_simulator.GetSpace().GetBodyIndex();
+  if (body.GetBodyDescription() == nullptr) {
+    return "another body";
+  }
+  const UInt32 obstacle =
+      index.FindOverlap(*body.GetBodyDescription(), position, orientation, body.GetBodyNumber());
+  return obstacle == CBodyIndex::kNoBody
+             ? "another body, or nearly touch it"
+             : '"' + index.GetBody(obstacle).GetRootEntity().GetId() + '"';
+}
+
+TJson CCommandExecutor::Move(const TJson& arguments) {
+  CEntity& root = GetRoot(arguments);
+  const SBodyPose before = GetPose(root);
+  MoveRoot(root, arguments);
+  const SBodyPose now = GetPose(root);
+  m_drawing.ForEachFunctions(
+      [&](CDrawingFunctions& functions) { functions.HandleMove(root, before, now); });
+  return TJson::object();
+}
+
+void CCommandExecutor::MoveRoot(CEntity& root, const TJson& arguments) const {
+  const auto position = ReadVectorArgument(arguments, "position", kMostMetres);
+  const auto yaw = ReadNumberArgument(arguments, "yaw", -kMostRadians, kMostRadians);
+  if (auto* const body = FindExisting<CEmbodiedEntity>(root)) {
+    const SAnchor& origin = body->GetOriginAnchor();
+    const CVector3 place = position.value_or(origin.Position);
+    const CQuaternion orientation = yaw ? Upright(*yaw) : origin.Orientation;
+    CheckPlace(place);
+    if (!body->MoveTo(place, orientation)) {
+      THROW_ARGOSEXCEPTION('"' << root.GetId() << "\" would overlap "
+                               << DescribeObstacle(*body, place, orientation) << " there");
+    }
+  } else if (auto* const positional = dynamic_cast<CPositionalEntity*>(&root)) {
+    const CVector3 place = position.value_or(positional->GetPosition());
+    CheckPlace(place);
+    positional->MoveTo(place, yaw ? Upright(*yaw) : positional->GetOrientation());
+  } else {
+    THROW_ARGOSEXCEPTION('"' << root.GetId() << "\" has no place: it cannot be moved");
+  }
+}
+
+/****************************************/
+// hooks of users' functions
+/****************************************/
+
+TJson CCommandExecutor::Select(const TJson& arguments) {
+  CEntity* const root = arguments.contains("entity") && !arguments["entity"].is_null()
+                            ? &GetRoot(arguments)
+                            : nullptr;
+  m_selected = root != nullptr ? root->GetId() : std::string();
+  m_selectedIndex = root != nullptr ? root->GetIndex() : -1;
+  m_drawing.ForEachFunctions(
+      [root](CDrawingFunctions& functions) { functions.HandleSelection(root); });
+  return TJson::object();
+}
+
+void CCommandExecutor::CheckSelection() {
+  if (m_selected.empty()) {
+    return;
+  }
+  const CEntity* const root = m_simulator.GetSpace().TryGetEntity(m_selected);
+  if (root == nullptr || root->GetIndex() != m_selectedIndex) {
+    m_selected.clear();
+    m_drawing.ForEachFunctions([](CDrawingFunctions& functions) { functions.ForgetSelection(); });
+  }
+}
+
+TJson CCommandExecutor::PressKey(const TJson& arguments) {
+  constexpr size_t kMaxKeyBytes = 32;
+  const std::string key = ReadTextArgument(arguments, "key");
+  const bool isDown = ReadFlagArgument(arguments, "down").value_or(true);
+  if (key.size() > kMaxKeyBytes) {
+    THROW_ARGOSEXCEPTION("\"key\" is the name of a key, such as \"a\" or \"ArrowUp\"");
+  }
+  m_drawing.ForEachFunctions(
+      [&](CDrawingFunctions& functions) { functions.HandleKey(key, isDown); });
+  return TJson::object();
+}
+
+TJson CCommandExecutor::Remove(const TJson& arguments) {
+  CEntity& root = GetRoot(arguments);
+  if (dynamic_cast<CFloorEntity*>(&root) != nullptr) {
+    THROW_ARGOSEXCEPTION("the floor cannot be removed");
+  }
+  if (root.GetId() == m_selected) {
+    Select(TJson::object());
+  }
+  m_simulator.GetSpace().Remove(root);
+  return TJson::object();
+}
+
+/****************************************/
+// add
+/****************************************/
+
+std::vector<std::string> CCommandExecutor::ListTypesToAdd() {
+  std::vector<std::string> types;
+  if (m_simulator.IsReplay()) {
+    return types;
+  }
+  const auto add = [&](const std::string& type) {
+    if (type != "floor" && m_simulator.GetSpace().HasEntityType(type) &&
+        std::find(types.begin(), types.end(), type) == types.end()) {
+      types.push_back(type);
+    }
+  };
+  ForEachEntityElement(GetNode(m_simulator.GetConfigurationRoot(), "arena"),
+                       [&](TConfigurationNode& element) { add(element.Value()); });
+  add("box");
+  add("cylinder");
+  return types;
+}
+
+// the first one of the file; null if it has none
+TConfigurationNode* CCommandExecutor::FindTemplate(const std::string& type) {
+  TConfigurationNode* found = nullptr;
+  ForEachEntityElement(GetNode(m_simulator.GetConfigurationRoot(), "arena"),
+                       [&](TConfigurationNode& element) {
+                         found = found == nullptr && element.Value() == type ? &element : found;
+                       });
+  return found;
+}
+
+TConfigurationNode CCommandExecutor::MakeElement(const std::string& type, const TJson& arguments) {
+  const std::vector<std::string> types = ListTypesToAdd();
+  if (std::find(types.begin(), types.end(), type) == types.end()) {
+    THROW_ARGOSEXCEPTION("the experiment has no \"" << type
+                                                    << "\" that could be the model of another one"
+                                                    << DidYouMean(type, types));
+  }
+  TConfigurationNode* const model = IsThing(type) ? nullptr : FindTemplate(type);
+  TConfigurationNode element = model != nullptr ? *model->Clone() : TConfigurationNode(type);
+  if (IsThing(type)) {
+    element.SetAttribute("movable",
+                         ReadFlagArgument(arguments, "movable").value_or(true) ? "true" : "false");
+    element.SetAttribute("mass",
+                         ReadNumberArgument(arguments, "mass", kMinMass, kMaxMass).value_or(0.1));
+  }
+  if (type == "box") {
+    const CVector3 size =
+        ReadVectorArgument(arguments, "size", kMaxSize).value_or(CVector3(0.1, 0.1, 0.1));
+    if (size.GetX() < kMinSize || size.GetY() < kMinSize || size.GetZ() < kMinSize) {
+      THROW_ARGOSEXCEPTION("\"size\" is at least " << kMinSize << " m along each side");
+    }
+    element.SetAttribute("size", size);
+  } else if (type == "cylinder") {
+    element.SetAttribute(
+        "radius", ReadNumberArgument(arguments, "radius", kMinSize, kMaxSize).value_or(0.05));
+    element.SetAttribute("height",
+                         ReadNumberArgument(arguments, "height", kMinSize, kMaxSize).value_or(0.1));
+  }
+  return element;
+}
+
+std::string CCommandExecutor::MakeId(const std::string& type) const {
+  for (UInt32 number = 1;; ++number) {
+    const std::string id = type + "_added_" + std::to_string(number);
+    if (m_simulator.GetSpace().TryGetEntity(id) == nullptr) {
+      return id;
+    }
+  }
+}
+
+TJson CCommandExecutor::Add(const TJson& arguments) {
+  CSpace& space = m_simulator.GetSpace();
+  const std::string type = ReadTextArgument(arguments, "type");
+  const auto position = ReadVectorArgument(arguments, "position", kMostMetres);
+  const Real yaw = ReadNumberArgument(arguments, "yaw", -kMostRadians, kMostRadians).value_or(0.0);
+  if (!position) {
+    THROW_ARGOSEXCEPTION("\"position\" is missing");
+  }
+  CheckPlace(*position);
+  TConfigurationNode element = MakeElement(type, arguments);
+  const std::string id = MakeId(type);
+  element.SetAttribute("id", id);
+  // an entity without a body has its pose in attributes of its own element
+  TConfigurationNode* pose = &element;
+  if (dynamic_cast<CPositionalEntity*>(space.MakeEntity(type).get()) == nullptr) {
+    if (!NodeExists(element, "body")) {
+      TConfigurationNode body("body");
+      AddChildNode(element, body);
+    }
+    pose = &GetNode(element, "body");
+  }
+  pose->SetAttribute("position", *position);
+  pose->SetAttribute("orientation", CVector3(yaw * CRadians::RADIANS_TO_DEGREES, 0.0, 0.0));
+  CEntity& entity = space.CreateEntity(element);
+  const auto* const body = FindExisting<CEmbodiedEntity>(entity);
+  if (body != nullptr && body->IsCollidingWithSomething()) {
+    const std::string obstacle = DescribeObstacle(*body, body->GetOriginAnchor().Position,
+                                                  body->GetOriginAnchor().Orientation);
+    space.Remove(entity);
+    THROW_ARGOSEXCEPTION("it would overlap " << obstacle << " there");
+  }
+  return {{"entity", id}};
+}
+
+}  // namespace argos

@@ -1,0 +1,68 @@
+#ifndef ARGOS3_PLUGINS_VISUALIZATIONS_LIVE_RUN_COMMAND_EXECUTOR_H
+#define ARGOS3_PLUGINS_VISUALIZATIONS_LIVE_RUN_COMMAND_EXECUTOR_H
+
+#include <argos3/core/utility/configuration/argos_configuration.h>
+#include <argos3/plugins/simulator/visualizations/live/link/live_messages.h>
+
+#include <sys/types.h>
+
+#include <string>
+#include <vector>
+
+namespace argos {
+
+class CEmbodiedEntity;
+class CEntity;
+class CSimulator;
+class CQuaternion;
+class CVector3;
+class CViewDrawing;
+
+/**
+ * Does what viewers' commands change in a simulation: move, add, remove. Between ticks, on the main
+ * thread; the same commands at the same ticks give the same run.
+ */
+class CCommandExecutor {
+ public:
+  /** @param drawing  users' functions that are told what viewers do. */
+  CCommandExecutor(CSimulator& simulator, const CViewDrawing& drawing)
+      : m_simulator(simulator), m_drawing(drawing) {}
+
+  static bool Knows(const std::string& command);
+  /**
+   * @param arguments  of the viewer: anything.
+   * @return what to answer besides "ok"; an object.
+   * @throws CARGoSException with the reason if it is refused, or users' code fails.
+   */
+  TJson Do(const std::string& command, const TJson& arguments);
+
+  /** To be called after each tick and reset: forgets what is selected if it was removed. */
+  void CheckSelection();
+
+  /** Types of entities that "add" can add, each once. */
+  std::vector<std::string> ListTypesToAdd();
+
+ private:
+  CEntity& GetRoot(const TJson& arguments);
+  TJson Move(const TJson& arguments);
+  void MoveRoot(CEntity& root, const TJson& arguments) const;
+  TJson Select(const TJson& arguments);
+  TJson PressKey(const TJson& arguments);
+  TJson Add(const TJson& arguments);
+  TJson Remove(const TJson& arguments);
+  void CheckPlace(const CVector3& position) const;
+  std::string DescribeObstacle(const CEmbodiedEntity& body, const CVector3& position,
+                               const CQuaternion& orientation) const;
+  TConfigurationNode* FindTemplate(const std::string& type);
+  TConfigurationNode MakeElement(const std::string& type, const TJson& arguments);
+  std::string MakeId(const std::string& type) const;
+
+  CSimulator& m_simulator;
+  const CViewDrawing& m_drawing;
+  std::string m_selected;  // id of a root entity; empty: none
+  ssize_t m_selectedIndex = -1;  // of that entity
+};
+
+}  // namespace argos
+
+#endif

@@ -1,0 +1,20 @@
+#ifndef ARGOS3_PLUGINS_VISUALIZATIONS_LIVE_RUN_ENTITY_VALUES_H
+#define ARGOS3_PLUGINS_VISUALIZATIONS_LIVE_RUN_ENTITY_VALUES_H
+
+#include <argos3/plugins/simulator/visualizations/live/link/live_messages.h>
+
+namespace argos {
+
+class CEntity;
+
+/**
+ * The values of an entity as a tree: its type and components, and each field that tables could have
+ * of it (pose, readings of each sensor, LEDs, variables of Lua, ...), by field and column; the unit
+ * of a column is behind its name.
+ * @param maxBytes  about the size as text, beyond which fields are left out.
+ */
+TJson ReadValues(CEntity& root, size_t maxBytes);
+
+}  // namespace argos
+
+#endif

@@ -1,0 +1,426 @@
+#include <argos3/plugins/simulator/visualizations/live/run/live_run.h>
+
+#include <argos3/core/simulator/loading/loading_check.h>
+#include <argos3/core/simulator/simulator.h>
+#include <argos3/core/simulator/space/run_commands.h>
+#include <argos3/core/simulator/space/space.h>
+#include <argos3/core/simulator/tick/loop_functions.h>
+#include <argos3/core/simulator/tick/loop_hooks.h>
+#include <argos3/core/utility/errors/exception_text.h>
+#include <argos3/core/utility/logging/log_control.h>
+#include <argos3/plugins/simulator/outputs/recording/run_info.h>
+#include <argos3/plugins/simulator/visualizations/live/run/command_arguments.h>
+#include <argos3/plugins/simulator/visualizations/live/run/entity_values.h>
+#include <argos3/plugins/simulator/visualizations/live/run/page.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace argos {
+
+namespace {
+
+constexpr int kProtocolVersion = 1;
+constexpr Real kMaxSpeed = 1e6;
+constexpr UInt32 kMaxSteps = 1000000;
+constexpr size_t kMaxValueBytes = 65536;  // of an entity, as text
+// how long the program may not notice a signal while nothing happens
+constexpr std::chrono::milliseconds kLongestWait(100);
+constexpr std::chrono::milliseconds kValuesPeriod(100);
+constexpr std::chrono::seconds kStatusPeriod(1);
+
+std::string WithoutMark(std::string text) {
+  constexpr std::string_view kMark = "[FATAL] ";
+  if (text.rfind(kMark, 0) == 0) {
+    text.erase(0, kMark.size());
+  }
+  return text;
+}
+
+}  // namespace
+
+CLiveRun::CLiveRun()
+    : m_pace(m_cSimulator.GetTickLength()), m_executor(m_cSimulator, m_capture.GetDrawing()) {}
+
+CLiveRun::~CLiveRun() = default;
+
+/****************************************/
+// loading
+/****************************************/
+
+void CLiveRun::ReadAttributes(TConfigurationNode& tree, SLiveServerSettings& settings) {
+  const auto check = [&](bool isGood, const char* text) {
+    if (!isGood) {
+      THROW_ARGOSEXCEPTION(tree.GetLocation() << ": <live>: " << text);
+    }
+  };
+  Real speed = 1.0;
+  std::string hosts;
+  GetNodeAttributeOrDefault(tree, "port", settings.Port, settings.Port);
+  settings.Access.Address = "127.0.0.1";
+  GetNodeAttributeOrDefault(tree, "address", settings.Access.Address, settings.Access.Address);
+  GetNodeAttributeOrDefault(tree, "hosts", hosts, hosts);
+  Tokenize(hosts, settings.Access.Hosts, ", ");
+  GetNodeAttributeOrDefault(tree, "fps", settings.StatesPerSecond, settings.StatesPerSecond);
+  check(settings.StatesPerSecond >= 0.1 && settings.StatesPerSecond <= 100.0,
+        "\"fps\" must be from 0.1 to 100");
+  GetNodeAttributeOrDefault(tree, "speed", speed, speed);
+  check(speed >= 0.0 && speed <= kMaxSpeed, "\"speed\" must be from 0 to 1000000");
+  m_pace.SetSpeed(speed);
+  GetNodeAttributeOrDefault(tree, "play", m_isPlaying, m_isPlaying);
+  GetNodeAttributeOrDefault(tree, "open", m_opensPage, m_opensPage);
+  GetNodeAttributeOrDefault(tree, "linger", m_linger, m_linger);
+  check(m_linger >= 0.0 && m_linger <= 1e9, "\"linger\" must be from 0 to 1e9");
+}
+
+void CLiveRun::Init(TConfigurationNode& tree) {
+  SLiveServerSettings settings;
+  ReadAttributes(tree, settings);
+  m_capture.Init(tree);
+  settings.Access.Token = MakeLiveToken();
+  settings.Page = ReadPage(m_cSimulator.GetInstallationDirectory());
+  if (!CLoadingCheck::IsActive()) {
+    m_server = std::make_unique<CLiveServer>(std::move(settings), m_link);
+  }
+}
+
+void CLiveRun::Destroy() {
+  m_log.reset();
+  m_server.reset();
+  m_capture.Destroy();
+}
+
+TJson CLiveRun::MakeWelcome() {
+  const bool isReplay = m_cSimulator.IsReplay();
+  return {{"protocol", kProtocolVersion},
+          {"version", ARGOS_VERSION "-" ARGOS_RELEASE},
+          {"experiment", m_cSimulator.GetExperimentFileName()},
+          {"tick_length", m_cSimulator.GetTickLength()},
+          {"last_tick", m_cSimulator.GetMaxSimulationClock()},
+          {"seed", m_cSimulator.GetRandomSeed()},
+          {"can",
+           {{"edit", false},
+            {"replay", isReplay},
+            {"seek", isReplay},
+            {"change", !isReplay},
+            {"redistribute", !isReplay}}},
+          {"types_to_add", m_executor.ListTypesToAdd()}};
+}
+
+void CLiveRun::Announce() const {
+  const std::string url = m_server->GetURL();
+  CLogControl::Notify("Live view: " + url);
+  if (m_opensPage) {
+    OpenPage(url);
+  }
+}
+
+/****************************************/
+// the run
+/****************************************/
+
+void CLiveRun::Execute() {
+  CheckEnd();
+  SendStatus();
+  m_server->Start(WriteInfo(MakeRunInfo(m_cSimulator)), MakeWelcome());
+  Announce();
+  m_log = std::make_unique<CLiveLog>();
+  try {
+    Loop();
+    CallPostExperiment();
+  } catch (...) {
+    m_log->HandOver(m_link, m_cSpace.GetSimulationClock());
+    m_server->Stop("the run has failed: " + WithoutMark(DescribeCurrentException()));
+    m_log.reset();
+    throw;
+  }
+  Serve(TClock::now());
+  m_server->Stop("the run has ended");
+  m_log.reset();
+}
+
+void CLiveRun::Loop() {
+  m_executor.CheckSelection();
+  m_capture.Observe(m_cSimulator);
+  m_pace.Restart(TClock::now());
+  while (true) {
+    const TClock::time_point now = TClock::now();
+    Serve(now);
+    if (m_isEnding || m_cSimulator.IsStopped() || (m_isFinished && HasLingered(now))) {
+      return;
+    }
+    if (!MayTick()) {
+      WaitForUser();
+    } else if (!m_pace.IsDue(now)) {
+      m_link.WaitUntil(std::min(m_pace.GetDueTime(), now + kLongestWait), m_hasChanged);
+    } else {
+      Tick();
+    }
+  }
+}
+
+void CLiveRun::Tick() {
+  m_cSimulator.UpdateSpace();
+  m_executor.CheckSelection();
+  m_capture.Observe(m_cSimulator);
+  m_hasChanged = m_haveValuesChanged = true;
+  m_pace.CountTick(TClock::now());
+  if (m_stepsLeft > 0 && --m_stepsLeft == 0) {
+    m_isPlaying = false;
+  }
+  CheckEnd();
+}
+
+void CLiveRun::CheckEnd() {
+  m_isFinished = m_cSimulator.IsExperimentFinished();
+  if (m_isFinished) {
+    m_isPlaying = false;
+    m_stepsLeft = 0;
+    CallPostExperiment();
+    m_lastViewer = TClock::now();
+  }
+}
+
+void CLiveRun::CallPostExperiment() {
+  if (std::exchange(m_isPostExperimentDone, true)) {
+    return;
+  }
+  CLoopFunctions& loopFunctions = m_cSimulator.GetLoopFunctions();
+  CallHook(m_cSpace.GetContext(), "PostExperiment()",
+           [&loopFunctions] { loopFunctions.PostExperiment(); });
+  m_hasChanged = m_haveValuesChanged = true;
+}
+
+void CLiveRun::WaitForUser() {
+  m_link.WaitUntil(TClock::now() + kLongestWait, m_hasChanged);
+  m_cSimulator.CallTickObserver();
+  m_pace.Restart(TClock::now());
+}
+
+// @return true if nobody looks at the end of the run any more
+bool CLiveRun::HasLingered(TClock::time_point now) {
+  if (!m_link.HadViewers()) {
+    return true;
+  }
+  if (m_link.HasViewers()) {
+    m_lastViewer = now;
+  }
+  return now - m_lastViewer > std::chrono::duration<Real>(m_linger);
+}
+
+/****************************************/
+// what viewers see
+/****************************************/
+
+void CLiveRun::Serve(TClock::time_point now) {
+  if (m_link.HasCommands()) {
+    DoCommands();
+  }
+  m_log->HandOver(m_link, m_cSpace.GetSimulationClock());
+  if (!m_link.HasViewers()) {
+    return;
+  }
+  if (m_hasChanged && m_link.WantsState()) {
+    CaptureState();
+  }
+  if (m_haveValuesChanged && now >= m_valuesDue) {
+    m_valuesDue = now + kValuesPeriod;
+    m_haveValuesChanged = false;
+    SendValues();
+  }
+  if (now >= m_statusDue || MayTick() != m_wasTicking) {
+    m_wasTicking = MayTick();
+    m_statusDue = now + kStatusPeriod;
+    SendStatus();
+  }
+}
+
+void CLiveRun::CaptureState() {
+  std::unique_ptr<SLiveState> state = m_link.MakeState();
+  m_capture.Take(m_cSimulator, *state);
+  m_hasChanged = false;
+  m_link.PutState(std::move(state));
+}
+
+void CLiveRun::SendStatus() {
+  SLiveStatus status;
+  status.Run = m_isFinished ? "ended" : MayTick() ? "playing" : "paused";
+  status.Tick = m_cSpace.GetSimulationClock();
+  status.Speed = m_pace.GetSpeed();
+  status.RealTimeFactor = MayTick() ? m_pace.GetRealTimeFactor() : 0.0;
+  m_link.PutStatus(status);
+}
+
+void CLiveRun::SendValues() {
+  for (const std::string& id : m_pinned) {
+    CEntity* const entity = m_cSpace.TryGetEntity(id);
+    if (entity == nullptr) {
+      continue;
+    }
+    const TJson tree = ReadValues(entity->GetRootEntity(), kMaxValueBytes);
+    m_link.PutEvent(
+        {0, ToText({{"values",
+                     {{"entity", id}, {"tick", m_cSpace.GetSimulationClock()}, {"tree", tree}}}})});
+  }
+}
+
+/****************************************/
+// commands
+/****************************************/
+
+void CLiveRun::DoCommands() {
+  m_link.TakeCommands(m_commands);
+  for (const SLiveCommand& command : m_commands) {
+    DoCommand(command);
+  }
+  // at once, whatever the commands were
+  m_haveValuesChanged = true;
+  m_valuesDue = m_statusDue = TClock::time_point();
+}
+
+CLiveRun::TAction CLiveRun::FindAction(const std::string& command) {
+  constexpr std::pair<const char*, TAction> kActions[] = {
+      {"play", &CLiveRun::Play},      {"pause", &CLiveRun::Pause},
+      {"step", &CLiveRun::Step},      {"speed", &CLiveRun::SetSpeed},
+      {"reset", &CLiveRun::ResetRun}, {"redistribute", &CLiveRun::RedistributeRun},
+      {"seek", &CLiveRun::SeekTick},  {"end", &CLiveRun::EndRun}};
+  for (const auto& [name, action] : kActions) {
+    if (command == name) {
+      return action;
+    }
+  }
+  return nullptr;
+}
+
+void CLiveRun::DoCommand(const SLiveCommand& command) {
+  if (command.Do == "pinned") {
+    // of the server
+    m_pinned = command.Arguments["entities"].get<std::vector<std::string>>();
+    return;
+  }
+  TJson answer = {{"re", command.Id}};
+  try {
+    TJson more = TJson::object();
+    if (const TAction action = FindAction(command.Do)) {
+      more = (this->*action)(command.Arguments);
+    } else if (CCommandExecutor::Knows(command.Do)) {
+      more = DoChange(command);
+    } else {
+      THROW_ARGOSEXCEPTION("there is no command \"" << command.Do << '"');
+    }
+    answer.update(more);
+    answer["ok"] = true;
+  } catch (...) {
+    answer["error"] = WithoutMark(DescribeCurrentException());
+  }
+  m_link.PutEvent({command.Viewer, ToText(answer)});
+}
+
+void CLiveRun::RecordCommand(TJson command) {
+  command.erase("id");
+  m_cSpace.GetExtension<CRunCommands>().Add(m_cSpace.GetSimulationClock(), ToText(command));
+}
+
+TJson CLiveRun::DoChange(const SLiveCommand& command) {
+  // one that is refused is recorded, too: users' code may have been called
+  RecordCommand(command.Arguments);
+  m_hasChanged = m_haveValuesChanged = true;
+  return m_executor.Do(command.Do, command.Arguments);
+}
+
+TJson CLiveRun::Play(const TJson&) {
+  if (m_isFinished) {
+    THROW_ARGOSEXCEPTION("the run has ended: reset it first");
+  }
+  m_isPlaying = true;
+  m_stepsLeft = 0;
+  m_pace.Restart(TClock::now());
+  return TJson::object();
+}
+
+TJson CLiveRun::Pause(const TJson&) {
+  m_isPlaying = false;
+  m_stepsLeft = 0;
+  return TJson::object();
+}
+
+TJson CLiveRun::Step(const TJson& arguments) {
+  if (m_isFinished) {
+    THROW_ARGOSEXCEPTION("the run has ended: reset it first");
+  }
+  m_stepsLeft = ReadCountArgument(arguments, "n", 1, kMaxSteps).value_or(1);
+  m_isPlaying = false;
+  m_pace.Restart(TClock::now());
+  return TJson::object();
+}
+
+TJson CLiveRun::SetSpeed(const TJson& arguments) {
+  const auto factor = ReadNumberArgument(arguments, "factor", 0.0, kMaxSpeed);
+  if (!factor || (*factor > 0.0 && *factor < 1e-3)) {
+    THROW_ARGOSEXCEPTION("\"factor\" is a number from 0.001 to 1000000, or 0");
+  }
+  m_pace.SetSpeed(*factor);
+  m_pace.Restart(TClock::now());
+  return TJson::object();
+}
+
+TJson CLiveRun::ResetRun(const TJson& arguments) {
+  const auto seed = ReadCountArgument(arguments, "seed", 1, ~UInt32(0));
+  if (seed && !m_cSimulator.IsReplay()) {
+    m_cSimulator.Reset(*seed);
+  } else {
+    m_cSimulator.Reset();
+  }
+  BeginAgain();
+  return {{"seed", m_cSimulator.GetRandomSeed()}};
+}
+
+TJson CLiveRun::RedistributeRun(const TJson& arguments) {
+  const auto seed = ReadCountArgument(arguments, "seed", 1, ~UInt32(0));
+  if (m_cSimulator.IsReplay()) {
+    THROW_ARGOSEXCEPTION("a replay shows what was recorded: nothing can be changed in it");
+  }
+  if (seed) {
+    m_cSimulator.Redistribute(*seed);
+  } else {
+    m_cSimulator.Redistribute();
+  }
+  BeginAgain();
+  return {{"seed", m_cSimulator.GetRandomSeed()}};
+}
+
+TJson CLiveRun::SeekTick(const TJson& arguments) {
+  const auto tick = ReadCountArgument(arguments, "tick", 0, ~UInt32(0));
+  if (!tick) {
+    THROW_ARGOSEXCEPTION("\"tick\" is missing");
+  }
+  if (!m_cSimulator.IsReplay()) {
+    THROW_ARGOSEXCEPTION("only a replay has other ticks to show");
+  }
+  m_cSimulator.SeekReplay(*tick);
+  BeginAgain();
+  return TJson::object();
+}
+
+TJson CLiveRun::EndRun(const TJson&) {
+  RecordCommand({{"do", "end"}});
+  m_isEnding = true;
+  return TJson::object();
+}
+
+// after the clock was set
+void CLiveRun::BeginAgain() {
+  m_isPostExperimentDone = false;
+  m_stepsLeft = 0;
+  m_hasChanged = m_haveValuesChanged = true;
+  m_executor.CheckSelection();
+  m_capture.Observe(m_cSimulator);
+  m_pace.Restart(TClock::now());
+  const bool wasPlaying = m_isPlaying;
+  CheckEnd();
+  m_isPlaying = wasPlaying && !m_isFinished;
+}
+
+REGISTER_LIVE_ENGINE(CLiveRun, "live")
+
+}  // namespace argos

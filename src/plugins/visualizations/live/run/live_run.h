@@ -1,0 +1,94 @@
+#ifndef ARGOS3_PLUGINS_VISUALIZATIONS_LIVE_RUN_LIVE_RUN_H
+#define ARGOS3_PLUGINS_VISUALIZATIONS_LIVE_RUN_LIVE_RUN_H
+
+#include <argos3/plugins/simulator/visualizations/live/link/live_link.h>
+#include <argos3/plugins/simulator/visualizations/live/live_engine.h>
+#include <argos3/plugins/simulator/visualizations/live/run/command_executor.h>
+#include <argos3/plugins/simulator/visualizations/live/run/live_log.h>
+#include <argos3/plugins/simulator/visualizations/live/run/run_pace.h>
+#include <argos3/plugins/simulator/visualizations/live/run/state_capture.h>
+#include <argos3/plugins/simulator/visualizations/live/server/live_server.h>
+
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace argos {
+
+/**
+ * Runs an experiment as its viewers want, `<live>`: plays, pauses and steps, applies their commands
+ * between ticks, and gives the server what they see.
+ */
+class CLiveRun : public CLiveEngine {
+ public:
+  CLiveRun();
+  ~CLiveRun() override;
+
+  /** Reads the attributes that the plug-in's description lists, and listens. */
+  void Init(TConfigurationNode& tree) override;
+  void Destroy() override;
+  void Execute() override;
+
+ private:
+  using TClock = std::chrono::steady_clock;
+  using TAction = TJson (CLiveRun::*)(const TJson& arguments);
+
+  void ReadAttributes(TConfigurationNode& tree, SLiveServerSettings& settings);
+  void Announce() const;
+  TJson MakeWelcome();
+  void Loop();
+  bool MayTick() const { return !m_isFinished && (m_isPlaying || m_stepsLeft > 0); }
+  void Tick();
+  void CheckEnd();
+  void WaitForUser();
+  bool HasLingered(TClock::time_point now);
+  void Serve(TClock::time_point now);
+  void CaptureState();
+  void SendValues();
+  void SendStatus();
+  void CallPostExperiment();
+
+  void DoCommands();
+  void DoCommand(const SLiveCommand& command);
+  static TAction FindAction(const std::string& command);
+  void RecordCommand(TJson command);
+  TJson DoChange(const SLiveCommand& command);
+  TJson Play(const TJson& arguments);
+  TJson Pause(const TJson& arguments);
+  TJson Step(const TJson& arguments);
+  TJson SetSpeed(const TJson& arguments);
+  TJson ResetRun(const TJson& arguments);
+  TJson RedistributeRun(const TJson& arguments);
+  TJson SeekTick(const TJson& arguments);
+  TJson EndRun(const TJson& arguments);
+  void BeginAgain();
+
+  CLiveLink m_link;
+  CRunPace m_pace;
+  CStateCapture m_capture;
+  CCommandExecutor m_executor;
+  std::unique_ptr<CLiveLog> m_log;  // null: not running
+  std::unique_ptr<CLiveServer> m_server;  // null: only checked
+
+  bool m_isPlaying = false;
+  UInt32 m_stepsLeft = 0;
+  bool m_isFinished = false;  // the experiment
+  bool m_isEnding = false;  // a viewer wants it
+  bool m_isPostExperimentDone = false;
+  bool m_hasChanged = true;  // since the last state was captured
+  bool m_haveValuesChanged = true;  // since they were sent
+  bool m_wasTicking = false;  // as of the last status
+  bool m_opensPage = true;
+  Real m_linger = 30.0;  // s
+  TClock::time_point m_lastViewer;  // when there was one
+  std::vector<std::string> m_pinned;  // ids of entities whose values viewers want
+  TClock::time_point m_valuesDue;
+  TClock::time_point m_statusDue;
+  std::vector<SLiveCommand> m_commands;  // reused
+};
+
+}  // namespace argos
+
+#endif

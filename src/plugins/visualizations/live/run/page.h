@@ -1,0 +1,20 @@
+#ifndef ARGOS3_PLUGINS_VISUALIZATIONS_LIVE_RUN_PAGE_H
+#define ARGOS3_PLUGINS_VISUALIZATIONS_LIVE_RUN_PAGE_H
+
+#include <string>
+
+namespace argos {
+
+/**
+ * The page of the live view, as HTML; if it was not built, one that says so.
+ * @param prefix  of the installation, or the folder of the build.
+ */
+std::string ReadPage(const std::string& prefix);
+
+/** Opens it in the user's browser, if there is a display. Failures are silent: the URL is printed.
+ */
+void OpenPage(const std::string& url);
+
+}  // namespace argos
+
+#endif

@@ -1,0 +1,424 @@
+// The live view, with viewers that behave well and others that don't.
+
+#include "live_client.h"
+#include "live_world.h"
+
+#include <argos3/core/simulator/replay/replay.h>
+#include <argos3/core/simulator/space/space.h>
+#include <argos3/core/utility/configuration/configuration_document.h>
+#include <argos3/core/utility/logging/argos_log.h>
+#include <argos3/plugins/simulator/visualizations/qt-opengl/qtopengl_user_functions.h>
+#include <argos3/testing/support/experiment.h>
+#include <argos3/testing/support/temporary_folder.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace live_test {
+
+using namespace argos;
+using Catch::Contains;
+
+namespace {
+
+const CLiveWorld::TAttributes kPlays = {{"play", "true"}, {"speed", "0"}};
+const CLiveWorld::TAttributes kWaits = {{"speed", "0"}};
+
+std::unique_ptr<CLiveClient> Join(const CLiveWorld& world) {
+  auto viewer = std::make_unique<CLiveClient>(world.GetURL());
+  viewer->Hello();
+  viewer->WaitFor("welcome");
+  return viewer;
+}
+
+bool IsOk(const TJson& answer) {
+  return answer.is_object() && answer.value("ok", false);
+}
+
+std::string GetError(const TJson& answer) {
+  return answer.is_object() ? answer.value("error", "") : "closed";
+}
+
+// plays to the end, and sees the last state
+void PlayToEnd(CLiveClient& viewer) {
+  CHECK(IsOk(viewer.Do("play")));
+  viewer.ReceiveUntil([&] { return viewer.GetStatus().value("run", "") == "ended"; });
+  const UInt32 last = viewer.GetStatus()["tick"];
+  if (viewer.GetFrame().Tick != last) {
+    viewer.ReceiveUntil([&] { return viewer.GetFrame().Tick == last; });
+  }
+}
+
+const SBodyPose& GetPose(const SRecordedFrame& frame, const std::string& id) {
+  size_t place = 0;
+  for (const SRecordedEntity& entity : frame.Entities) {
+    if (entity.Id == id) {
+      return frame.Poses.at(place);
+    }
+    place += frame.Types.at(entity.Type).GetNumPoses();
+  }
+  throw std::runtime_error("no " + id);
+}
+
+bool Has(const SRecordedFrame& frame, const std::string& id) {
+  return std::any_of(frame.Entities.begin(), frame.Entities.end(),
+                     [&](const SRecordedEntity& entity) { return entity.Id == id; });
+}
+
+/* Notes what it is told, as code for ARGoS 3 would get it. */
+class CNotingFunctions : public CQTOpenGLUserFunctions {
+ public:
+  static std::vector<std::string> notes;  // on the thread of the run; read after its end
+
+  void EntitySelected(CEntity& entity) override { notes.push_back("selected " + entity.GetId()); }
+  void EntityDeselected(CEntity& entity) override {
+    notes.push_back("deselected " + entity.GetId());
+  }
+  void EntityMoved(CEntity& entity, const CVector3& before, const CVector3& now) override {
+    notes.push_back("moved " + entity.GetId() + " by " + ToString(now - before));
+  }
+  void KeyPressed(QKeyEvent* event) override {
+    notes.push_back("pressed " + std::to_string(event->key()));
+  }
+  void KeyReleased(QKeyEvent* event) override { notes.push_back("released " + event->text()); }
+};
+std::vector<std::string> CNotingFunctions::notes;
+REGISTER_QTOPENGL_USER_FUNCTIONS(CNotingFunctions, "live_test_notes")
+
+// a box, in a file with another view than <live>
+std::function<void(CSimulator&)> BoxWithNotes() {
+  SExperiment experiment;
+  experiment.Engines = "<dynamics2d id='dyn2d' />";
+  experiment.Arena =
+      "<box id='box' size='0.5,0.5,0.5' movable='true' mass='1'><body position='1,1,0' /></box>";
+  std::string xml = experiment.ToXml();
+  xml.insert(xml.find("</argos-configuration>"),
+             "<visualization><qt-opengl><user_functions label='live_test_notes' /></qt-opengl>"
+             "</visualization>");
+  auto document = std::make_shared<CConfigurationDocument>();
+  document->Parse(xml, "test");
+  return [document](CSimulator& simulator) { simulator.Load(*document); };
+}
+
+std::string Get(const CLiveWorld& world, const std::string& lines) {
+  return RequestByHTTP(world.GetURL(), lines + "\r\n\r\n");
+}
+
+}  // namespace
+
+TEST_CASE("live view: a viewer gets the run, and plays, steps and ends it", "[live]") {
+  CLiveWorld world(kWaits, Diffusion(3));
+  CLiveClient viewer(world.GetURL());
+  viewer.Hello();
+  const TJson welcome = viewer.WaitFor("welcome");
+  CHECK(welcome["protocol"] == 1);
+  CHECK(welcome["tick_length"] == 0.1);
+  CHECK(welcome["viewer"] == 1);
+  viewer.ReceiveUntil([&] { return viewer.CountFrames() > 0; });
+  CHECK(viewer.CountInfos() == 1);
+  CHECK(viewer.GetFrame().Tick == 0);
+  // 4 walls, 5 + 3 boxes, 5 cylinders, 10 robots
+  CHECK(viewer.GetFrame().Entities.size() == 27);
+  CHECK(IsOk(viewer.Do("step", {{"n", 7}})));
+  viewer.ReceiveUntil([&] { return viewer.GetFrame().Tick == 7; });
+  CHECK(IsOk(viewer.Do("pin", {{"entity", "fb0"}})));
+  const TJson values = viewer.WaitFor("values");
+  CHECK(values["entity"] == "fb0");
+  CHECK(values["tree"]["type"] == "foot-bot");
+  CHECK(values["tree"]["pose"]["x (m)"].get<Real>() ==
+        Approx(GetPose(viewer.GetFrame(), "fb0").Position.GetX()).margin(1e-6));
+  CHECK(values["tree"]["readings:footbot_proximity"].size() == 24);
+  PlayToEnd(viewer);
+  CHECK(viewer.GetFrame().Tick == 30);
+  CHECK_THAT(GetError(viewer.Do("play")), Contains("reset it first"));
+  CHECK(IsOk(viewer.Do("reset")));
+  viewer.ReceiveUntil([&] { return viewer.GetFrame().Tick == 0; });
+  PlayToEnd(viewer);
+  CHECK(IsOk(viewer.Do("end")));
+  CHECK_THAT(viewer.WaitFor("error").get<std::string>(), Contains("ended"));
+  CHECK(world.Finish() == RunHeadless(Diffusion(3)));
+}
+
+TEST_CASE("live view: viewers do not change the run", "[live]") {
+  const UInt64 expected = RunHeadless(Diffusion(20));
+  const int numViewers = GENERATE(0, 1, 8);
+  CAPTURE(numViewers);
+  CLiveWorld world(numViewers == 0 ? kPlays : kWaits, Diffusion(20));
+  std::vector<std::unique_ptr<CLiveClient>> viewers;
+  for (int i = 0; i < numViewers; ++i) {
+    viewers.push_back(Join(world));
+    CHECK(IsOk(viewers.back()->Do("pin", {{"entity", "fb" + std::to_string(i)}})));
+  }
+  if (numViewers > 0) {
+    PlayToEnd(*viewers.front());
+    CHECK(IsOk(viewers.front()->Do("end")));
+  }
+  CHECK(world.Finish() == expected);
+}
+
+TEST_CASE("live view: strangers are refused", "[live]") {
+  CLiveWorld world(kWaits, Diffusion(3));
+  const std::string& url = world.GetURL();
+  const std::string host = url.substr(7, url.find("/#") - 7);
+  using SOptions = CLiveClient::SOptions;
+  CHECK_THROWS(CLiveClient(url, SOptions{.Host = "evil.example:80"}));
+  CHECK_THROWS(CLiveClient(url, SOptions{.Host = "evil.example"}));
+  CHECK_THROWS(CLiveClient(url, SOptions{.Origin = "http://evil.example"}));
+  CHECK_THROWS(CLiveClient(url, SOptions{.Origin = "null"}));
+  CHECK_THROWS(CLiveClient(url, SOptions{.Origin = "http://" + host + ".evil.example"}));
+  CHECK_THROWS(CLiveClient(url, SOptions{.Protocol = "other"}));
+  for (const char* token : {"0", "0123456789abcdef0123456789abcdef"}) {
+    CLiveClient viewer(url);
+    viewer.Hello(token);
+    CHECK_THAT(viewer.WaitFor("error").get<std::string>(), Contains("token is wrong"));
+    CHECK_FALSE(viewer.Receive());
+  }
+  CLiveClient hasty(url);
+  hasty.Send({{"do", "end"}, {"id", 1}});
+  CHECK_THAT(hasty.WaitFor("error").get<std::string>(), Contains("token"));
+
+  CHECK_THAT(Get(world, "GET / HTTP/1.1\r\nHost: " + host), Contains("200 OK"));
+  CHECK_THAT(Get(world, "GET / HTTP/1.1\r\nHost: localhost:1"), Contains("200 OK"));
+  CHECK_THAT(Get(world, "GET / HTTP/1.1\r\nHost: evil.example"), Contains("403"));
+  CHECK_THAT(Get(world, "GET / HTTP/1.1\r\nHost: localhost.evil.example"), Contains("403"));
+  CHECK_THAT(Get(world, "GET /../../etc/passwd HTTP/1.1\r\nHost: " + host), Contains("404"));
+  CHECK_THAT(Get(world, "GET /live HTTP/1.1\r\nHost: " + host), Contains("403"));
+  CHECK_THAT(Get(world, "POST / HTTP/1.1\r\nHost: " + host), Contains("405"));
+
+  CHECK(IsOk(Join(world)->Do("end")));
+  world.Finish();
+}
+
+TEST_CASE("live view: one viewer has control, and hands it over", "[live]") {
+  CLiveWorld world(kWaits, Diffusion(3));
+  auto first = Join(world);
+  auto second = Join(world);
+  auto third = Join(world);
+  CHECK_THAT(GetError(second->Do("play")), Contains("another viewer has control"));
+  CHECK_THAT(GetError(second->Do("give_control", {{"viewer", 2}})), Contains("control"));
+  CHECK(IsOk(third->Do("ask_control")));
+  CHECK_THAT(GetError(first->Do("give_control", {{"viewer", 99}})), Contains("no such viewer"));
+  CHECK(IsOk(first->Do("give_control", {{"viewer", 2}})));
+  CHECK(IsOk(second->Do("step")));
+  CHECK_THAT(GetError(first->Do("step")), Contains("control"));
+  // the third one has asked, the first one has not
+  second.reset();
+  third->ReceiveUntil([&] { return third->GetStatus().value("control", 0) == 3; });
+  CHECK(IsOk(third->Do("step")));
+  third.reset();
+  first->ReceiveUntil([&] { return first->GetStatus().value("control", 0) == 1; });
+  CHECK(IsOk(first->Do("end")));
+  world.Finish();
+}
+
+TEST_CASE("live view: robots and things are moved, added and removed", "[live]") {
+  CLiveWorld world(kWaits, Diffusion(3));
+  auto viewer = Join(world);
+  const auto see = [&](const auto& isThere) {
+    return viewer->ReceiveUntil([&] { return isThere(viewer->GetFrame()); });
+  };
+  CHECK_THAT(GetError(viewer->Do("move", {{"entity", "fb0"}, {"position", {2.5, 0, 0}}})),
+             Contains("would overlap \"wall_east\""));
+  CHECK_THAT(GetError(viewer->Do("move", {{"entity", "fb0"}, {"position", {9, 0, 0}}})),
+             Contains("outside of the arena"));
+  CHECK_THAT(GetError(viewer->Do("move", {{"entity", "nobody"}, {"position", {0, 0, 0}}})),
+             Contains("no entity \"nobody\""));
+  for (const TJson& position : {TJson("here"), TJson({1, 2}), TJson({1, 2, "3"}),
+                                TJson({1e300, 0, 0}), TJson({{"x", 1}})}) {
+    CHECK_THAT(GetError(viewer->Do("move", {{"entity", "fb0"}, {"position", position}})),
+               Contains("three numbers"));
+  }
+  REQUIRE(IsOk(viewer->Do("remove", {{"entity", "fb1"}})));
+  CHECK(see([](const SRecordedFrame& frame) { return !Has(frame, "fb1"); }));
+  // between the walls and what is distributed up to 2.2 m
+  const TJson corner = {-2.44, 2.44, 0};
+  REQUIRE(IsOk(viewer->Do("add", {{"type", "box"}, {"position", corner}, {"yaw", 0.0}})));
+  CHECK(see([](const SRecordedFrame& frame) { return Has(frame, "box_added_1"); }));
+  CHECK(GetPose(viewer->GetFrame(), "box_added_1").Position.GetX() == Approx(-2.44));
+  CHECK_THAT(GetError(viewer->Do("add", {{"type", "foot-bot"}, {"position", corner}})),
+             Contains("would overlap"));
+  CHECK_THAT(GetError(viewer->Do("add", {{"type", "footbot"}, {"position", corner}})),
+             Contains("foot-bot"));
+  CHECK_THAT(GetError(viewer->Do("add", {{"type", "floor"}, {"position", corner}})),
+             Contains("no \"floor\""));
+  CHECK(IsOk(viewer->Do("remove", {{"entity", "box_added_1"}})));
+  REQUIRE(
+      IsOk(viewer->Do("move", {{"entity", "fb0"}, {"position", {2.41, -2.41, 0}}, {"yaw", 1}})));
+  CHECK(see([](const SRecordedFrame& frame) {
+    return std::abs(GetPose(frame, "fb0").Position.GetX() - 2.41) < 1e-5;
+  }));
+  PlayToEnd(*viewer);
+  CHECK(IsOk(viewer->Do("end")));
+  world.Finish();
+}
+
+TEST_CASE("live view: a run is repeated with the commands in its recording", "[live]") {
+  const CTemporaryFolder folder;
+  const std::string file = folder.Path("run.rec");
+  CLiveWorld world(kWaits, [&](CSimulator& simulator) {
+    simulator.AddOutput("recording", {{"file", file}});
+    Diffusion(10)(simulator);
+  });
+  auto viewer = Join(world);
+  std::mt19937 random(7);
+  std::uniform_real_distribution<Real> place(-2.3, 2.3);
+  int numDone = 0;
+  for (int i = 0; i < 30; ++i) {
+    const std::string robot = "fb" + std::to_string(i % 10);
+    const TJson position = {place(random), place(random), 0};
+    const TJson answer = i % 3 == 0
+                             ? viewer->Do("add", {{"type", i % 2 == 0 ? "foot-bot" : "cylinder"},
+                                                  {"position", position}})
+                             : viewer->Do("move", {{"entity", robot}, {"position", position}});
+    numDone += IsOk(answer) ? 1 : 0;
+    CHECK(IsOk(viewer->Do("step", {{"n", i % 4 + 1}})));
+    viewer->ReceiveUntil([&] { return viewer->GetStatus().value("run", "") == "paused"; });
+  }
+  CHECK(numDone > 5);
+  CHECK(IsOk(viewer->Do("move", {{"entity", "fb3"}, {"yaw", 0.5}})));
+  CHECK(IsOk(viewer->Do("end")));
+  const UInt64 digest = world.Finish();
+  const auto load = [&](CSimulator& simulator) {
+    simulator.SetVisualization("live", {{"commands", file}});
+    Diffusion(10)(simulator);
+  };
+  CHECK(RunHeadless(load) == digest);
+  CHECK(RunHeadless(Diffusion(10)) != digest);
+}
+
+TEST_CASE("live view: users' functions are told what a viewer does", "[live]") {
+  CNotingFunctions::notes.clear();
+  CLiveWorld world(kWaits, BoxWithNotes());
+  auto viewer = Join(world);
+  CHECK(IsOk(viewer->Do("user_select", {{"entity", "box"}})));
+  CHECK(IsOk(viewer->Do("move", {{"entity", "box"}, {"position", {2, 1, 0}}})));
+  CHECK(IsOk(viewer->Do("user_key", {{"key", "ArrowUp"}})));
+  CHECK(IsOk(viewer->Do("user_key", {{"key", "w"}, {"down", false}})));
+  CHECK_THAT(GetError(viewer->Do("user_key", {{"key", 7}})), Contains("no text"));
+  CHECK(IsOk(viewer->Do("remove", {{"entity", "box"}})));
+  CHECK(IsOk(viewer->Do("end")));
+  world.Finish();
+  CHECK(CNotingFunctions::notes ==
+        std::vector<std::string>{"selected box", "moved box by 1,0,0",
+                                 "pressed " + std::to_string(int{Qt::Key_Up}), "released w",
+                                 "deselected box"});
+}
+
+TEST_CASE("live view: a replay is played, and shown from any tick on", "[live]") {
+  const CTemporaryFolder folder;
+  const std::string file = folder.Path("run.rec");
+  RunHeadless([&](CSimulator& simulator) {
+    simulator.AddOutput("recording", {{"file", file}});
+    Diffusion(5)(simulator);
+  });
+  CLiveWorld world(kWaits, [&](CSimulator& simulator) {
+    SReplayRequest request;
+    request.File = file;
+    simulator.LoadReplay(request, true);
+  });
+  auto viewer = Join(world);
+  for (const UInt32 tick : {40U, 10U, 0U, 50U, 10U}) {
+    CHECK(IsOk(viewer->Do("seek", {{"tick", tick}})));
+    CHECK(viewer->ReceiveUntil([&] { return viewer->GetFrame().Tick == tick; }));
+  }
+  CHECK_THAT(GetError(viewer->Do("move", {{"entity", "fb0"}, {"position", {0, 0, 0}}})),
+             Contains("nothing can be changed"));
+  CHECK(IsOk(viewer->Do("step", {{"n", 2}})));
+  CHECK(viewer->ReceiveUntil([&] { return viewer->GetFrame().Tick == 12; }));
+  PlayToEnd(*viewer);
+  CHECK(viewer->GetFrame().Tick == 50);
+  CHECK(IsOk(viewer->Do("reset")));
+  CHECK(viewer->ReceiveUntil([&] { return viewer->GetFrame().Tick == 0; }));
+  CHECK(IsOk(viewer->Do("end")));
+  world.Finish();
+}
+
+TEST_CASE("live view: garbage ends a connection, and never the run", "[live]") {
+  const UInt64 expected = RunHeadless(Diffusion(5));
+  CLiveWorld world(kWaits, Diffusion(5));
+  auto viewer = Join(world);
+  std::string deep(60000, '[');
+  const std::string large = "{\"do\":\"play\",\"id\":1,\"x\":\"" + std::string(70000, 'x') + "\"}";
+  for (const std::string& text : {std::string("{"), std::string("\xff\xfe"), std::string("[]"),
+                                  deep, large, std::string("7"), std::string()}) {
+    auto other = Join(world);
+    CAPTURE(text.substr(0, 20));
+    other->SendText(text);
+    // bytes that are no UTF-8 end the connection without a message
+    CHECK((other->WaitFor("error").is_string() || text[0] == '\xff'));
+    CHECK_FALSE(other->Receive());
+  }
+  auto binary = Join(world);
+  binary->SendText("{}", true);
+  CHECK_THAT(binary->WaitFor("error").get<std::string>(), Contains("texts"));
+  std::mt19937 random(1);
+  for (int i = 0; i < 50; ++i) {
+    auto other = std::make_unique<CLiveClient>(world.GetURL());
+    if (i % 2 == 0) {
+      other->Hello();
+    }
+    std::string bytes(random() % 300, ' ');
+    for (char& byte : bytes) {
+      byte = static_cast<char>(random());
+    }
+    other->SendText(bytes, i % 3 == 0);
+  }
+  // unknown and wrong commands are answered
+  CHECK_THAT(GetError(viewer->Do("fly")), Contains("no command \"fly\""));
+  for (const char* command : {"step", "speed", "reset", "seek", "rate", "pin", "give_control"}) {
+    for (const TJson& value : {TJson(-1), TJson("x"), TJson(1e30), TJson::array()}) {
+      TJson arguments;
+      for (const char* name : {"n", "factor", "seed", "tick", "fps", "entity", "viewer"}) {
+        arguments[name] = value;
+      }
+      if (command != std::string("pin") || value != "x") {
+        CHECK_FALSE(GetError(viewer->Do(command, arguments)).empty());
+      }
+    }
+  }
+  PlayToEnd(*viewer);
+  CHECK(IsOk(viewer->Do("end")));
+  CHECK(world.Finish() == expected);
+}
+
+TEST_CASE("live view: a viewer that floods it is disconnected", "[live]") {
+  CLiveWorld world(kWaits, Diffusion(3));
+  auto flooding = Join(world);
+  for (int i = 0; i < 300; ++i) {
+    flooding->SendText(R"({"do":"unpin","entity":"fb0","id":1})");
+  }
+  CHECK_THAT(flooding->WaitFor("error").get<std::string>(), Contains("100 messages a second"));
+  CHECK(IsOk(Join(world)->Do("end")));
+  world.Finish();
+}
+
+TEST_CASE("live view: a viewer that reads nothing is disconnected, and slows nothing", "[live]") {
+  CLiveWorld world({{"play", "true"}, {"speed", "0"}}, Diffusion(1e5));
+  auto viewer = Join(world);
+  CLiveClient slow(world.GetURL(), CLiveClient::SOptions{.ReceiveBuffer = 4096});
+  slow.Hello();
+  viewer->ReceiveUntil([&] { return viewer->GetStatus().value("viewers", TJson()).size() == 2; });
+  // more lines than the buffers of the system take, at the pace of the other viewer
+  const std::string line(4000, 'x');
+  bool isGone = false;
+  for (int i = 0; i < 5000 && !isGone; ++i) {
+    LOG << line << '\n' << line << '\n' << line << '\n';
+    LOG.Flush();
+    REQUIRE(viewer->ReceiveUntil([&] {
+      isGone = isGone || viewer->GetStatus().value("viewers", TJson()).size() == 1;
+      return viewer->GetText().is_object() && viewer->GetText().contains("log");
+    }));
+  }
+  CHECK(isGone);
+  CHECK(IsOk(viewer->Do("end")));
+  world.Finish();
+}
+
+}  // namespace live_test
