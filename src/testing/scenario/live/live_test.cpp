@@ -282,6 +282,10 @@ TEST_CASE("live view: a run is repeated with the commands in its recording", "[l
     viewer->ReceiveUntil([&] { return viewer->GetStatus().value("run", "") == "paused"; });
   }
   CHECK(numDone > 5);
+  // it stands, where its controller would drive
+  CHECK(IsOk(viewer->Do("drive", {{"entity", "fb3"}, {"left", 0}, {"right", 0}})));
+  CHECK(IsOk(viewer->Do("step", {{"n", 5}})));
+  viewer->ReceiveUntil([&] { return viewer->GetStatus().value("run", "") == "paused"; });
   CHECK(IsOk(viewer->Do("move", {{"entity", "fb3"}, {"yaw", 0.5}})));
   CHECK(IsOk(viewer->Do("end")));
   const UInt64 digest = world.Finish();
@@ -291,6 +295,27 @@ TEST_CASE("live view: a run is repeated with the commands in its recording", "[l
   };
   CHECK(RunHeadless(load) == digest);
   CHECK(RunHeadless(Diffusion(10)) != digest);
+}
+
+TEST_CASE("live view: a viewer drives a robot, whatever its controller wants", "[live]") {
+  CLiveWorld world(kWaits, Diffusion(3));
+  auto viewer = Join(world);
+  CHECK_THAT(GetError(viewer->Do("drive", {{"entity", "wall_east"}, {"left", 0}, {"right", 0}})),
+             Contains("cannot be driven"));
+  CHECK_THAT(GetError(viewer->Do("drive", {{"entity", "fb0"}, {"left", "x"}, {"right", 0}})),
+             Contains("\"left\" is a number"));
+  const auto step = [&](UInt32 to) {
+    CHECK(IsOk(viewer->Do("step", {{"n", 5}})));
+    viewer->ReceiveUntil([&] { return viewer->GetFrame().Tick == to; });
+    return GetPose(viewer->GetFrame(), "fb0").Position;
+  };
+  CHECK(IsOk(viewer->Do("drive", {{"entity", "fb0"}, {"left", 0}, {"right", 0}})));
+  const CVector3 start = step(5);
+  // its controller would drive at 10 cm/s, 5 cm in half a second
+  CHECK(Distance(step(10), start) < 1e-4);
+  CHECK(IsOk(viewer->Do("drive", {{"entity", "fb0"}})));
+  CHECK(IsOk(viewer->Do("end")));
+  world.Finish();
 }
 
 TEST_CASE("live view: users' functions are told what a viewer does", "[live]") {

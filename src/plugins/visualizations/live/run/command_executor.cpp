@@ -1,5 +1,8 @@
 #include <argos3/plugins/simulator/visualizations/live/run/command_executor.h>
 
+#include <argos3/core/control_interface/ci_actuator.h>
+#include <argos3/core/control_interface/ci_controller.h>
+#include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/entity/floor_entity.h>
 #include <argos3/core/simulator/entity/positional_entity.h>
@@ -9,6 +12,7 @@
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/simulator/visualization/view_drawing.h>
 #include <argos3/core/utility/errors/argos_exception.h>
+#include <argos3/plugins/robots/generic/control_interface/ci_differential_steering_actuator.h>
 #include <argos3/plugins/simulator/visualizations/live/run/command_arguments.h>
 
 #include <algorithm>
@@ -64,8 +68,8 @@ void ForEachEntityElement(TConfigurationNode& arena, TAKE&& take) {
 }  // namespace
 
 bool CCommandExecutor::Knows(const std::string& command) {
-  return command == "move" || command == "add" || command == "remove" || command == "user_select" ||
-         command == "user_key";
+  return command == "move" || command == "add" || command == "remove" || command == "drive" ||
+         command == "user_select" || command == "user_key";
 }
 
 TJson CCommandExecutor::Do(const std::string& command, const TJson& arguments) {
@@ -74,6 +78,9 @@ TJson CCommandExecutor::Do(const std::string& command, const TJson& arguments) {
   }
   if (command == "move") {
     return Move(arguments);
+  }
+  if (command == "drive") {
+    return SetDrive(arguments);
   }
   if (command == "user_select") {
     return Select(arguments);
@@ -145,6 +152,54 @@ void CCommandExecutor::MoveRoot(CEntity& root, const TJson& arguments) const {
     positional->MoveTo(place, yaw ? Upright(*yaw) : positional->GetOrientation());
   } else {
     THROW_ARGOSEXCEPTION('"' << root.GetId() << "\" has no place: it cannot be moved");
+  }
+}
+
+/****************************************/
+// drive
+/****************************************/
+
+// null if it is no robot with such an actuator, or not there any more
+CCI_DifferentialSteeringActuator* CCommandExecutor::FindWheels(const std::string& id) {
+  CEntity* const root = m_simulator.GetSpace().TryGetEntity(id);
+  auto* const robot = root != nullptr ? FindExisting<CControllableEntity>(*root) : nullptr;
+  if (robot == nullptr || !robot->HasController()) {
+    return nullptr;
+  }
+  const CCI_Actuator::TMap& actuators = robot->GetController().GetAllActuators();
+  const auto found = actuators.find("differential_steering");
+  return found == actuators.end() ? nullptr
+                                  : dynamic_cast<CCI_DifferentialSteeringActuator*>(found->second);
+}
+
+TJson CCommandExecutor::SetDrive(const TJson& arguments) {
+  constexpr Real kMaxSpeed = 1e4;  // cm/s
+  const std::string id = GetRoot(arguments).GetId();
+  const auto left = ReadNumberArgument(arguments, "left", -kMaxSpeed, kMaxSpeed);
+  const auto right = ReadNumberArgument(arguments, "right", -kMaxSpeed, kMaxSpeed);
+  if (FindWheels(id) == nullptr) {
+    THROW_ARGOSEXCEPTION('"' << id
+                             << "\" has no actuator \"differential_steering\": it cannot be "
+                                "driven");
+  }
+  if (left && right) {
+    m_driven[id] = {*left, *right};
+  } else {
+    m_driven.erase(id);
+  }
+  return TJson::object();
+}
+
+// after the controller's step, whose speeds it replaces, and before the wheels get them
+void CCommandExecutor::Drive() {
+  for (auto robot = m_driven.begin(); robot != m_driven.end();) {
+    CCI_DifferentialSteeringActuator* const wheels = FindWheels(robot->first);
+    if (wheels == nullptr) {
+      robot = m_driven.erase(robot);
+      continue;
+    }
+    wheels->SetLinearVelocity(robot->second.first, robot->second.second);
+    ++robot;
   }
 }
 

@@ -6,11 +6,14 @@
 
 #include <sys/types.h>
 
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace argos {
 
+class CCI_DifferentialSteeringActuator;
 class CEmbodiedEntity;
 class CEntity;
 class CSimulator;
@@ -36,6 +39,10 @@ class CCommandExecutor {
    */
   TJson Do(const std::string& command, const TJson& arguments);
 
+  /** To be called before each tick: robots that viewers drive go on as they were told. */
+  void Drive();
+  /** The run begins again: no robot is driven. */
+  void ForgetDrivers() { m_driven.clear(); }
   /** To be called after each tick and reset: forgets what is selected if it was removed. */
   void CheckSelection();
 
@@ -48,6 +55,8 @@ class CCommandExecutor {
   void MoveRoot(CEntity& root, const TJson& arguments) const;
   TJson Select(const TJson& arguments);
   TJson PressKey(const TJson& arguments);
+  TJson SetDrive(const TJson& arguments);
+  CCI_DifferentialSteeringActuator* FindWheels(const std::string& id);
   TJson Add(const TJson& arguments);
   TJson Remove(const TJson& arguments);
   void CheckPlace(const CVector3& position) const;
@@ -59,6 +68,8 @@ class CCommandExecutor {
 
   CSimulator& m_simulator;
   const CViewDrawing& m_drawing;
+  std::map<std::string, std::pair<Real, Real>>
+      m_driven;  // id: speeds of left and right wheel, cm/s
   std::string m_selected;  // id of a root entity; empty: none
   ssize_t m_selectedIndex = -1;  // of that entity
 };

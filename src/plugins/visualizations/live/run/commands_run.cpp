@@ -48,6 +48,7 @@ void CCommandsRun::Execute() {
     if (isEnded || isFinished) {
       return;
     }
+    m_executor.Drive();
     m_cSimulator.UpdateSpace();
     m_executor.CheckSelection();
   }

@@ -103,6 +103,7 @@ TJson CLiveRun::MakeWelcome() {
             {"replay", isReplay},
             {"seek", isReplay},
             {"change", !isReplay},
+            {"drive", !isReplay},
             {"redistribute", !isReplay}}},
           {"types_to_add", m_executor.ListTypesToAdd()}};
 }
@@ -160,6 +161,7 @@ void CLiveRun::Loop() {
 }
 
 void CLiveRun::Tick() {
+  m_executor.Drive();
   m_cSimulator.UpdateSpace();
   m_executor.CheckSelection();
   m_capture.Observe(m_cSimulator);
@@ -410,6 +412,7 @@ TJson CLiveRun::EndRun(const TJson&) {
 
 // after the clock was set
 void CLiveRun::BeginAgain() {
+  m_executor.ForgetDrivers();
   m_isPostExperimentDone = false;
   m_stepsLeft = 0;
   m_hasChanged = m_haveValuesChanged = true;
