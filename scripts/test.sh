@@ -207,6 +207,24 @@ step_guide() {
   "$repo/scripts/check_guide.sh" "$work/prefix"
 }
 
+reaches_npm() {
+  npm ping --fetch-retries 1 --fetch-timeout 20000 >/dev/null 2>&1
+}
+
+inputs_page() {
+  { reaches_npm && echo "with the registry of npm" || echo "without"; } &&
+    print_built && print_repository scripts/check_page.sh src/plugins/visualizations/live experiments
+}
+
+step_page() {
+  echo "The page of the live view, in a browser"
+  if ! reaches_npm; then
+    echo "NOT CHECKED: the registry of npm cannot be reached"
+    return 0
+  fi
+  "$repo/scripts/check_page.sh" "$build_dir"
+}
+
 inputs_headers() {
   print_folder "$work/prefix/include"
 }
@@ -309,7 +327,7 @@ print_folder "$work/prefix" ! -path ./share/argos3/build.txt ! -path './share/do
 
 began "Side by side: digests, users' projects, packages, site, guide, a build for robots"
 # those that take longest begin
-run_steps guide outside_projects digests site robot examples packages users_projects headers build_id
+run_steps guide page outside_projects digests site robot examples packages users_projects headers build_id
 
 if [[ "${CI:-}" == true ]]; then
   echo "clang-tidy follows in .ci/run"
