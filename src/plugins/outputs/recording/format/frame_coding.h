@@ -75,6 +75,8 @@ class CFrameDecoder {
    * @throws CARGoSException if the bytes are none; then the next one must be a key frame.
    */
   const SRecordedFrame& Decode(CByteReader& in, bool isKey);
+  /** The last one; without a tick, types and entities before the first. */
+  const SRecordedFrame& GetFrame() const { return m_frame; }
 
  private:
   void DecodeSection(UInt64 number, CByteReader& in);
