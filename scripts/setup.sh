@@ -37,6 +37,10 @@ if ((only_list)); then
 fi
 
 is_installed() {
+  # those of Node.js's own packages, which conflict with Debian's
+  if [[ "$1" == npm || "$1" == nodejs ]] && command -v npm >/dev/null && command -v node >/dev/null; then
+    return 0
+  fi
   [[ "$(dpkg-query --show --showformat='${db:Status-Status}' "$1" 2>/dev/null)" == installed ]]
 }
 

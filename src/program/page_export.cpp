@@ -35,7 +35,8 @@ std::string ReadRecording(const std::string& path) {
 }
 
 std::string ToBase64(const std::string& bytes) {
-  constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  constexpr char kBase64Digits[] =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   constexpr std::size_t kGroup = 3;
   std::string text;
   text.reserve((bytes.size() + kGroup - 1) / kGroup * 4);
@@ -46,7 +47,7 @@ std::string ToBase64(const std::string& bytes) {
       group = group << 8 | byte;
     }
     for (std::size_t k = 0; k < 4; ++k) {
-      text += i + k <= bytes.size() ? kDigits[group >> (18 - 6 * k) & 63] : '=';
+      text += i + k <= bytes.size() ? kBase64Digits[group >> (18 - 6 * k) & 63] : '=';
     }
   }
   return text;
