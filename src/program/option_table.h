@@ -49,7 +49,8 @@ using TOptionTarget =
  */
 struct SCommandLineOption {
   std::string Names; /**< "-c,--config-file" or "--seed" */
-  /** "FILE"; "[WORD]" may be left out; empty: a flag, which may have a value only as in "--live=8000" */
+  /** "FILE"; "[WORD]" may be left out; empty: a flag, which may have a value only as in
+   * "--live=8000" */
   std::string Value;
   TOptionTarget Target;
   std::string Group; /**< heading in the help */

@@ -65,8 +65,8 @@ class CColor {
   /**
    * @param color  one of the names above in lower case; four integers in [0,255], "R,G,B,A", with
    * blanks allowed around each; or hexadecimal digits, "#rgb", "#rrggbb" or "#rrggbbaa".
-   * @throws CARGoSException if it is none of these; the text gives the nearest names. The colour is then
-   *         unchanged.
+   * @throws CARGoSException if it is none of these; the text gives the nearest names. The colour is
+   * then unchanged.
    */
   void Set(const std::string& color);
 

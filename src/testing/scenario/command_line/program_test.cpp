@@ -423,8 +423,7 @@ TEST_CASE("argos3: a run opens only the libraries that it needs", "[command_line
   folder.Write("e.argos", Experiment());
   const std::string log = folder.Run({"e.argos", "--log-level", "debug"}).Out;
   CHECK_THAT(log, Contains("_epuck.so\"\n") && Contains("_dynamics2d.so\"\n"));
-  for (const char* other :
-       {"_eyebot.", "_dynamics3d.", "_offscreen.", "_povray.", "_recording."}) {
+  for (const char* other : {"_eyebot.", "_dynamics3d.", "_offscreen.", "_povray.", "_recording."}) {
     CHECK_THAT(log, !Contains(other));
   }
   // labels of all libraries are known

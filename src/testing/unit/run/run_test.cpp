@@ -65,7 +65,8 @@ TEST_CASE("run: what ends normally is done, and has its measures", "[run]") {
   CHECK(summary.WallTime > 0.0);
   CHECK(summary.Failures.empty());
   CHECK(toy.Reported.empty());
-  CHECK_THAT(DescribeRun(summary), Contains("simulated 1 s in ") && Contains("10 ticks, 2 robots)"));
+  CHECK_THAT(DescribeRun(summary),
+             Contains("simulated 1 s in ") && Contains("10 ticks, 2 robots)"));
 }
 
 TEST_CASE("run: after a failure steps are left out, but the destruction", "[run]") {
