@@ -243,9 +243,11 @@ std::string CSchemaMaker::Entities(const SElement& arena) {
         Named("element", "", "A robot of a type in robot_types.", Reference("anything"), tags));
     m_definitions["entities_and_robots"] = AnyNumberOf(choices);
   }
-  const SElementName distribute = {"distribute"};
-  if (const SElement* const element = arena.Find(distribute)) {
-    choices.push_back(Element(distribute, *element, PathOf("arena", distribute)));
+  for (const char* const tag : {"distribute", "walls"}) {
+    const SElementName name = {tag};
+    if (const SElement* const element = arena.Find(name)) {
+      choices.push_back(Element(name, *element, PathOf("arena", name)));
+    }
   }
   return AnyNumberOf(choices);
 }

@@ -88,7 +88,7 @@ ATTRIBUTES
 
 const CElementText kArena(
     "arena", kAuthor, "The space of the experiment, and what it contains at the start.",
-    R"(Its children are entities, <distribute>, and robots of the types in <robot_types>.
+    R"(Its children are entities, <walls>, <distribute>, and robots of the types in <robot_types>.
 
 REQUIRED XML
 
@@ -100,7 +100,7 @@ REQUIRED XML
 
 OPTIONAL XML
 
-  <arena size="4,4,2" center="0,0,1" redistribute="true">
+  <arena size="4,4,2" center="0,0,1" redistribute="true" walls="0.1,0.3">
     <distribute>
       <position method="uniform" min="-2,-2,0" max="2,2,0" />
       <orientation method="constant" values="0,0,0" />
@@ -116,7 +116,44 @@ ATTRIBUTES
   center        "x,y,z", m, default "0,0,0".
   redistribute  "true" or "false", default "false": if "true", a reset draws the places of <distribute> anew from the
                 seed of the new run; otherwise it restores those of the start.
+  walls         "thickness,height", m: walls along the sides, within the size. Default: none. <walls> makes others.
   positional_index, positional_grid_size  of ARGoS 3; have no effect here, which a warning says.
+)");
+
+const CElementText kWalls(
+    "walls", kAuthor, "Walls along lines, from an image or a drawing, or around the arena.",
+    R"(Makes boxes that cannot move, <id>_0, <id>_1, ... doc/guide/placing.md has a picture.
+
+REQUIRED XML
+
+  <arena size="20,20,10">
+    <walls thickness="0.1" height="0.3" />
+  </arena>
+
+OPTIONAL XML
+
+  <arena size="20,20,10">
+    <walls id="room" points="0,0 4,0 4,3" closed="false" thickness="0.1" height="0.3" base="0" />
+    <walls id="map" image="plan.png" meters_per_pixel="0.05" center="0,0" threshold="0.5" height="0.3" />
+    <walls id="plan" svg="plan.svg" meters_per_unit="0.01" corner="0,0" thickness="0.1" height="0.3" />
+  </arena>
+
+ATTRIBUTES
+
+  id         text, default "walls": of which the ids of the boxes begin.
+  thickness  m, > 0: of the walls; not for an image.
+  height     m, > 0, required.
+  base       m, default 0: height of the lower edge above the ground.
+  points     "x,y x,y ...", m: corners of the line along which the walls stand. Without points, image and svg the walls
+             stand along the sides of the arena, within its size.
+  closed     "true" or "false", default "true": the last corner is joined to the first.
+  image      path of an image whose dark pixels are walls; searched in the working folder, then beside the file.
+  meters_per_pixel  m, > 0, required for an image.
+  center     "x,y", m, default "0,0": place of the middle of the image.
+  threshold  real in (0,1], default 0.5: a pixel whose mean of red, green and blue is below it is wall; 1 is white.
+  svg        path of a drawing whose straight lines become walls: line, polyline, polygon, rect, path.
+  meters_per_unit  m, > 0, required for a drawing: length of one of its units.
+  corner     "x,y", m, default "0,0": place of the upper left corner of the drawing.
 )");
 
 const CElementText kDistribute(

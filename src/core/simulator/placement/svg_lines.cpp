@@ -77,7 +77,7 @@ class CSVGReader {
   void Read(TConfigurationNode& node) {
     const std::string tag = node.Value();
     const std::string context = fmt::format("{}: <{}>", node.GetLocation(), tag);
-    if (NodeAttributeExists(node, "transform")) {
+    if (!GetText(node, "transform", "").empty()) {
       THROW_ARGOSEXCEPTION(context
                            << ": transformations are not read; apply them in the drawing program");
     }

@@ -103,8 +103,9 @@ std::vector<SWallPiece> ReadDrawing(TConfigurationNode& element) {
   GetNodeAttributeOrDefault(element, "corner", corner, corner);
   const Real thickness = ReadPositive(element, "thickness");
   std::vector<SWallPiece> pieces;
-  for (SWallLine& line : ReadWallLines(FindNearbyFile(path, element.GetFileName(), "map"),
-                                       ReadPositive(element, "meters_per_unit"))) {
+  const Real metersPerUnit = ReadPositive(element, "meters_per_unit");
+  const std::string file = FindNearbyFile(path, element.GetFileName(), "map");
+  for (SWallLine& line : ReadWallLines(file, metersPerUnit)) {
     for (CVector2& point : line.Points) {
       point += corner;
     }
@@ -124,8 +125,9 @@ std::vector<SWallPiece> ReadImageOf(TConfigurationNode& element) {
     THROW_ARGOSEXCEPTION("attribute \"threshold\" must be above 0 and at most 1, got "
                          << threshold);
   }
+  const Real metersPerPixel = ReadPositive(element, "meters_per_pixel");
   return MakeWallsOfImage(ReadImage(FindNearbyFile(path, element.GetFileName(), "map"), "map"),
-                          center, ReadPositive(element, "meters_per_pixel"), threshold);
+                          center, metersPerPixel, threshold);
 }
 
 std::vector<SWallPiece> ReadPieces(const CSpace& space, TConfigurationNode& element) {

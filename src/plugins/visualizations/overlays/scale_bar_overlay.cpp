@@ -32,14 +32,14 @@ class CScaleBarOverlay : public COverlay {
     for (const CVector3& tip : {start, end}) {
       drawing.DrawLine(tip - serif, tip + serif, m_text.Color, m_width);
     }
-    drawing.DrawText(end + 2.0 * CVector3(serif.GetY(), 0.0, 0.0) - serif, FormatLength(length),
+    drawing.DrawText(end + 2.0 * CVector3(serif.GetY(), 0.0, 0.0), FormatLength(length),
                      m_text.Color, m_text.MakeStyle(drawing, STextStyle::EAlignment::Left));
   }
 
  private:
   static constexpr Real kShare = 0.25;  // of the arena, at most
   static constexpr Real kMargin = 0.05;  // of the arena
-  static constexpr Real kGap = 0.35;  // between arena and bar, of the margin
+  static constexpr Real kGap = 0.25;  // between arena and bar, of the margin
 
   SOverlayText m_text;
   Real m_length = 0.0;  // m; 0: by the size of the arena

@@ -91,10 +91,6 @@ TEST_CASE("messages: a library without the label that its element names says wha
   CHECK_THAT(LoadError(experiment), Contains("\"walker\"") &&
                                         Contains(".so\" is loaded and registers ") &&
                                         Contains("test_idle") && !Contains("ARGOS_PLUGIN_PATH"));
-  experiment = SExperimentText();
-  experiment.Controllers =
-      "<controllers><walker id=\"c\" library=\"" + BadControllersLibrary() + "\"/></controllers>";
-  CHECK_THAT(LoadError(experiment), Contains(".so\" is loaded and registers "));
 }
 
 TEST_CASE("messages: unknown plug-ins say how to name a library and where it is searched",

@@ -94,7 +94,7 @@ TEST_CASE("slurm: tasks are killed in the middle, and the table is that of a loc
     return;
   }
   const std::string campaign = MakeCampaign("<slurm tasks='4' jobs='1' partition='test' />");
-  const std::string experiment = MakeCampaignExperiment("", 1, 60);
+  const std::string experiment = MakeCampaignExperiment("", 1, 600);
   const std::vector<std::string> expected = RunLocally(campaign, experiment);
   REQUIRE(expected.size() == kRuns);
 

@@ -156,17 +156,19 @@ TEST_CASE("run: the line about a run has its times and robots", "[run]") {
   summary.WallTime = 0.25;
   summary.OutputTime = 0.05;
   summary.Robots = 1;
+  summary.Ticks = 1;
   CHECK(DescribeRun(summary) ==
-        "simulated 12.5 s in 0.25 s of wall time (real-time factor 50, 1 robot)");
+        "simulated 12.5 s in 0.25 s of wall time (real-time factor 50, 1 tick, 1 robot)");
   summary.Robots = 2;
+  summary.Ticks = 125;
   summary.HasOutputs = true;
   CHECK(DescribeRun(summary) ==
-        "simulated 12.5 s in 0.25 s of wall time (real-time factor 50, 2 robots): "
+        "simulated 12.5 s in 0.25 s of wall time (real-time factor 50, 125 ticks, 2 robots): "
         "0.2 s for the simulation, 0.05 s for its outputs");
   summary.OutputTime = 0.5;
   summary.WallTime = 0.0;
   CHECK(DescribeRun(summary) ==
-        "simulated 12.5 s in 0 s of wall time (real-time factor 0, 2 robots): "
+        "simulated 12.5 s in 0 s of wall time (real-time factor 0, 125 ticks, 2 robots): "
         "0 s for the simulation, 0.5 s for its outputs");
 }
 

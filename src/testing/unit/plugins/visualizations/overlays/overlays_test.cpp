@@ -392,9 +392,9 @@ TEST_CASE("overlays: bar, axes and their marks have the scale of arenas of any s
   CHECK(axes.DrawAll(EKind::Line)[1].Size.Length() == Approx(0.03));
   COverlaysOf bar(world, "<scale_bar/>");
   const std::vector<SDrawnShape> lines = bar.DrawAll(EKind::Line);
-  // outside of the corner, by 0.35 times 5 % of the shorter side
+  // outside of the corner, by a quarter of 5 % of the shorter side
   const CVector3 corner = isWide ? CVector3(-8.0, -1.0, 0.0) : CVector3(-1.0, -8.0, 0.0);
-  CHECK(IsAt(lines[0].Position, corner + CVector3(0.0, -0.035, 0.0)));
+  CHECK(IsAt(lines[0].Position, corner + CVector3(0.0, -0.025, 0.0)));
   CHECK(lines[0].Size.Length() == Approx(isWide ? 2.0 : 0.5));
 }
 

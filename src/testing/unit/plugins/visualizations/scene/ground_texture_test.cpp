@@ -88,7 +88,7 @@ TEST_CASE("ground texture: what is no image, or no size, is an error with file a
   const CTemporaryFile cut("cut.png", "\x89PNG\r\n\x1a\n");
   CHECK_THROWS_WITH(Read(Texture("/no/such.png")),
                     Contains("test.argos:1: <offscreen>: attribute \"ground_texture\"") &&
-                        Contains("cannot open the texture \"/no/such.png\""));
+                        Contains("there is no texture \"/no/such.png\"; looked for"));
   CHECK_THROWS_WITH(Read(Texture(text.GetPath())), Contains("the texture \"" + text.GetPath()));
   CHECK_THROWS_WITH(Read(Texture(cut.GetPath())), Contains("the texture \"" + cut.GetPath()));
   const CTemporaryFile good("tiles.ppm", kRedGreen);
