@@ -108,7 +108,7 @@ def main():
     Handler.harness = HARNESS % json.dumps(pages)
     server = Server(("127.0.0.1", 0), functools.partial(Handler, directory=site))
     threading.Thread(target=server.serve_forever, daemon=True).start()
-    with tempfile.TemporaryDirectory() as folder:
+    with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:  # processes of the browser end later
         with subprocess.Popen([browser, "--headless", "--no-sandbox", "--disable-gpu", f"--user-data-dir={folder}",
                                f"http://127.0.0.1:{server.server_port}/check_widths"],
                               stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as process:
