@@ -143,13 +143,18 @@ SRecordedType CTrackedEntity::MakeType() const {
 
 void CTrackedEntity::PrepareCheck() const {
   LoadAhead(*m_root);
-  LoadAhead(m_composable, sizeof(CComposableEntity));
+  if (m_composable != nullptr) {
+    LoadAhead(*m_composable);
+  }
 }
 
 void CTrackedEntity::PrepareRead() const {
-  // prefetching a null pointer does nothing
-  LoadAhead(m_origin, sizeof(SBodyPose));
-  LoadAhead(m_leds, sizeof(CLEDEquippedEntity));
+  if (m_origin != nullptr) {
+    LoadAhead(*m_origin);
+  }
+  if (m_leds != nullptr) {
+    LoadAhead(*m_leds);
+  }
   if (m_robot != nullptr) {
     LoadAhead(&m_robot->GetCheckedRays(), sizeof(std::vector<CRay3>));
     LoadAhead(&m_robot->GetIntersectionPoints(), sizeof(std::vector<CVector3>));
