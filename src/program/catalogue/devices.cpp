@@ -107,7 +107,7 @@ std::string CDevices::Robots(const std::string& label, const std::string& parts)
 bool CDevices::IsRobot(const std::string& label) {
   bool has = false;
   SSampleExperiment sample = m_samples.MakeExperiment({"arena", {label}, Robots(label, "")});
-  const std::string error = m_loader.Load(sample, [&](CSimulator& simulator) {
+  std::string error = m_loader.Load(sample, [&](CSimulator& simulator) {
     has = !simulator.GetSpace().GetControllableEntities().empty();
   });
   return error.empty() && has;

@@ -107,10 +107,8 @@ std::vector<SHeaderItem> SplitDeclarations(const std::string& text) {
     } else if (c == '{') {
       item.Body = text.substr(at + 1, end - at - 2);
       finish();
-    } else if (c == ';') {
-      finish();
-    } else if (c == ':' &&
-               (item.Code == "public" || item.Code == "protected" || item.Code == "private")) {
+    } else if (c == ';' || (c == ':' && (item.Code == "public" || item.Code == "protected" ||
+                                         item.Code == "private"))) {
       finish();
     } else if (!isStart || std::isspace(static_cast<unsigned char>(c)) == 0) {
       item.Code += text.substr(at, end - at);

@@ -59,7 +59,7 @@ std::string WriteNamed(TConfigurationNode& pattern, size_t depth) {
 }
 
 std::string Write(TConfigurationNode& pattern, size_t depth) {
-  const std::string kind = pattern.Value();
+  std::string kind = pattern.Value();
   if (kind == "element" || kind == "attribute") {
     return WriteNamed(pattern, depth);
   }

@@ -495,9 +495,7 @@ void CExperimentLoader::InitViews(TConfigurationNode& root, CLoadErrors& errors)
   }
   if (NodeExists(root, "visualization")) {
     TConfigurationNode& section = GetNode(root, "visualization");
-    if (m_settings.Visualization) {
-      MarkSubtreeRead(section);
-    } else if (m_settings.ForceNoVisualization) {
+    if (m_settings.Visualization || m_settings.ForceNoVisualization) {
       MarkSubtreeRead(section);
     } else {
       TConfigurationNodeIterator it;

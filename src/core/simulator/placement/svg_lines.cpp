@@ -109,7 +109,7 @@ class CSVGReader {
   }
 
  private:
-  void Add(std::vector<CVector2> points, bool isClosed) {
+  void Add(const std::vector<CVector2>& points, bool isClosed) {
     // points that do not differ are no line
     std::vector<CVector2> distinct;
     for (const CVector2& point : points) {
@@ -127,7 +127,7 @@ class CSVGReader {
     while (!text.IsAtEnd()) {
       points.push_back(text.TakePoint());
     }
-    Add(std::move(points), isClosed);
+    Add(points, isClosed);
   }
 
   void ReadPath(CSVGText text) {
@@ -166,7 +166,7 @@ class CSVGReader {
       }
       points.push_back(place);
     }
-    Add(std::move(points), false);
+    Add(points, false);
   }
 
   std::vector<SWallLine>& m_lines;

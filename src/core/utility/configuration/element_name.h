@@ -25,6 +25,7 @@ struct SElementName {
     return Implementation.empty() ? Tag : Tag + " (" + Implementation + ")";
   }
 
+  // NOLINTNEXTLINE(modernize-use-nullptr): it takes what the compiler writes for a 0
   auto operator<=>(const SElementName&) const = default;
 };
 

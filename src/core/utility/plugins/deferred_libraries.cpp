@@ -105,7 +105,7 @@ std::string CDeferredLibraries::TakeFirst() {
   if (libraries.empty()) {
     return "";
   }
-  const std::string path = libraries.front().Path;
+  std::string path = libraries.front().Path;
   libraries.erase(libraries.begin());
   return path;
 }

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <string_view>
 
 namespace argos {
 
@@ -113,7 +114,7 @@ std::string ReadBuildId(const CFileBytes& file, const ElfW(Phdr) & notes) {
   while (offset + sizeof(note) <= notes.p_offset + notes.p_filesz && file.Read(offset, note)) {
     const size_t name = offset + sizeof(note);
     const size_t content = name + Padded(note.n_namesz);
-    if (note.n_type == NT_GNU_BUILD_ID && file.Bytes(name, 4) == std::string("GNU", 4)) {
+    if (note.n_type == NT_GNU_BUILD_ID && file.Bytes(name, 4) == std::string_view("GNU\0", 4)) {
       return Hexadecimal(file.Bytes(content, note.n_descsz));
     }
     offset = content + Padded(note.n_descsz);
@@ -163,7 +164,7 @@ std::vector<std::string> ReadNeeded(const CFileBytes& file, const ElfW(Phdr) & d
 std::string ReadBuildId(const std::string& path) {
   const CFileBytes file(path);
   for (const ElfW(Phdr) & segment : ReadSegments(file)) {
-    const std::string id = segment.p_type == PT_NOTE ? ReadBuildId(file, segment) : "";
+    std::string id = segment.p_type == PT_NOTE ? ReadBuildId(file, segment) : "";
     if (!id.empty()) {
       return id;
     }

@@ -13,6 +13,7 @@ struct SPluginLabel {
   std::string Kind; /**< typeid(BASE).name() of the factory's base class */
   std::string Label;
 
+  // NOLINTNEXTLINE(modernize-use-nullptr): it takes what the compiler writes for a 0
   auto operator<=>(const SPluginLabel& other) const = default;
 };
 

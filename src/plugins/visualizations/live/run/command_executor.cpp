@@ -318,7 +318,7 @@ TConfigurationNode CCommandExecutor::MakeElement(const std::string& type, const 
 
 std::string CCommandExecutor::MakeId(const std::string& type) const {
   for (UInt32 number = 1;; ++number) {
-    const std::string id = type + "_added_" + std::to_string(number);
+    std::string id = type + "_added_" + std::to_string(number);
     if (m_simulator.GetSpace().TryGetEntity(id) == nullptr) {
       return id;
     }
