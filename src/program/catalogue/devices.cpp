@@ -180,7 +180,7 @@ void CDevices::TryOn(const std::string& robot, const SSample& device, SDeviceFac
 std::string CDevices::TryIn(const std::string& arena, const SSample& device, SDeviceFacts& facts) {
   SSampleExperiment experiment = m_samples.MakeExperiment(device);
   experiment.SetRobots(arena);
-  const std::string error = m_loader.Load(experiment, [&facts](CSimulator& simulator) {
+  std::string error = m_loader.Load(experiment, [&facts](CSimulator& simulator) {
     const auto& robots = simulator.GetSpace().GetControllableEntities();
     if (robots.empty()) {
       THROW_ARGOSEXCEPTION("there is no robot with a controller");
