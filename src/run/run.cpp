@@ -1,8 +1,8 @@
 #include <argos3/run/run.h>
 
-#include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/core/simulator/entity/existing_component.h>
 #include <argos3/core/simulator/outputs/run_outputs.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/space.h>
@@ -171,19 +171,17 @@ void CRun::CountRobotsOutside() {
     if (root == nullptr || robot->IsQuarantined()) {
       continue;
     }
-    for (const CEntity* const component : root->GetExistingComponents()) {
-      const auto* const body = dynamic_cast<const CEmbodiedEntity*>(component);
-      if (body == nullptr) {
-        continue;
+    const auto* const body = FindExistingComponent<CEmbodiedEntity>(*root);
+    if (body == nullptr) {
+      continue;
+    }
+    const CVector3& place = body->GetOriginAnchor().Position;
+    if (!x.WithinMinBoundIncludedMaxBoundIncluded(place.GetX()) ||
+        !y.WithinMinBoundIncludedMaxBoundIncluded(place.GetY())) {
+      if (m_summary.RobotsOutside == 0) {
+        m_summary.FirstOutside = root->GetId();
       }
-      const CVector3& place = body->GetOriginAnchor().Position;
-      if (!x.WithinMinBoundIncludedMaxBoundIncluded(place.GetX()) ||
-          !y.WithinMinBoundIncludedMaxBoundIncluded(place.GetY())) {
-        m_summary.FirstOutside =
-            m_summary.RobotsOutside == 0 ? root->GetId() : m_summary.FirstOutside;
-        ++m_summary.RobotsOutside;
-      }
-      break;
+      ++m_summary.RobotsOutside;
     }
   }
 }

@@ -114,8 +114,8 @@ ATTRIBUTES
 
   size          "x,y,z", m, required: extents. They are no walls: things may be outside.
   center        "x,y,z", m, default "0,0,0".
-  redistribute  "true" or "false", default "false": if "true", a reset draws the places of <distribute> anew from the
-                seed of the new run; otherwise it restores those of the start.
+  redistribute  "true" or "false", default "false": with "true" a reset draws the places of <distribute> from the seed
+                of the new run; with "false" it restores those of the start.
   walls         "thickness,height", m: walls along the sides, within the size. Default: none. <walls> makes others.
   positional_index, positional_grid_size  of ARGoS 3; have no effect here, which a warning says.
 )");

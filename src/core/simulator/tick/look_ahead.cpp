@@ -62,7 +62,10 @@ void CLookAhead::BeforeSense(size_t visit, const CBodyIndex& index) const {
   }
   ARGOS_ASSERT(m_robots.size() == m_visits->size(), "the loops have changed since SetVisits()");
   GetRobot(visit + 3 * kStep).LoadEntityAhead();
-  LoadAhead(m_robots[visit + 3 * kStep].Origin, sizeof(SBodyPose));  // null: has no effect
+  const SAnchor* const farOrigin = m_robots[visit + 3 * kStep].Origin;
+  if (farOrigin != nullptr) {
+    LoadAhead(farOrigin, sizeof(SBodyPose));
+  }
 
   GetRobot(visit + 2 * kStep).LoadControllerAhead();
 

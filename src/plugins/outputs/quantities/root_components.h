@@ -1,7 +1,7 @@
 #ifndef ARGOS3_PLUGINS_OUTPUTS_QUANTITIES_ROOT_COMPONENTS_H
 #define ARGOS3_PLUGINS_OUTPUTS_QUANTITIES_ROOT_COMPONENTS_H
 
-#include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/simulator/entity/existing_component.h>
 
 namespace argos {
 
@@ -14,14 +14,8 @@ COMPONENT* FindExisting(CEntity& root) {
   if (auto* const self = dynamic_cast<COMPONENT*>(&root)) {
     return self;
   }
-  if (const auto* const composable = dynamic_cast<const CComposableEntity*>(&root)) {
-    for (CEntity* component : composable->GetExistingComponents()) {
-      if (auto* const found = dynamic_cast<COMPONENT*>(component)) {
-        return found;
-      }
-    }
-  }
-  return nullptr;
+  const auto* const composable = dynamic_cast<const CComposableEntity*>(&root);
+  return composable == nullptr ? nullptr : FindExistingComponent<COMPONENT>(*composable);
 }
 
 }  // namespace argos

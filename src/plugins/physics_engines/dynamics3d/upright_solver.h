@@ -33,8 +33,8 @@ struct SUprightContact {
  *
  * Block Gauss-Seidel, as CImpulseSolver: sweeps over the drives of bodies, each of which is solved
  * in closed form while it holds its speed, and over contacts. The sweeps of an island are steps of
- * a nonsmooth nonlinear conjugate gradient method. All go in one direction: with alternating ones,
- * the method would often begin anew, and take a quarter more of them.
+ * a nonsmooth nonlinear conjugate gradient method. All go in one direction, because
+ * with alternating directions the method restarts more often and needs a quarter more sweeps.
  *
  * Source: M. Silcowitz-Hansen, S. Niebe, K. Erleben, A Nonsmooth Nonlinear Conjugate Gradient
  * Method for Interactive Contact Force Problems, 2010.

@@ -74,7 +74,7 @@ Attributes of <live>:
   fps        number from 0.1 to 100; states a second for each viewer. Default: 25
   open       bool; open the page where there is a display. Default: true
   linger     number >= 0, s; when the run is over and no viewer has been connected for so long,
-             the program ends. Default: 30. A run that nobody has ever viewed ends at once
+             the program ends. Default: 30. A run without any viewer ends at once
   commands   path of a recording: nothing is served; what viewers did in that run is done again,
              after the same ticks. On the command line, with the seed of the recording:
              --replay-commands FILE

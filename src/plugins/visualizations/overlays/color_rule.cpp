@@ -1,6 +1,6 @@
 #include <argos3/plugins/simulator/visualizations/overlays/color_rule.h>
 
-#include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/simulator/entity/existing_component.h>
 #include <argos3/core/utility/text/string_utilities.h>
 #include <argos3/plugins/simulator/entities/led_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/value_checks.h>
@@ -17,16 +17,6 @@ namespace {
 
 const CColor kNone(0, 0, 0, 0);
 
-template <typename COMPONENT>
-COMPONENT* FindPart(CComposableEntity& robot) {
-  for (CEntity* const component : robot.GetExistingComponents()) {
-    if (auto* const found = dynamic_cast<COMPONENT*>(component)) {
-      return found;
-    }
-  }
-  return nullptr;
-}
-
 /* The id of the robot's controller in <controllers>; of a replay's robot, its type. */
 std::string FindTeam(CComposableEntity& robot) {
   TConfigurationNode* const node = robot.GetConfigurationNode();
@@ -40,7 +30,7 @@ std::string FindTeam(CComposableEntity& robot) {
 CColor FindBrightestLED(CComposableEntity& robot) {
   CColor brightest = kNone;
   UInt32 brightness = 0;
-  if (auto* const leds = FindPart<CLEDEquippedEntity>(robot)) {
+  if (auto* const leds = FindExistingComponent<CLEDEquippedEntity>(robot)) {
     for (UInt32 i = 0; i < leds->GetNumLEDs(); ++i) {
       const CColor& color = leds->GetLEDColor(i);
       const UInt32 sum = color.GetRed() + color.GetGreen() + color.GetBlue();

@@ -30,14 +30,6 @@ constexpr Real kFootBotHeight = 0.146899733;  // m
 constexpr int kDeepest = FewerIfSanitized(60);
 constexpr int kWidest = FewerIfSanitized(20);
 
-std::string WallXml(const std::string& id, const std::string& size, Real x, Real y,
-                    Real yaw = 0.0) {
-  std::ostringstream xml;
-  xml << "<box id='" << id << "' size='" << size << "' movable='false'><body position='" << x << ","
-      << y << ",0' orientation='" << yaw << ",0,0'/></box>";
-  return xml.str();
-}
-
 bool IsFinite(const CVector3& v) {
   return std::isfinite(v.GetX()) && std::isfinite(v.GetY()) && std::isfinite(v.GetZ());
 }

@@ -44,6 +44,21 @@ std::string DriverXml(const std::string& tag, const std::string& id, Real x, Rea
   return xml.str();
 }
 
+std::string WallXml(const std::string& id, const std::string& size, Real x, Real y, Real yaw) {
+  std::ostringstream xml;
+  xml << "<box id='" << id << "' size='" << size << "' movable='false'><body position='" << x << ","
+      << y << ",0' orientation='" << yaw << ",0,0'/></box>";
+  return xml.str();
+}
+
+std::string BoxXml(const std::string& id, Real x, Real y, Real yaw, const std::string& size) {
+  std::ostringstream xml;
+  xml << std::setprecision(17) << "<box id='" << id << "' size='" << size
+      << "' movable='true' mass='1'><body position='" << x << "," << y << ",0' orientation='" << yaw
+      << ",0,0'/></box>";
+  return xml.str();
+}
+
 CDriveWorld::CDriveWorld(const std::string& engine, const std::string& arena, UInt32 threads)
     : CTestWorld(MakeExperiment(engine, arena, threads)), m_scope(GetSimulator()) {}
 

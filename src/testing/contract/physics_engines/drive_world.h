@@ -29,6 +29,12 @@ class CContractDriver : public CCI_Controller {
 std::string DriverXml(const std::string& tag, const std::string& id, Real x, Real y, Real yaw,
                       Real left, Real right);
 
+/** XML of a box that cannot move. @param size "x,y,z", m. @param yaw degrees. */
+std::string WallXml(const std::string& id, const std::string& size, Real x, Real y, Real yaw = 0.0);
+/** XML of a box of 1 kg that can be pushed. @param yaw degrees. @param size "x,y,z", m. */
+std::string BoxXml(const std::string& id, Real x, Real y, Real yaw = 0.0,
+                   const std::string& size = "0.2,0.2,0.1");
+
 /** A world of such robots and of objects, with accessors to their state. */
 class CDriveWorld : public CTestWorld {
  public:

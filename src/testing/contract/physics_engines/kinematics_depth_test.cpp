@@ -7,8 +7,6 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
-#include <iomanip>
-#include <sstream>
 
 namespace argos::kinematics_depth_test {
 
@@ -20,23 +18,6 @@ namespace {
 constexpr Real kRoundings = 1e-12;
 
 const std::string kEngine = kKinematics2D.ToPromptXml();
-
-std::string WallXml(const std::string& id, const std::string& size, Real x, Real y,
-                    Real yaw = 0.0) {
-  std::ostringstream xml;
-  xml << "<box id='" << id << "' size='" << size << "' movable='false'><body position='" << x << ","
-      << y << ",0' orientation='" << yaw << ",0,0'/></box>";
-  return xml.str();
-}
-
-std::string BoxXml(const std::string& id, Real x, Real y, Real yaw = 0.0,
-                   const std::string& size = "0.2,0.2,0.1") {
-  std::ostringstream xml;
-  xml << std::setprecision(17) << "<box id='" << id << "' size='" << size
-      << "' movable='true' mass='1'><body position='" << x << "," << y << ",0' orientation='" << yaw
-      << ",0,0'/></box>";
-  return xml.str();
-}
 
 }  // namespace
 

@@ -36,23 +36,6 @@ constexpr Real kRoundings = 1e-12;
 
 const std::string kEngine = kKinematics2D.ToPromptXml();
 
-std::string WallXml(const std::string& id, const std::string& size, Real x, Real y,
-                    Real yaw = 0.0) {
-  std::ostringstream xml;
-  xml << "<box id='" << id << "' size='" << size << "' movable='false'><body position='" << x << ","
-      << y << ",0' orientation='" << yaw << ",0,0'/></box>";
-  return xml.str();
-}
-
-std::string BoxXml(const std::string& id, Real x, Real y, Real yaw = 0.0,
-                   const std::string& size = "0.2,0.2,0.1") {
-  std::ostringstream xml;
-  xml << std::setprecision(17) << "<box id='" << id << "' size='" << size
-      << "' movable='true' mass='1'><body position='" << x << "," << y << ",0' orientation='" << yaw
-      << ",0,0'/></box>";
-  return xml.str();
-}
-
 std::string WithFriction(const std::string& friction) {
   return kKinematics2D.ToPromptXml("e", "<friction " + friction + "/>");
 }

@@ -199,7 +199,7 @@ void CLiveRun::WaitForUser() {
   m_pace.Restart(TClock::now());
 }
 
-// @return true if nobody looks at the end of the run any more
+// @return true if the time after the last viewer has passed
 bool CLiveRun::HasLingered(TClock::time_point now) {
   if (!m_link.HadViewers()) {
     return true;

@@ -26,8 +26,9 @@ struct SLiveShow {
 /**
  * All viewers of a run: who has control, and who gets what. Thread of the server only.
  *
- * One viewer has control: the first one, or the one to whom it was given; if it leaves, the one
- * that has asked first, or the next. The others look, and may ask for it.
+ * One viewer has control: the first one, until it gives control to another. When the viewer with
+ * control leaves, the viewer that has asked first gets it; if none has asked, the one that came
+ * next. The others look, and may ask for control.
  */
 class CViewerHub {
  public:
