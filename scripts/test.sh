@@ -245,7 +245,11 @@ run_step() { # run_step <name>: prints what the step says when it ends
   set -o pipefail
   local began="$SECONDS" status=0 stamp="" stamp_now=""
   if [[ -s "$work/system.inputs" ]]; then
-    stamp="$(stamp_of_step "$1")" || { echo "$1: its inputs cannot be read, see above"; return 1; }
+    stamp="$(stamp_of_step "$1")" || {
+      echo "$1: its inputs cannot be read, see above"
+      echo "$1" >>"$work/failed"
+      return 1
+    }
   fi
   if has_passed "$stamp"; then
     echo "-- $1: passed before with the same inputs"
@@ -257,6 +261,7 @@ run_step() { # run_step <name>: prints what the step says when it ends
   echo "-- $(cat "$work/$1.log")"
   if ((status != 0)); then
     echo "$1 failed with status $status, see above"
+    echo "$1" >>"$work/failed"
     forget_passed "$stamp"
     return 1
   fi
@@ -268,6 +273,7 @@ run_step() { # run_step <name>: prints what the step says when it ends
 
 run_steps() { # run_steps <name>...
   export JOBS=1 TMPDIR="$work/tmp" repo jobs=1 build_dir work stamps
+  : >"$work/failed"
   prepare_stamps steps
   print_system >"$work/system.inputs" || {
     echo "what is installed on this system cannot be read, so all steps run"
@@ -276,8 +282,14 @@ run_steps() { # run_steps <name>...
   # shellcheck disable=SC2046  # one name each
   export -f $(declare -F | cut -d' ' -f3)
   # shellcheck disable=SC2016  # that shell expands it
-  printf '%s\0' "$@" | xargs -0 -n 1 -P "$(nproc)" "$BASH" -c 'run_step "$1"' run_step ||
-    die "steps failed, see above"
+  printf '%s\0' "$@" | xargs -0 -n 1 -P "$(nproc)" "$BASH" -c 'run_step "$1"' run_step || {
+    # last, because the end of a long text is what people see first
+    while IFS= read -r name; do
+      echo "-- The last lines of $name, which failed:"
+      tail -n 20 "$work/$name.log" || true
+    done < <(sort -u "$work/failed")
+    die "steps failed: $(sort -u "$work/failed" | paste -sd' ')"
+  }
 }
 
 began "Packages"
