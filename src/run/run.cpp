@@ -90,8 +90,7 @@ CRun::~CRun() {
 }
 
 void CRun::CollectWarnings() {
-  m_collectsWarnings = true;
-  CLogControl::SetLineObserver([this](ELogLevel level, const std::string& line) {
+  m_warnings = std::make_unique<CLogObserver>([this](ELogLevel level, const std::string& line) {
     if (level == ELogLevel::Warning && m_summary.Warnings.size() < kMaxWarnings) {
       m_summary.Warnings.push_back(line);
     }
@@ -196,10 +195,9 @@ bool CRun::Destroy() {
 
 const SRunSummary& CRun::Finish() {
   Destroy();
-  if (m_collectsWarnings) {
+  if (m_warnings != nullptr) {
     FlushLogs();
-    CLogControl::SetLineObserver({});
-    m_collectsWarnings = false;
+    m_warnings.reset();
   }
   if (!IsGood()) {
     m_summary.Status =

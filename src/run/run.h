@@ -6,11 +6,13 @@
 
 #include <chrono>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace argos {
 
+class CLogObserver;
 class CSimulator;
 
 /** An error that ended a run, or its destruction. */
@@ -132,7 +134,7 @@ class CRun {
   TClock::time_point m_start = TClock::now();
   SRunSummary m_summary;
   bool m_isDestroyed = false;
-  bool m_collectsWarnings = false;
+  std::unique_ptr<CLogObserver> m_warnings;
 };
 
 }  // namespace argos

@@ -3,6 +3,7 @@
 #include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/errors/exception_text.h>
 #include <argos3/core/utility/text/string_utilities.h>
+#include <argos3/program/catalogue/version_text.h>
 
 #include <cmath>
 #include <cstdio>
@@ -36,6 +37,7 @@ PICTURE  its ending chooses the format: .svg, .png or .pdf
   --ended RULE          runs that end before others: survivors (default) do not count them any more,
                         hold keeps their last value, drop leaves out the times after the first end
   -h, --help            print this text
+  --version             print the version, the commit and the compiler
 
 Example, ten seeds:
   for seed in {1..10}; do argos3 -zc foraging.argos --seed $seed --csv out/$seed; done
@@ -49,6 +51,7 @@ constexpr const char* kSeeHelp = "; see argos3-plot --help";
 
 struct SPlotOptions {
   bool ShowsHelp = false;
+  bool ShowsVersion = false;
   std::string Kind, Output;
   std::vector<std::string> Words;
   STrajectoryRequest Trajectories;
@@ -107,6 +110,8 @@ SPlotOptions ParseArguments(const std::vector<std::string>& arguments) {
     const std::string& argument = arguments[i];
     if (argument == "-h" || argument == "--help") {
       options.ShowsHelp = true;
+    } else if (argument == "--version") {
+      options.ShowsVersion = true;
     } else if (argument.size() < 2 || argument[0] != '-') {
       (options.Kind.empty() ? options.Kind : options.Words.emplace_back()) = argument;
     } else {
@@ -167,6 +172,10 @@ void Plot(const std::vector<std::string>& arguments) {
   SPlotOptions options = ParseArguments(arguments);
   if (options.ShowsHelp) {
     std::fputs(kUsage, stdout);
+    return;
+  }
+  if (options.ShowsVersion) {
+    std::fputs(DescribeVersion().c_str(), stdout);
     return;
   }
   CheckPlotOptions(options);

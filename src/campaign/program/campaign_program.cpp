@@ -7,6 +7,7 @@
 #include <argos3/core/utility/errors/exception_text.h>
 #include <argos3/core/utility/errors/line_marks.h>
 #include <argos3/core/utility/text/string_utilities.h>
+#include <argos3/program/catalogue/version_text.h>
 
 #include <CLI/CLI.hpp>
 
@@ -101,6 +102,13 @@ void CheckOptions(const CLI::App& app, const std::vector<std::string>& arguments
 int Act(int argc, const char* const* argv) {
   CLI::App app(kDescription, "argos3-campaign");
   app.require_subcommand(1);
+  app.add_flag_callback(
+      "--version",
+      [] {
+        std::fputs(DescribeVersion().c_str(), stdout);
+        throw CLI::Success();
+      },
+      "print the version, the commit and the compiler");
   TCampaignCommand chosen;
   AddRunCommands(app, chosen);
   AddStatusCommand(app, chosen);

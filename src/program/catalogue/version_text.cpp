@@ -28,12 +28,13 @@ std::string ReadBuildFile() {
   return text.empty() ? "ARGOS_COMMIT=unknown\nARGOS_BUILD_TYPE=unknown\n" : text;
 }
 
-std::string ListEngines() {
-  std::string list;
+// nothing if no engine is loaded
+std::string DescribeEngines() {
+  std::string line;
   for (const std::string& label : CFactory<CPhysicsEngine>::GetLabels()) {
-    list += (list.empty() ? "" : ",") + label;
+    line += (line.empty() ? "\nARGOS_ENGINES=" : ",") + label;
   }
-  return list;
+  return line;
 }
 
 }  // namespace
@@ -58,7 +59,7 @@ std::string DescribeVersion() {
          ReadBuildFile() + "ARGOS_COMPILER=" + DescribeCompiler() +
          "\nARGOS_BUILD_FLAGS=" + ARGOS_BUILD_FLAGS + "\nARGOS_USE_DOUBLE=" + kUseDouble +
          "\nARGOS_WITH_LUA=ON\nARGOS_THREADSAFE_LOG=" + kThreadSafeLog +
-         "\nARGOS_CHECK_INVARIANTS=" + kCheckInvariants + "\nARGOS_ENGINES=" + ListEngines() +
+         "\nARGOS_CHECK_INVARIANTS=" + kCheckInvariants + DescribeEngines() +
          "\nARGOS_INSTALL_PREFIX=" + FindInstallation() + "\n";
 }
 

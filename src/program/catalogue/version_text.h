@@ -7,7 +7,8 @@ namespace argos {
 
 /**
  * The text of `argos3 --version`: lines KEY=value with version, commit, compiler, options, the
- * physics engines of the loaded libraries, and the folder of the running installation.
+ * physics engines of the loaded libraries if there are any, and the folder of the running
+ * installation.
  */
 std::string DescribeVersion();
 

@@ -44,11 +44,6 @@ class CLogControl {
    * order of the log. It must not flush a log, nor throw.
    */
   static void SetLineReceiver(TLineReceiver receiver);
-  /**
-   * Also shows each line to a function, without any effect on where it goes, and before the level
-   * drops it; an empty function ends that. The rest as for SetLineReceiver().
-   */
-  static void SetLineObserver(TLineReceiver observer);
 
   /**
    * Puts "[label] " into each line that this thread logs from now on, after its mark: so that lines
@@ -57,6 +52,24 @@ class CLogControl {
    */
   static void SetThreadLabel(const std::string& label);
   static std::string GetThreadLabel();
+};
+
+/**
+ * Shows each line of all logs to a function too, during its lifetime, without any effect on where
+ * the line goes, and before the level drops it. There can be several; the rest as for
+ * CLogControl::SetLineReceiver(). It stays where it was made.
+ */
+class CLogObserver {
+ public:
+  explicit CLogObserver(CLogControl::TLineReceiver show);
+  ~CLogObserver();
+  CLogObserver(const CLogObserver&) = delete;
+  CLogObserver& operator=(const CLogObserver&) = delete;
+
+  void Show(ELogLevel level, const std::string& line) const { m_show(level, line); }
+
+ private:
+  CLogControl::TLineReceiver m_show;
 };
 
 }  // namespace argos

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <mutex>
 #include <utility>
+#include <vector>
 
 namespace argos {
 
@@ -30,9 +31,15 @@ SReceiver& Receiver() {
   return *receiver;
 }
 
-SReceiver& Observer() {
-  static SReceiver* const observer = std::make_unique<SReceiver>().release();
-  return *observer;
+struct SObservers {
+  std::mutex Mutex;
+  std::vector<const CLogObserver*> List;
+  std::atomic<bool> IsAny{false};
+};
+
+SObservers& Observers() {
+  static SObservers* const observers = std::make_unique<SObservers>().release();
+  return *observers;
 }
 
 // trivially destructible, so it can be read after the destructor of g_label
@@ -103,8 +110,18 @@ void CLogControl::SetLineReceiver(TLineReceiver receiver) {
   Receiver().Set(std::move(receiver));
 }
 
-void CLogControl::SetLineObserver(TLineReceiver observer) {
-  Observer().Set(std::move(observer));
+CLogObserver::CLogObserver(CLogControl::TLineReceiver show) : m_show(std::move(show)) {
+  SObservers& observers = Observers();
+  const std::lock_guard<std::mutex> lock(observers.Mutex);
+  observers.List.push_back(this);
+  observers.IsAny = true;
+}
+
+CLogObserver::~CLogObserver() {
+  SObservers& observers = Observers();
+  const std::lock_guard<std::mutex> lock(observers.Mutex);
+  std::erase(observers.List, this);
+  observers.IsAny = !observers.List.empty();
 }
 
 void CLogControl::SetThreadLabel(const std::string& label) {
@@ -126,10 +143,12 @@ void CLogLines::Observe(std::string_view text) {
     m_observed += text.substr(0, end);
     std::size_t place = 0;
     const SMark* const mark = FindMark(m_observed, place);
-    SReceiver& observer = Observer();
-    const std::lock_guard<std::mutex> lock(observer.Mutex);
-    if (observer.Function) {
-      observer.Function(mark != nullptr ? mark->Level : m_unmarked, WithoutColors(m_observed));
+    const ELogLevel level = mark != nullptr ? mark->Level : m_unmarked;
+    const std::string line = WithoutColors(m_observed);
+    SObservers& observers = Observers();
+    const std::lock_guard<std::mutex> lock(observers.Mutex);
+    for (const CLogObserver* observer : observers.List) {
+      observer->Show(level, line);
     }
     m_observed.clear();
     text.remove_prefix(end + 1);
@@ -138,7 +157,7 @@ void CLogLines::Observe(std::string_view text) {
 }
 
 void CLogLines::Write(std::string_view text, const std::string* label) {
-  if (Observer().IsSet) {
+  if (Observers().IsAny) {
     Observe(text);
   } else {
     m_observed.clear();

@@ -4,6 +4,7 @@
 #include "campaign_world.h"
 
 #include <argos3/campaign/store/result_store.h>
+#include <argos3/core/config.h>
 #include <argos3/testing/support/paths.h>
 #include <argos3/testing/support/sanitizers.h>
 
@@ -20,6 +21,7 @@ namespace campaigns_test {
 
 using namespace argos;
 using Catch::Contains;
+using Catch::StartsWith;
 
 namespace {
 
@@ -279,6 +281,17 @@ TEST_CASE("campaign: the help of a command is about that command", "[campaign][p
                             !Contains("Examples:"));
     CHECK_THAT(folder.RunProgram("argos3-campaign", {"--help"}).Out,
                Contains(std::string("\n  ") + command) && Contains("Examples:"));
+  }
+}
+
+TEST_CASE("campaign: each program says its version", "[campaign][program]") {
+  const CTestFolder folder;
+  for (const char* program : {"argos3", "argos3-campaign", "argos3-plot"}) {
+    CAPTURE(program);
+    const SProgramRun run = folder.RunProgram(program, {"--version"});
+    CHECK(run.Status == 0);
+    CHECK(run.Err.empty());
+    CHECK_THAT(run.Out, StartsWith("ARGOS_VERSION=" ARGOS_VERSION "-") && !Contains("\n\n"));
   }
 }
 

@@ -1,5 +1,6 @@
 #include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/logging/argos_log.h>
+#include <argos3/core/utility/logging/log_control.h>
 #include <argos3/run/run.h>
 #include <argos3/testing/support/captured_logs.h>
 #include <argos3/testing/support/experiment.h>
@@ -119,9 +120,16 @@ TEST_CASE("run: memory that is not granted, and signals, are statuses of their o
   }
 }
 
-TEST_CASE("run: warnings are collected beside the log", "[run]") {
+TEST_CASE("run: warnings are collected beside the log, and beside others that see it", "[run]") {
   SToyRun toy;
   toy.Run.CollectWarnings();
+  std::vector<std::string> seen;
+  {
+    // as a view has one during the run
+    const CLogObserver other([&seen](ELogLevel, const std::string& line) { seen.push_back(line); });
+    LOG << "a line for both" << std::endl;
+    LOG.Flush();
+  }
   REQUIRE(toy.Load());
   CHECK(toy.Run.Do([] {
     LOG << "[WARNING] one" << std::endl << "[INFO] two" << std::endl;
@@ -134,6 +142,7 @@ TEST_CASE("run: warnings are collected beside the log", "[run]") {
   LOG << "[WARNING] after the run" << std::endl;
   LOG.Flush();
   CHECK(toy.Run.GetSummary().Warnings.size() == 2);
+  CHECK(seen == std::vector<std::string>{"a line for both"});
 }
 
 TEST_CASE("run: each status has its word, and its exit status", "[run]") {

@@ -24,14 +24,8 @@ const char* ToName(ELogLevel level) {
 
 }  // namespace
 
-CLiveLog::CLiveLog() {
-  CLogControl::SetLineObserver(
-      [this](ELogLevel level, const std::string& line) { Add(level, line); });
-}
-
-CLiveLog::~CLiveLog() {
-  CLogControl::SetLineObserver({});
-}
+CLiveLog::CLiveLog()
+    : m_observer([this](ELogLevel level, const std::string& line) { Add(level, line); }) {}
 
 void CLiveLog::Add(ELogLevel level, const std::string& line) {
   const std::lock_guard<std::mutex> lock(m_mutex);

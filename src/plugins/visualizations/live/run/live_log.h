@@ -20,9 +20,6 @@ class CLiveLog {
   static constexpr size_t kMaxLineBytes = 4096;
 
   CLiveLog();
-  ~CLiveLog();
-  CLiveLog(const CLiveLog&) = delete;
-  CLiveLog& operator=(const CLiveLog&) = delete;
 
   /** Main thread, between ticks. Takes no lock if there are no lines. */
   void HandOver(CLiveLink& link, UInt32 tick);
@@ -40,6 +37,7 @@ class CLiveLog {
   std::vector<SLine> m_lines;
   size_t m_numBytes = 0;
   size_t m_numDropped = 0;
+  CLogObserver m_observer;  // last: it calls Add() at once
 };
 
 }  // namespace argos
