@@ -135,6 +135,7 @@ report "no raw delete: std::unique_ptr" \
 mapfile -t noLoadAhead < <(printf '%s\n' "${ours[@]}" | grep -v '^src/core/utility/memory/load_ahead\.h$')
 report "prefetch only through memory/load_ahead.h" "$(search '[Pp]refetch' "${noLoadAhead[@]}")"
 
+report "bounds are named kMax and kMin" "$(grep -nHE '\<k(Most|Largest|Least|Smallest)([A-Z0-9]|\>)' "${sources[@]}" || true)"
 report "no TODO, FIXME or XXX" "$(grep -nHE '\<(TODO|FIXME|XXX)\>' "${sources[@]}" || true)"
 
 guards() {

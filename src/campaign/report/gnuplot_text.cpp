@@ -22,9 +22,9 @@ constexpr size_t kLettersOfAxis = 60;
 
 // as people write it: 0.01, 5000, 10^4, 2·10^4
 std::string FormatPower(Real number) {
-  constexpr Real kSmallest = 0.01, kLargest = 1e4;
+  constexpr Real kMin = 0.01, kMax = 1e4;
   constexpr Real kRounding = 1e-9;  // of logarithms
-  if (number > kSmallest * (1.0 - kRounding) && number < kLargest * (1.0 - kRounding)) {
+  if (number > kMin * (1.0 - kRounding) && number < kMax * (1.0 - kRounding)) {
     return fmt::format("{:.4g}", number);
   }
   const Real exponent = std::floor(std::log10(number) + kRounding);

@@ -16,7 +16,7 @@ constexpr size_t kRobotGrain = 1024;
 constexpr size_t kTouchesOfSolid = 12;
 // Greatest way on which a disc is pushed out of an overlap in a tick, in radii of the smallest
 // movable body.
-constexpr Real kMostAllowance = 0.5;
+constexpr Real kMaxAllowance = 0.5;
 
 }  // namespace
 
@@ -42,7 +42,7 @@ void CCrowd::Forget(UInt32 slot) {
 }
 
 void CCrowd::ExpectOverlaps() {
-  m_allowance = kMostAllowance * m_store.GetMetresPerUnit();
+  m_allowance = kMaxAllowance * m_store.GetMetresPerUnit();
 }
 
 void CCrowd::Start(CDiscPairs& discPairs, Real reach) {
@@ -63,7 +63,7 @@ void CCrowd::Advance(CThreadPool& pool, const CDiscPairs& discPairs, Real longes
   tick.Duration = m_store.GetSettings().Tick;
   tick.LeastSubsteps = m_store.GetSettings().Substeps;
   tick.RefineInCrowds = m_store.GetSettings().RefineInCrowds;
-  tick.SmallestRadius = kSmallestRadiusInUnits * m_store.GetMetresPerUnit();
+  tick.SmallestRadius = kMinRadiusInUnits * m_store.GetMetresPerUnit();
   tick.LongestPath = longestPath + m_allowance;
   m_solver.Start(tick, count);
   pool.ParallelFor(count, kRobotGrain,
@@ -72,7 +72,7 @@ void CCrowd::Advance(CThreadPool& pool, const CDiscPairs& discPairs, Real longes
   pool.ParallelFor(count, kRobotGrain,
                    [this](size_t begin, size_t end, UInt32) { TakeResults(begin, end); });
   m_solver.Remember(m_store.GetDriven().size(), m_memory);
-  m_allowance = std::min(2.0 * m_solver.GetDeepest(), kMostAllowance * m_store.GetMetresPerUnit());
+  m_allowance = std::min(2.0 * m_solver.GetDeepest(), kMaxAllowance * m_store.GetMetresPerUnit());
 }
 
 void CCrowd::FillIn(size_t begin, size_t end) {

@@ -195,7 +195,7 @@ Real CDynamics2DEngine::ChooseScale() const {
       smallest = smallest > 0.0 ? std::min(smallest, half) : half;
     }
   }
-  return smallest > 0.0 ? kSmallestRadiusInUnits / smallest : kDefaultUnitsPerMetre;
+  return smallest > 0.0 ? kMinRadiusInUnits / smallest : kDefaultUnitsPerMetre;
 }
 
 void CDynamics2DEngine::AddToWorld(CDynamics2DBody& model) {

@@ -9,7 +9,7 @@ namespace argos {
 // The README of this engine gives the reasons and measurements.
 
 /** Radius of the smallest movable body, Box2D units; determines the length scale. */
-constexpr Real kSmallestRadiusInUnits = 1.0;
+constexpr Real kMinRadiusInUnits = 1.0;
 /** Box2D units per metre in a world without movable bodies. */
 constexpr Real kDefaultUnitsPerMetre = 10.0;
 

@@ -57,13 +57,13 @@ void AddFixture(b2Body& body, b2FixtureDef& definition, const b2Shape& shape) {
 // not used: it merges corners that are half a slop apart.
 void AddPrism(b2Body& body, b2FixtureDef& definition, const SShapeDescription& prism,
               Real unitsPerMetre) {
-  constexpr size_t kMost = b2_maxPolygonVertices;
+  constexpr size_t kMax = b2_maxPolygonVertices;
   std::vector<CVector2> corners = *prism.Vertices;
   for (CVector2& corner : corners) {
     corner.Rotate(CRadians(ComputeYaw(prism)));
   }
-  for (size_t first = 1; first + 1 < corners.size(); first += kMost - 2) {
-    const size_t last = std::min(first + kMost - 2, corners.size() - 1);
+  for (size_t first = 1; first + 1 < corners.size(); first += kMax - 2) {
+    const size_t last = std::min(first + kMax - 2, corners.size() - 1);
     std::vector<CVector2> piece = {corners[0]};
     piece.insert(piece.end(), corners.begin() + static_cast<std::ptrdiff_t>(first),
                  corners.begin() + static_cast<std::ptrdiff_t>(last) + 1);

@@ -179,7 +179,7 @@ std::optional<SStand> FindFaceBelow(const SUpright& cylinder, dGeomID box) {
 }
 
 // For a cylinder on a box, ODE returns points all around its rim, as many as the array can store.
-constexpr int kMostOfBox = 16;
+constexpr int kMaxBoxContacts = 16;
 
 int FindContactsWithBox(dGeomID first, dGeomID second, int most, dContactGeom* contacts, int skip) {
   const bool isFirst = dGeomGetClass(first) == dCylinderClass;
@@ -193,8 +193,8 @@ int FindContactsWithBox(dGeomID first, dGeomID second, int most, dContactGeom* c
     }
     return count;
   }
-  std::array<dContactGeom, kMostOfBox> all;
-  const int count = dCollide(first, second, kMostOfBox, all.data(), sizeof(dContactGeom));
+  std::array<dContactGeom, kMaxBoxContacts> all;
+  const int count = dCollide(first, second, kMaxBoxContacts, all.data(), sizeof(dContactGeom));
   return KeepSpread(all.data(), count, most, contacts, skip);
 }
 

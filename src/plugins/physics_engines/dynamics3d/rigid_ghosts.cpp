@@ -166,12 +166,12 @@ void CRigidGhosts::MoveCylinder(const SGhostCylinder& ghost) const {
 }
 
 bool CRigidGhosts::IsInside(const SRigidBody& object, const SGhostCylinder& ghost) const {
-  constexpr int kMost = 4;
+  constexpr int kMax = 4;
   MoveCylinder(ghost);
   for (const dGeomID solid : object.Solids) {
-    dContactGeom contacts[kMost];
+    dContactGeom contacts[kMax];
     const int count =
-        FindContacts(solid, m_cylinder.Solids.front(), kMost, contacts, sizeof(dContactGeom));
+        FindContacts(solid, m_cylinder.Solids.front(), kMax, contacts, sizeof(dContactGeom));
     for (int i = 0; i < count; ++i) {
       if (contacts[i].depth > kRestingDepth) {
         return true;

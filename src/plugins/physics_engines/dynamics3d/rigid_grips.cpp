@@ -16,7 +16,7 @@ namespace argos {
 namespace {
 
 // contacts of a sensing disc with one solid
-constexpr int kMostContacts = 4;
+constexpr int kMaxContacts = 4;
 
 CEmbodiedEntity& EntityOf(const SRigidBody& body) {
   return body.Source.Owner->GetEmbodiedEntity();
@@ -164,8 +164,8 @@ void CRigidGrips::Seek(SManipulator& manipulator, const std::vector<SRigidBody*>
       continue;
     }
     for (const dGeomID solid : body->Solids) {
-      dContactGeom contacts[kMostContacts];
-      const int count = FindContacts(m_probe, solid, kMostContacts, contacts, sizeof(dContactGeom));
+      dContactGeom contacts[kMaxContacts];
+      const int count = FindContacts(m_probe, solid, kMaxContacts, contacts, sizeof(dContactGeom));
       for (int i = 0; i < count; ++i) {
         const bool isBetter =
             best == nullptr || contacts[i].depth > depth ||

@@ -23,7 +23,7 @@ constexpr UInt32 kFirstGhost = 3U << 30;
 // greatest distance to the target, as a share of the step, that is due to rounding
 constexpr Real kArrived = 1e-12;
 // smallest share of its path that a robot tries if there are too many obstacles near the whole path
-constexpr Real kLeastShare = 1e-3;
+constexpr Real kMinShare = 1e-3;
 constexpr UInt8 kNoRound = 255;
 static_assert(kMaxRounds < kNoRound);
 
@@ -270,7 +270,7 @@ bool CDiscSwarm::StepOne(SActiveDisc& active, const CCellLists& walls, const CCe
   SStep goal;
   Real share = 1.0;
   // obstacles beyond the path are left out; if there are too many, the path is shortened
-  for (bool fits = false; !fits && share > kLeastShare; share *= 0.25) {
+  for (bool fits = false; !fits && share > kMinShare; share *= 0.25) {
     const Real bound = share * (length + (mayBePushed ? path : 0.0));
     planes.Clear();
     target.Depth = 0.0;

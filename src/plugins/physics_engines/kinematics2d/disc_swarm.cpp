@@ -21,7 +21,7 @@ namespace {
 constexpr Real kEdgeSlack = 1.25;
 // margin of the grid around the robots, as a share of their extent, and m
 constexpr Real kAreaSlack = 0.05;
-constexpr Real kLeastAreaSlack = 0.5;
+constexpr Real kMinAreaSlack = 0.5;
 constexpr float kRoundUp = 1.0F + 4.0F * std::numeric_limits<float>::epsilon();
 
 template <typename T>
@@ -376,7 +376,7 @@ bool CDiscSwarm::IsGridBad() const {
   const bool outside = *minX < area.MinX - 0.25 * width || *maxX > area.MaxX + 0.25 * width ||
                        *minY < area.MinY - 0.25 * height || *maxY > area.MaxY + 0.25 * height;
   const bool sparse =
-      (*maxX - *minX + 2.0 * kLeastAreaSlack) * (*maxY - *minY + 2.0 * kLeastAreaSlack) <
+      (*maxX - *minX + 2.0 * kMinAreaSlack) * (*maxY - *minY + 2.0 * kMinAreaSlack) <
       0.5 * width * height;
   return outside || sparse || m_reachOfGrid > 4.0 * GetGreatestReach();
 }
@@ -386,8 +386,8 @@ void CDiscSwarm::BuildGrid() {
   if (GetSize() > 0) {
     const auto [minX, maxX] = std::minmax_element(m_x.begin(), m_x.end());
     const auto [minY, maxY] = std::minmax_element(m_y.begin(), m_y.end());
-    const Real slackX = kLeastAreaSlack + kAreaSlack * (*maxX - *minX);
-    const Real slackY = kLeastAreaSlack + kAreaSlack * (*maxY - *minY);
+    const Real slackX = kMinAreaSlack + kAreaSlack * (*maxX - *minX);
+    const Real slackY = kMinAreaSlack + kAreaSlack * (*maxY - *minY);
     area = {*minX - slackX, *minY - slackY, *maxX + slackX, *maxY + slackY};
   }
   m_reachOfGrid = GetGreatestReach();

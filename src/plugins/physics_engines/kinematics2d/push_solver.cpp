@@ -10,7 +10,7 @@ namespace argos {
 namespace {
 
 // N; assumed where no body has friction or a drive
-constexpr Real kLeastForce = 1e-3;
+constexpr Real kMinForce = 1e-3;
 // greatest change of targets after which the last solution helps, and greatest motion of what is
 // held, as shares of the greatest motion
 constexpr Real kSameTarget = 0.01;
@@ -214,7 +214,7 @@ void CPushSolver::SolveIsland(SIsland island) {
 // sweeps are necessary also where many robots touch one object.
 void CPushSolver::Prepare(SIsland& island) {
   Real drive = 0.0;
-  Real friction = kLeastForce;
+  Real friction = kMinForce;
   for (const SMember& member : island.Bodies) {
     SBody& body = m_bodies[member.Number];
     const bool isDriven = body.Target.X != 0.0 || body.Target.Y != 0.0 || body.Target.Turn != 0.0;

@@ -20,7 +20,7 @@ constexpr UInt32 kNewtonSteps = 6;
 // equations is often uphill. Else it is taken back, and the next one is shorter.
 constexpr double kWorse = 6.0;
 constexpr double kDamping = 1e-2;
-constexpr double kLeastDamping = 1e-3;
+constexpr double kMinDamping = 1e-3;
 constexpr double kLessDamping = 0.3;
 constexpr double kMoreDamping = 10.0;
 
@@ -107,7 +107,7 @@ NUMBER CContactIsland<NUMBER>::StepByNewton(CIslandNewton<NUMBER>& newton, NUMBE
         return change;
       }
       Start();
-      damping = std::max(NUMBER(kLeastDamping), NUMBER(kLessDamping) * damping);
+      damping = std::max(NUMBER(kMinDamping), NUMBER(kLessDamping) * damping);
     } else {
       ForAll([](auto& searched) { searched.Return(); });
       damping *= NUMBER(kMoreDamping);

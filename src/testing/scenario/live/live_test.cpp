@@ -455,9 +455,9 @@ TEST_CASE("live view: a viewer that reads nothing is disconnected, and slows not
   slow.Hello();
   viewer->ReceiveUntil([&] { return viewer->GetStatus().value("viewers", TJson()).size() == 2; });
   // 1 MiB may wait, and the buffers of the system take some more: 160 KB in each tick
-  constexpr int kMostTicks = 400;
+  constexpr int kMaxTicks = 400;
   const auto isGone = [&] { return viewer->GetStatus().value("viewers", TJson()).size() == 1; };
-  for (int tick = 0; tick < kMostTicks && !isGone(); ++tick) {
+  for (int tick = 0; tick < kMaxTicks && !isGone(); ++tick) {
     REQUIRE(IsOk(viewer->Do("step")));
     // 100 messages a second are allowed
     std::this_thread::sleep_for(std::chrono::milliseconds(15));

@@ -21,13 +21,13 @@ namespace argos {
 
 namespace {
 
-constexpr Real kMostMetres = 1e6;
-constexpr Real kMostDegrees = 1e6;
+constexpr Real kMaxMetres = 1e6;
+constexpr Real kMaxDegrees = 1e6;
 constexpr Real kMinSize = 1e-3;  // m, of things that are added
 constexpr Real kMaxSize = 100.0;
 constexpr Real kMinMass = 1e-3;  // kg
 constexpr Real kMaxMass = 1e6;
-constexpr Real kMostRadians = 1e3;
+constexpr Real kMaxRadians = 1e3;
 
 CQuaternion Upright(Real yaw) {
   return CQuaternion(CRadians(yaw), CVector3::Z);
@@ -135,8 +135,8 @@ TJson CCommandExecutor::Move(const TJson& arguments) {
 }
 
 void CCommandExecutor::MoveRoot(CEntity& root, const TJson& arguments) const {
-  const auto position = ReadVectorArgument(arguments, "position", kMostMetres);
-  const auto yaw = ReadNumberArgument(arguments, "yaw", -kMostRadians, kMostRadians);
+  const auto position = ReadVectorArgument(arguments, "position", kMaxMetres);
+  const auto yaw = ReadNumberArgument(arguments, "yaw", -kMaxRadians, kMaxRadians);
   if (auto* const body = FindExisting<CEmbodiedEntity>(root)) {
     const SAnchor& origin = body->GetOriginAnchor();
     const CVector3 place = position.value_or(origin.Position);
@@ -328,8 +328,8 @@ std::string CCommandExecutor::MakeId(const std::string& type) const {
 TJson CCommandExecutor::Add(const TJson& arguments) {
   CSpace& space = m_simulator.GetSpace();
   const std::string type = ReadTextArgument(arguments, "type");
-  const auto position = ReadVectorArgument(arguments, "position", kMostMetres);
-  const Real yaw = ReadNumberArgument(arguments, "yaw", -kMostRadians, kMostRadians).value_or(0.0);
+  const auto position = ReadVectorArgument(arguments, "position", kMaxMetres);
+  const Real yaw = ReadNumberArgument(arguments, "yaw", -kMaxRadians, kMaxRadians).value_or(0.0);
   if (!position) {
     THROW_ARGOSEXCEPTION("\"position\" is missing");
   }

@@ -5,7 +5,7 @@ import type { Recording } from "./decode/recording";
 
 const kSlice = 12; // ms of work at once
 const kPause = 30; // ms in between
-const kMostNumbers = 60e6; // poses read in full; of longer recordings, only the first of a block
+const kMaxNumbers = 60e6; // poses read in full; of longer recordings, only the first of a block
 
 /** Calls visit with states in order, until all are read or stop() is called. */
 export class Scan {
@@ -28,7 +28,7 @@ export class Scan {
       const first = await recording.read(recording.firstTick);
       const { every } = recording.info;
       const states = (recording.lastTick - recording.firstTick) / every;
-      const isShort = states * first.poses.length < kMostNumbers;
+      const isShort = states * first.poses.length < kMaxNumbers;
       const ticks = isShort ? allTicks(recording) : recording.keyTicks;
       let since = performance.now();
       for (const tick of ticks) {

@@ -10,7 +10,7 @@ export const kFileFooterSize = 16;
 export const kBlockHeaderSize = 44;
 const kVersion = 1;
 const kBlockMagic = 0x4b4c4241;
-const kLargestBlock = 2 ** 29;
+const kMaxBlockBytes = 2 ** 29;
 
 export enum BlockKind {
   Info = 1,
@@ -124,7 +124,7 @@ export function readBlockHeader(bytes: Uint8Array): BlockHeader | null {
   const own = checksum(bytes.subarray(0, kBlockHeaderSize - 4))[0];
   if (
     input.readFixed32() !== own ||
-    header.size > kLargestBlock ||
+    header.size > kMaxBlockBytes ||
     header.firstTick > header.lastTick
   ) {
     return null;

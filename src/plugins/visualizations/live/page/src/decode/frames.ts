@@ -61,9 +61,9 @@ export interface Frame {
 }
 
 const kNumbers = 7;
-const kMostRays = 1 << 22;
-const kMostPixels = 1 << 14;
-const kMostValues = 1 << 24;
+const kMaxRays = 1 << 22;
+const kMaxPixels = 1 << 14;
+const kMaxValues = 1 << 24;
 
 function equalBytes(a: Uint8Array, b: Uint8Array): boolean {
   if (a.length !== b.length) {
@@ -89,7 +89,7 @@ class RayColumns {
   }
 
   decode(numEntities: number, input: ByteReader): Rays {
-    const count = input.readNumberUpTo(kMostRays, "number of rays");
+    const count = input.readNumberUpTo(kMaxRays, "number of rays");
     const rays: Rays = {
       count,
       robots: new Uint32Array(count),
@@ -140,8 +140,8 @@ class RayColumns {
 
 export function readFloor(content: Uint8Array): Floor {
   const input = new ByteReader(content);
-  const width = input.readNumberUpTo(kMostPixels, "width of the floor");
-  const height = input.readNumberUpTo(kMostPixels, "height of the floor");
+  const width = input.readNumberUpTo(kMaxPixels, "width of the floor");
+  const height = input.readNumberUpTo(kMaxPixels, "height of the floor");
   const pixels = input.readTextBytes();
   if (pixels.length !== 3 * width * height) {
     throw new FormatError("the size of its floor is wrong");
@@ -330,7 +330,7 @@ export class FrameDecoder {
   private decodeColumns(input: ByteReader): void {
     const numEntities = this.table.entities.length;
     const count = input.readNumberUpTo(
-      Math.floor(kMostValues / (numEntities + 1)),
+      Math.floor(kMaxValues / (numEntities + 1)),
       "number of columns",
     );
     for (let i = 0; i < count; ++i) {

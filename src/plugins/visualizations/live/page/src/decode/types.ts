@@ -58,9 +58,9 @@ export interface Entity {
   firstWord: number;
 }
 
-const kMostLEDs = 1 << 16;
-const kMostPoses = 1 << 23;
-const kMostWords = 1 << 26;
+const kMaxLEDs = 1 << 16;
+const kMaxPoses = 1 << 23;
+const kMaxWords = 1 << 26;
 
 export function numPoses(type: EntityType): number {
   return type.kind === TypeKind.Floor || type.kind === TypeKind.Other ? 0 : 1 + type.anchors.length;
@@ -93,7 +93,7 @@ function readPart(input: ByteReader): VisualPart {
   const size = readVector(input);
   const color = colorOfWord(input.readFixed32());
   const anchor = input.readText();
-  const led = input.readNumberUpTo(kMostLEDs, "number of an LED");
+  const led = input.readNumberUpTo(kMaxLEDs, "number of an LED");
   return { kind, position, orientation, size, color, anchor, led };
 }
 
@@ -102,7 +102,7 @@ function readType(input: ByteReader): EntityType {
   const tag = input.readText();
   const flags = input.readByte();
   input.readNumber(); // the parameter, of floors
-  const numLEDs = input.readNumberUpTo(kMostLEDs, "number of LEDs");
+  const numLEDs = input.readNumberUpTo(kMaxLEDs, "number of LEDs");
   const boxMin = readVector(input);
   const boxMax = readVector(input);
   const parts: VisualPart[] = [];
@@ -231,7 +231,7 @@ export class EntityTable {
     entity.firstWord = this.numWords;
     this.numPoses += numPoses(entity.type);
     this.numWords += numWords(entity.type);
-    if (this.numPoses > kMostPoses || this.numWords > kMostWords) {
+    if (this.numPoses > kMaxPoses || this.numWords > kMaxWords) {
       throw new FormatError("it has more entities than can be shown");
     }
   }

@@ -16,7 +16,7 @@ import type {
 const kProtocol = "argos-live.1";
 const kFirstRetry = 500; // ms
 const kLongestRetry = 8000;
-const kMostPinned = 16; // of the protocol
+const kMaxPinned = 16; // of the protocol
 const kMoveCommands = new Set(["move", "drive", "user_key"]);
 
 interface Welcome {
@@ -364,7 +364,7 @@ export class LiveClient implements Session {
         this.command("unpin", { entity });
       }
     }
-    for (const entity of ids.slice(-kMostPinned)) {
+    for (const entity of ids.slice(-kMaxPinned)) {
       if (!this.pinned.includes(entity)) {
         this.command("pin", { entity });
       }

@@ -26,7 +26,7 @@ type TabName = "inspect" | "metrics" | "log" | "info";
 
 const kUiPeriod = 120; // ms
 const kSlowPeriod = 60; // ms from picture to picture
-const kMostSlow = 15; // pictures
+const kMaxSlowPictures = 15; // pictures
 
 const kOptionNames: [keyof ViewOptions, string, string][] = [
   ["ids", "Ids", "I"],
@@ -432,7 +432,7 @@ export class App implements SessionListener {
     } else {
       this.slowFrames = Math.max(0, this.slowFrames - 2);
     }
-    if (this.slowFrames > kMostSlow) {
+    if (this.slowFrames > kMaxSlowPictures) {
       this.slowFrames = 0;
       this.view.reduce();
     }

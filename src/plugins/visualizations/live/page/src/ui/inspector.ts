@@ -9,9 +9,9 @@ import { button, h, setEnabled, setText } from "./dom";
 import { formatNumber } from "./format";
 import { Plot, Series } from "./plots";
 
-const kMostListed = 300;
-const kLeastBars = 6; // numbers of a group that has bars
-const kMostOpen = 8; // longer ones are closed at first
+const kMaxListed = 300;
+const kMinBars = 6; // numbers of a group that has bars
+const kMaxOpen = 8; // longer ones are closed at first
 
 interface Value {
   value: number | string | boolean;
@@ -216,13 +216,13 @@ class Card {
     for (const [group, details] of this.groups) {
       const list = numbers.get(group) ?? [];
       const bars = details.querySelector(".bars") as HTMLElement;
-      if (list.length < kLeastBars || list.length > 64) {
+      if (list.length < kMinBars || list.length > 64) {
         bars.replaceChildren();
         continue;
       }
       if (bars.childElementCount !== list.length) {
         bars.replaceChildren(...list.map(() => h("i", {})));
-        (details as HTMLDetailsElement).open = list.length <= kMostOpen;
+        (details as HTMLDetailsElement).open = list.length <= kMaxOpen;
       }
       const most = Math.max(...list.map(Math.abs), 1e-12);
       list.forEach((value, i) => {
@@ -517,7 +517,7 @@ export class Inspector {
         (wanted === "" || `${entity.id} ${entity.type.tag}`.toLowerCase().includes(wanted)),
     );
     entities.sort((a, b) => Number(b.type.isRobot) - Number(a.type.isRobot));
-    const items = entities.slice(0, kMostListed).map((entity) => {
+    const items = entities.slice(0, kMaxListed).map((entity) => {
       const item = h(
         "button",
         {
@@ -530,8 +530,8 @@ export class Inspector {
       item.dataset.id = entity.id;
       return h("li", {}, item);
     });
-    if (entities.length > kMostListed) {
-      const more = (entities.length - kMostListed).toLocaleString("en");
+    if (entities.length > kMaxListed) {
+      const more = (entities.length - kMaxListed).toLocaleString("en");
       items.push(h("li", { class: "empty" }, `and ${more} more: find them by id`));
     }
     this.list.replaceChildren(...items);

@@ -3,7 +3,7 @@
 import type { LogLine } from "../session";
 import { h } from "./dom";
 
-const kMostLines = 5000;
+const kMaxLines = 5000;
 const kLevels = ["error", "warning", "info", "debug"] as const;
 
 export class LogPanel {
@@ -64,7 +64,7 @@ export class LogPanel {
       item.hidden = !this.isShown(item);
       this.list.append(item);
     }
-    while (this.list.childElementCount > kMostLines) {
+    while (this.list.childElementCount > kMaxLines) {
       this.list.firstElementChild!.remove();
     }
     if (isAtEnd) {

@@ -5,7 +5,7 @@ import uPlot from "uplot";
 import { h } from "./dom";
 import { formatNumber } from "./format";
 
-const kMostPoints = 4000;
+const kMaxPoints = 4000;
 
 /** Values of one name at times, which may come in any order: a later time replaces an earlier one. */
 export class Series {
@@ -26,9 +26,9 @@ export class Series {
         this.values.splice(at, 0, value);
       }
     }
-    if (this.times.length > 2 * kMostPoints) {
+    if (this.times.length > 2 * kMaxPoints) {
       // every second of the older half
-      const keep = (_: number, i: number): boolean => i > kMostPoints || i % 2 === 0;
+      const keep = (_: number, i: number): boolean => i > kMaxPoints || i % 2 === 0;
       this.times = this.times.filter(keep);
       this.values = this.values.filter(keep);
     }

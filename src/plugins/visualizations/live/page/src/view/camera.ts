@@ -7,7 +7,7 @@ import { type Pose, add, clamp, cross, dot, normalize, rotate, scale, subtract }
 
 const kFieldOfView = 36; // degrees, vertical
 const kEyesFieldOfView = 75;
-const kLeastElevation = 0.03; // rad
+const kMinElevation = 0.03; // rad
 const kTop = Math.PI / 2;
 const kToolPixels = 52; // at the upper edge of the picture, which buttons cover
 
@@ -104,7 +104,7 @@ export class ViewCamera {
   orbit(dx: number, dy: number): void {
     if (this.mode === "orbit") {
       this.azimuth -= dx * 0.006;
-      this.elevation = clamp(this.elevation + dy * 0.006, kLeastElevation, kTop - 0.001);
+      this.elevation = clamp(this.elevation + dy * 0.006, kMinElevation, kTop - 0.001);
     } else {
       this.pan(dx, dy);
     }

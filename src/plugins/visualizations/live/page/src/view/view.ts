@@ -51,14 +51,14 @@ const kFreeRay: Color = [36, 122, 196, 170];
 const kObstructedRay: Color = [214, 52, 58, 230];
 const kHitPoint: Color = [232, 40, 34, 255];
 const kHeading: Color = [220, 38, 38, 255];
-const kMostIds = 400;
-const kMostTrailParts = 24_000;
+const kMaxIds = 400;
+const kMaxTrailParts = 24_000;
 const kTrailStates = 200;
 const kChoicePeriod = 250; // ms
 const kSoftwarePixels = 700_000;
-const kLeastPixelShare = 0.4;
+const kMinPixelShare = 0.4;
 const kPickPixels = 9;
-const kMostHovered = 5000;
+const kMaxHovered = 5000;
 
 export class View {
   readonly camera = new ViewCamera();
@@ -301,7 +301,7 @@ export class View {
 
   /** The entity below the mouse; of very many, none, because it is looked for at each movement. */
   hover(x: number, y: number): void {
-    const isFew = this.entityDrawer.entities.length <= kMostHovered;
+    const isFew = this.entityDrawer.entities.length <= kMaxHovered;
     this.hovered = isFew ? this.pick(x, y) : -1;
   }
 
@@ -339,7 +339,7 @@ export class View {
 
   /** Draws fewer pixels from now on. Returns false if there is no more to save. */
   reduce(): boolean {
-    if (!this.isSoftware || this.pixelShare <= kLeastPixelShare) {
+    if (!this.isSoftware || this.pixelShare <= kMinPixelShare) {
       return false;
     }
     this.pixelShare *= 0.7;
@@ -548,7 +548,7 @@ export class View {
 
   private addTrails(): void {
     const robots = this.entityDrawer.models.flatMap((model, i) => (model.isRobot ? [i] : []));
-    const states = Math.min(kTrailStates, Math.floor(kMostTrailParts / Math.max(robots.length, 1)));
+    const states = Math.min(kTrailStates, Math.floor(kMaxTrailParts / Math.max(robots.length, 1)));
     if (states < 2) {
       return;
     }
@@ -800,7 +800,7 @@ export class View {
   private addIds(labels: Label[]): void {
     const { clientWidth, clientHeight } = this.canvas;
     const { entities, models } = this.entityDrawer;
-    for (let i = 0; i < entities.length && labels.length < kMostIds; ++i) {
+    for (let i = 0; i < entities.length && labels.length < kMaxIds; ++i) {
       if (models[i]!.isRobot) {
         const place = this.camera.project(this.poseOf(i).position);
         if (
