@@ -231,20 +231,11 @@ void ReadTime(const CLI::App& app, const std::string& name, const std::string& t
   if (app.count(name) == 0) {
     return;
   }
-  SReplayTime read;
-  read.IsInSeconds = !text.empty() && text.back() == 's';
-  UInt32 tick = 0;
-  const bool isOk = read.IsInSeconds ? ParseNumber(text.substr(0, text.size() - 1), read.Value) ==
-                                               ENumberParsing::Ok &&
-                                           read.Value >= 0.0
-                                     : ParseNumber(text, tick) == ENumberParsing::Ok;
-  if (!isOk) {
+  time = ParseReplayTime(text);
+  if (!time) {
     problems.Add(name + " " + text +
                  ": expected a tick, such as 100, or a time in seconds, such as 12.5s");
-    return;
   }
-  read.Value = read.IsInSeconds ? read.Value : tick;
-  time = read;
 }
 
 void ReadLivePort(const CLI::App& app, const std::string& text, std::optional<UInt16>& port,

@@ -218,6 +218,13 @@ CRandom::CRNG* CSimulator::GetRNG() {
   return m_experiment->Rng;
 }
 
+// here, because the space is below the simulator
+CRandom::CRNG& CSpace::GetRNG() {
+  CRobotsCode::CheckShared("CSpace::GetRNG()",
+                           "CRandom::CreateRNG(\"argos\") makes a generator of the robot's own");
+  return *GetSimulator().GetRNG();
+}
+
 CThreadPool& CSimulator::GetThreadPool() {
   return *m_experiment->Pool;
 }

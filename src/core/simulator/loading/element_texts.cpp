@@ -116,6 +116,9 @@ ATTRIBUTES
   center        "x,y,z", m, default "0,0,0".
   redistribute  "true" or "false", default "false": with "true" a reset draws the places of <distribute> from the seed
                 of the new run; with "false" it restores those of the start.
+  start_from    path of a recording: entities start where those of the same ids were in it, at its last state. It is
+                searched in the working folder, then beside the file. doc/guide/placing.md has an example.
+  start_at      a tick of that recording, such as "600", or a time, such as "60s".
   walls         "thickness,height", m: walls along the sides, within the size. Default: none. <walls> makes others.
   positional_index, positional_grid_size  of ARGoS 3; have no effect here, which a warning says.
 )");

@@ -2,6 +2,7 @@
 
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/placement/planned_bodies.h>
+#include <argos3/core/simulator/placement/recorded_start.h>
 #include <argos3/core/simulator/placement/walls.h>
 #include <argos3/core/simulator/space/space.h>
 
@@ -35,6 +36,10 @@ CArenaFilling::CArenaFilling(CSpace& space, TConfigurationNode& arena, CLoadErro
         errors.FindFurther([&] { distribution.TryTemplate(); });
       }
     }
+  }
+  // a consequence of reported errors would be an error of its own
+  if (errors.IsEmpty()) {
+    errors.Try("", [&] { PlaceAsRecorded(space, arena); });
   }
 }
 

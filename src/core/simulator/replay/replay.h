@@ -1,12 +1,14 @@
 #ifndef ARGOS3_CORE_SIMULATOR_REPLAY_REPLAY_H
 #define ARGOS3_CORE_SIMULATOR_REPLAY_REPLAY_H
 
+#include <argos3/core/simulator/geometry/body_pose.h>
 #include <argos3/core/utility/datatypes/datatypes.h>
 #include <argos3/core/utility/plugins/factory.h>
 
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace argos {
 
@@ -17,6 +19,15 @@ class CSpace;
 struct SReplayTime {
   Real Value = 0.0; /**< >= 0 */
   bool IsInSeconds = false; /**< otherwise in ticks */
+};
+
+/** Of "100", a tick, or "12.5s", a time; nothing if it is neither. */
+std::optional<SReplayTime> ParseReplayTime(const std::string& text);
+
+/** Where something was in a state of a recorded run. */
+struct SRecordedPose {
+  std::string Id;
+  SBodyPose Pose; /**< of the origin, m, world frame; rounded as the recording is */
 };
 
 /** What is to be replayed. */
@@ -41,6 +52,14 @@ class CReplay {
 
   /** The seed of the run that a recording contains. @throws CARGoSException as Open() */
   virtual UInt32 ReadSeed(const std::string& file) const = 0;
+
+  /**
+   * Poses of all entities that have one.
+   * @param at  of a state, or after one that was recorded last; unset: the last one
+   * @throws CARGoSException as Open()
+   */
+  virtual std::vector<SRecordedPose> ReadPoses(const std::string& file,
+                                               const std::optional<SReplayTime>& at) const = 0;
 
   /** The XML of the experiment that was recorded. */
   virtual const std::string& GetExperiment() const = 0;

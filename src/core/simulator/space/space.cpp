@@ -491,12 +491,6 @@ void CSpace::Update() {
   m_context.RunTick();
 }
 
-CRandom::CRNG& CSpace::GetRNG() {
-  CRobotsCode::CheckShared("CSpace::GetRNG()",
-                           "CRandom::CreateRNG(\"argos\") makes a generator of the robot's own");
-  return *GetSimulator().GetRNG();
-}
-
 UInt64 CSpace::ComputeDigest() const {
   CDigest digest;
   digest.Add(m_simulationClock);

@@ -58,6 +58,12 @@ class CReplayLoopFunctions : public CLoopFunctions {
   const CRecordingReplay& m_replay;
 };
 
+UInt32 ToTick(const SReplayTime& time, Real tickLength) {
+  constexpr Real kTolerance = 1e-6;  // ticks: of a division that should give a whole number
+  const Real tick = time.IsInSeconds ? std::ceil(time.Value / tickLength - kTolerance) : time.Value;
+  return static_cast<UInt32>(std::clamp<Real>(tick, 0.0, ~UInt32(0)));
+}
+
 }  // namespace
 
 CRecordingReplay::CRecordingReplay() = default;
@@ -80,25 +86,17 @@ void CRecordingReplay::Open(const SReplayRequest& request) {
   }
 }
 
-UInt32 CRecordingReplay::ToTick(const SReplayTime& time) const {
-  constexpr Real kTolerance = 1e-6;  // ticks: of a division that should give a whole number
-  const Real tick = time.IsInSeconds
-                        ? std::ceil(time.Value / m_reader->GetInfo().TickLength - kTolerance)
-                        : time.Value;
-  return static_cast<UInt32>(std::clamp<Real>(tick, 0.0, ~UInt32(0)));
-}
-
 void CRecordingReplay::SelectPart(const SReplayRequest& request) {
+  const SRecordingInfo& info = m_reader->GetInfo();
   const UInt32 first = m_reader->GetFirstTick();
   const UInt32 last = m_reader->GetLastTick();
-  const UInt32 from = request.From ? ToTick(*request.From) : first;
-  const UInt32 to = request.To ? ToTick(*request.To) : last;
+  const UInt32 from = request.From ? ToTick(*request.From, info.TickLength) : first;
+  const UInt32 to = request.To ? ToTick(*request.To, info.TickLength) : last;
   if (from > last || to < first || from > to) {
-    THROW_ARGOSEXCEPTION("the recording \"" << request.File << "\" has no state from tick " << from
-                                            << " to tick " << to << ": it has ticks " << first
-                                            << " to " << last << ", that is "
-                                            << first * m_reader->GetInfo().TickLength << " s to "
-                                            << last * m_reader->GetInfo().TickLength << " s");
+    THROW_ARGOSEXCEPTION("the recording \""
+                         << request.File << "\" has no state from tick " << from << " to tick "
+                         << to << ": it has ticks " << first << " to " << last << ", that is "
+                         << first * info.TickLength << " s to " << last * info.TickLength << " s");
   }
   m_lastTick = m_reader->FindLastTickUpTo(to);
   m_firstTick = from;
@@ -111,6 +109,40 @@ void CRecordingReplay::SelectPart(const SReplayRequest& request) {
 
 UInt32 CRecordingReplay::ReadSeed(const std::string& file) const {
   return CRecordingReader(file).GetInfo().Seed;
+}
+
+std::vector<SRecordedPose> CRecordingReplay::ReadPoses(const std::string& file,
+                                                       const std::optional<SReplayTime>& at) const {
+  CRecordingReader reader(file);
+  const Real tickLength = reader.GetInfo().TickLength;
+  const UInt32 tick = at ? ToTick(*at, tickLength) : reader.GetLastTick();
+  if (tick < reader.GetFirstTick() || tick > reader.GetLastTick()) {
+    THROW_ARGOSEXCEPTION("the recording \"" << file << "\" has no state at tick " << tick
+                                            << ": it has ticks " << reader.GetFirstTick() << " to "
+                                            << reader.GetLastTick() << ", that is "
+                                            << reader.GetFirstTick() * tickLength << " s to "
+                                            << reader.GetLastTick() * tickLength << " s");
+  }
+  const UInt32 state = reader.FindLastTickUpTo(tick);
+  reader.Seek(state);
+  const SRecordedFrame* frame = reader.ReadNext();
+  // blocks begin earlier
+  while (frame != nullptr && frame->Tick < state) {
+    frame = reader.ReadNext();
+  }
+  std::vector<SRecordedPose> poses;
+  if (frame == nullptr) {
+    return poses;
+  }
+  size_t place = 0;
+  for (const SRecordedEntity& entity : frame->Entities) {
+    const size_t numPoses = frame->Types[entity.Type].GetNumPoses();
+    if (numPoses > 0) {
+      poses.push_back({entity.Id, frame->Poses[place]});
+    }
+    place += numPoses;
+  }
+  return poses;
 }
 
 const std::string& CRecordingReplay::GetExperiment() const {

@@ -20,6 +20,8 @@ class CRecordingReplay : public CReplay {
 
   void Open(const SReplayRequest& request) override;
   UInt32 ReadSeed(const std::string& file) const override;
+  std::vector<SRecordedPose> ReadPoses(const std::string& file,
+                                       const std::optional<SReplayTime>& at) const override;
   const std::string& GetExperiment() const override;
   const std::string& GetExperimentFile() const override { return m_experimentFile; }
   UInt32 GetSeed() const override;
@@ -38,7 +40,6 @@ class CRecordingReplay : public CReplay {
   const SRecordedFloor* GetFloor() const { return m_floor.get(); }
 
  private:
-  UInt32 ToTick(const SReplayTime& time) const;
   void SelectPart(const SReplayRequest& request);
   const SRecordedFrame* ReadFrame();
   void Show(const SRecordedFrame& frame, CSpace& space);
