@@ -6,6 +6,8 @@
 #include <argos3/core/utility/math/angles.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_ground_sensor.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_light_sensor.h>
+#include <argos3/plugins/robots/generic/control_interface/ci_planar_drive_actuator.h>
+#include <argos3/plugins/robots/generic/control_interface/ci_quadrotor_position_actuator.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_differential_steering_actuator.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_proximity_sensor.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_range_and_bearing_sensor.h>
@@ -130,6 +132,14 @@ CRobotTypeDriver& DriverOf(CTestWorld& world, const std::string& id) {
       robot.GetComponent<CControllableEntity>("controller").GetController());
 }
 
+template <typename ACTUATOR>
+ACTUATOR& ActuatorOf(CTestWorld& world, const std::string& id, const std::string& type) {
+  return *world.Get<CComposableEntity>(id)
+              .GetComponent<CControllableEntity>("controller")
+              .GetController()
+              .GetActuator<ACTUATOR>(type);
+}
+
 std::string TypeError(const std::string& types, const std::string& arena = "") {
   SExperiment experiment;
   experiment.Engines = "<dynamics2d id='e'/>";
@@ -220,7 +230,17 @@ TEST_CASE("robot types: mistakes are reported with file and line", "[contract][r
         "needs at least one child <solid>"},
        {"<robot-type id='x'><body mass='-1'/>" + kDrive + "</robot-type>",
         "\"mass\" must be a number from"},
-       {"<robot-type id='x'>" + kBody + "</robot-type>", "<differential_drive>"},
+       {"<robot-type id='x'>" + kBody + "</robot-type>",
+        "needs one of the children <differential_drive>, <planar_drive> and <propellers>, found "
+        "none"},
+       {"<robot-type id='x'>" + kBody + kDrive +
+            "<planar_drive max_force='1' max_torque='1'/></robot-type>",
+        "found several"},
+       {"<robot-type id='x'>" + kBody + "<planar_drive max_force='1'/></robot-type>",
+        "\"max_torque\""},
+       {"<robot-type id='x'>" + kBody +
+            "<propellers max_force='1' max_torque='1' yaw_gains='0,1'/></robot-type>",
+        "\"yaw_gains\" must be \"proportional,derivative\""},
        {"<robot-type id='x'>" + kBody + kDrive +
             "<proximity_sensors><rings/></proximity_sensors></robot-type>",
         "unknown child of <proximity_sensors>"},
@@ -236,6 +256,74 @@ TEST_CASE("robot types: mistakes are reported with file and line", "[contract][r
   CHECK_THAT(TypeError("<robot-type id='wheely'>" + kBody + kDrive + "</robot-type>",
                        "<wheelly id='a'><body/></wheelly>"),
              Contains("there is no entity \"wheelly\"; did you mean \"wheely\"?"));
+}
+
+TEST_CASE("robot types: a planar drive moves to all sides, within its force",
+          "[contract][robots][types]") {
+  const std::string engine = GENERATE(as<std::string>(), "<dynamics2d id='e'/>",
+                                      "<kinematics2d id='e'/>", "<dynamics3d id='e'/>");
+  CAPTURE(engine);
+  SExperiment experiment;
+  experiment.Engines = engine;
+  experiment.Controllers =
+      "<robot_world_controller id='c'><actuators><planar_drive "
+      "implementation='default'/></actuators>"
+      "<sensors/><params/></robot_world_controller>";
+  experiment.Arena =
+      "<rover id='r'><body position='0,0,0' orientation='90,0,0'/>"
+      "<controller config='c'/></rover>";
+  CTestWorld world(WithTypes(experiment, "<robot-type id='rover'>" + kBody +
+                                             "<planar_drive max_force='4' max_torque='4'/>"
+                                             "</robot-type>"));
+  auto& drive = ActuatorOf<CCI_PlanarDriveActuator>(world, "r", "planar_drive");
+  drive.SetVelocity(10.0, 5.0, CRadians::ZERO);  // cm/s
+  constexpr int kTicks = 51;  // the command acts from the second one
+  for (int tick = 0; tick < kTicks; ++tick) {
+    world.Step();
+  }
+  const SAnchor& origin =
+      world.Get<CComposableEntity>("r").GetComponent<CEmbodiedEntity>("body").GetOriginAnchor();
+  // it faces y; 4 N bring 0.4 kg to 0.112 m/s within 11 ms
+  CHECK_THAT(origin.Position.GetX(), WithinAbs(-0.25, 0.01));
+  CHECK_THAT(origin.Position.GetY(), WithinAbs(0.5, 0.01));
+  CHECK(world.Get<CDescribedRobotEntity>("r").GetTypeDescription() == "rover");
+}
+
+TEST_CASE("robot types: propellers lift a robot to its target, as those of an eye-bot do",
+          "[contract][robots][types]") {
+  SExperiment experiment;
+  experiment.Engines = "<pointmass3d id='e'/>";
+  experiment.Controllers =
+      "<robot_world_controller id='c'><actuators><quadrotor_position "
+      "implementation='default'/></actuators>"
+      "<sensors/><params/></robot_world_controller>";
+  experiment.Arena =
+      "<drone id='d'><body position='1,0,0'/><controller config='c'/></drone>"
+      "<eye-bot id='e'><body position='-1,0,0'/><controller config='c'/></eye-bot>";
+  // heavier than an eye-bot, so its gains must follow the mass for the same motion
+  CTestWorld world(
+      WithTypes(experiment,
+                "<robot-type id='drone'><body mass='3' inertia='0.04'><solid geometry='cylinder' "
+                "radius='0.2' height='0.3'/></body>"
+                "<propellers max_force='3000' max_torque='4000'/></robot-type>"));
+  const auto position = [&world](const std::string& id) {
+    return world.Get<CComposableEntity>(id)
+        .GetComponent<CEmbodiedEntity>("body")
+        .GetOriginAnchor()
+        .Position;
+  };
+  const CVector3 way(0.3, 0.4, 0.3);  // below the ceiling
+  for (const std::string id : {"d", "e"}) {
+    ActuatorOf<CCI_QuadRotorPositionActuator>(world, id, "quadrotor_position")
+        .SetAbsolutePosition(position(id) + way);
+  }
+  for (int tick = 0; tick < 100; ++tick) {
+    world.Step();
+    CAPTURE(tick);
+    CHECK_THAT((position("d") - position("e") - CVector3(2.0, 0.0, 0.0)).Length(),
+               WithinAbs(0.0, 1e-9));
+  }
+  CHECK_THAT((position("d") - CVector3(1.3, 0.4, 0.3)).Length(), WithinAbs(0.0, 1e-3));
 }
 
 TEST_CASE("robot types: a device needs the part that the type may lack",

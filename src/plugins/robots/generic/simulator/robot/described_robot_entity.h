@@ -2,14 +2,14 @@
 #define ARGOS3_PLUGINS_ROBOTS_GENERIC_SIMULATOR_ROBOT_DESCRIBED_ROBOT_ENTITY_H
 
 #include <argos3/plugins/robots/generic/simulator/described_robot_type.h>
-#include <argos3/plugins/robots/generic/simulator/differential_drive_robot_entity.h>
+#include <argos3/plugins/robots/generic/simulator/robot_entity.h>
 
 #include <string>
 
 namespace argos {
 
 /** A robot whose type an experiment file describes; see CDescribedRobotType. */
-class CDescribedRobotEntity : public CDifferentialDriveRobotEntity {
+class CDescribedRobotEntity : public CRobotEntity {
  public:
   ENABLE_VTABLE();
 
@@ -23,6 +23,8 @@ class CDescribedRobotEntity : public CDifferentialDriveRobotEntity {
   const SDescribedRobotType& GetType() const { return m_described; }
 
  private:
+  void ReadDrive(TConfigurationNode& tree);
+
   const SDescribedRobotType& m_described;
 };
 

@@ -18,6 +18,13 @@ constexpr CColor kGlassColor(214, 216, 220);
 constexpr Real kLEDDiameter = 0.008;  // m
 constexpr Real kWheelWidth = 0.2;  // of the diameter
 
+// default gains of propellers, those of an eye-bot: of forces for each kg of the mass, of torques
+// for each kg m^2 of the moment of inertia
+constexpr SControlGains kPositionGains{20.0, 10.0};  // 1/s^2 and 1/s
+constexpr SControlGains kVelocityGains{20.0, 0.0};  // 1/s and 1
+constexpr SControlGains kYawGains{50.0, 10.0};  // 1/s^2 and 1/s
+constexpr SControlGains kYawRateGains{50.0, 10.0};  // 1/s and 1
+
 const SDescribedRobotType::SDevices& DevicesOf(const CRobotEntity& robot) {
   return static_cast<const CDescribedRobotEntity&>(robot).GetType().Devices;
 }
@@ -108,8 +115,60 @@ class CTypeReader {
     }
   }
 
+  // exactly one
   void ReadDrive() {
-    TConfigurationNode& node = GetNode(m_tree, "differential_drive");
+    const std::vector<std::pair<const char*, void (CTypeReader::*)(TConfigurationNode&)>> kinds = {
+        {"differential_drive", &CTypeReader::ReadDifferentialDrive},
+        {"planar_drive", &CTypeReader::ReadPlanarDrive},
+        {"propellers", &CTypeReader::ReadPropellers}};
+    size_t numFound = 0;
+    for (const auto& [tag, read] : kinds) {
+      if (NodeExists(m_tree, tag)) {
+        ++numFound;
+        (this->*read)(GetNode(m_tree, tag));
+      }
+    }
+    if (numFound != 1) {
+      THROW_ARGOSEXCEPTION(OwnerOf(m_tree) << " needs one of the children <differential_drive>, "
+                                              "<planar_drive> and <propellers>, found "
+                                           << (numFound == 0 ? "none" : "several"));
+    }
+  }
+
+  void ReadPlanarDrive(TConfigurationNode& node) {
+    SPlanarDriveDescription drive;
+    ReadPositive(node, "max_force", "N", drive.MaxForce);
+    ReadPositive(node, "max_torque", "N m", drive.MaxTorque);
+    m_body.PlanarDrive = drive;
+  }
+
+  void ReadPropellers(TConfigurationNode& node) {
+    const Real inertia = m_body.PlanarInertia.value_or(m_body.ComputePlanarInertia());
+    SPropellersDescription propellers;
+    propellers.Position = ReadGains(node, "position_gains", kPositionGains, m_body.Mass);
+    propellers.Velocity = ReadGains(node, "velocity_gains", kVelocityGains, m_body.Mass);
+    propellers.Yaw = ReadGains(node, "yaw_gains", kYawGains, inertia);
+    propellers.YawRate = ReadGains(node, "yaw_rate_gains", kYawRateGains, inertia);
+    ReadPositive(node, "max_force", "N", propellers.MaxForce);
+    ReadPositive(node, "max_torque", "N m", propellers.MaxTorque);
+    m_body.Propellers = propellers;
+  }
+
+  // "proportional,derivative"
+  static SControlGains ReadGains(TConfigurationNode& node, const char* attribute,
+                                 const SControlGains& byDefault, Real scale) {
+    CVector2 gains(scale * byDefault.Proportional, scale * byDefault.Derivative);
+    GetNodeAttributeOrDefault(node, attribute, gains, gains);
+    if (!(gains.GetX() > 0.0) || !(gains.GetY() >= 0.0)) {
+      THROW_ARGOSEXCEPTION(OwnerOf(node) << ": \"" << attribute
+                                         << "\" must be \"proportional,derivative\", the first > 0 "
+                                            "and the second >= 0, found \""
+                                         << gains << '"');
+    }
+    return {gains.GetX(), gains.GetY()};
+  }
+
+  void ReadDifferentialDrive(TConfigurationNode& node) {
     SDifferentialDriveDescription drive;
     ReadPositive(node, "wheel_distance", "m", drive.InterwheelDistance);
     ReadPositive(node, "wheel_radius", "m", drive.WheelRadius);
@@ -236,7 +295,7 @@ std::unique_ptr<CEntity> CDescribedRobotType::New() const {
 
 REGISTER_ENTITY_TYPE(
     CDescribedRobotType, "robot-type", "the authors of this project", "1.0",
-    "A type of robots with two driven wheels, described in the experiment file.",
+    "A type of robots on wheels or with propellers, described in the experiment file.",
     R"(A child of <robot_types> describes a type of robots, of which the arena may then contain any number, also in
 <distribute>: their tag is the id of the type. They have the attributes and children of the built-in robots,
 and accept all generic devices for which the type has the parts.
@@ -289,15 +348,22 @@ ATTRIBUTES AND CHILDREN
   id                    text, required: the tag of the robots; not that of another entity.
   body@mass             kg, > 0, required; spread evenly over the solids.
   body@inertia          kg m^2, > 0, default that of the solids: about the vertical axis through the origin, which is
-                        half-way between the wheels, on the ground.
+                        half-way between the wheels, on the ground; of a flying robot, at its base.
   solid@geometry        "box" (size), "cylinder" (radius, height), "sphere" (radius) or "convex_hull" (its text lists
                         points, "(x,y,z)(x,y,z)..."), required: at least one solid. All lengths are in m.
   solid@offset          "x,y,z", m, default "0,0,0": centre of its base in the robot's frame.
   solid@orientation     "z,y,x", degrees, default "0,0,0".
   solid@color           a colour, for drawing only.
   solid@material        plastic, matte, metal or glass, for the view <povray>. Default: plastic.
-  differential_drive    wheel_distance, wheel_radius: m, > 0. max_force (N), max_torque (N m): > 0, the greatest force and
-                        torque with which the wheels push and turn the robot. All required.
+  differential_drive, planar_drive, propellers  how the robot moves; one of them is required:
+  differential_drive    two wheels. wheel_distance, wheel_radius: m, > 0. max_force (N), max_torque (N m): > 0, the
+                        greatest force and torque with which the wheels push and turn the robot. All required.
+  planar_drive          omnidirectional wheels, for the actuator planar_drive. max_force (N), max_torque (N m): the same.
+  propellers            the robot flies, for the actuators quadrotor_position and quadrotor_speed. max_force (N),
+                        max_torque (N m): > 0, required, limits along each axis and about the vertical.
+  propellers@position_gains, @velocity_gains, @yaw_gains, @yaw_rate_gains  "proportional,derivative", > 0 and >= 0:
+                        of the controllers of these targets. Force (N) and torque (N m) are gain times error. Default:
+                        those of an eye-bot, for the mass and the moment of inertia of the body.
   proximity_sensors, light_sensors  rays that start on a ring and point outward (ring), and single ones (sensor):
   ring@center           "x,y,z", m, default "0,0,0".
   ring@radius           m, >= 0, required.

@@ -12,7 +12,7 @@
 namespace argos {
 
 /** What the robots of a type share that an experiment file describes. */
-struct SDescribedRobotType : SDifferentialDriveRobotType {
+struct SDescribedRobotType : SRobotType {
   /** Devices that robots have on demand. */
   struct SDevices {
     std::shared_ptr<const SRayLayout> Lights;
@@ -25,13 +25,14 @@ struct SDescribedRobotType : SDifferentialDriveRobotType {
 
   std::string Tag;
   SDevices Devices;
+  CSharedBodies Bodies;
 
   SDescribedRobotType(SRobotType&& type, const SBodyDescription& body, const std::string& tag,
                       const SDevices& devices)
-      : SDifferentialDriveRobotType(std::move(type), body), Tag(tag), Devices(devices) {}
+      : SRobotType(std::move(type)), Tag(tag), Devices(devices), Bodies(body) {}
 };
 
-/** `<robot-type>`: a robot with two driven wheels that an experiment file describes. */
+/** `<robot-type>`: a robot on wheels or with propellers that an experiment file describes. */
 class CDescribedRobotType : public CEntityType {
  public:
   void Init(TConfigurationNode& tree) override;

@@ -50,21 +50,21 @@ bool ReadDriveLimits(TConfigurationNode& tree, SDifferentialDriveDescription& dr
   return true;
 }
 
+CWheeledEntity& AddWheels(CComposableEntity& robot, const SDifferentialDriveDescription& drive) {
+  auto* const wheels = NewComponent<CWheeledEntity>(robot, "wheels_0", size_t(2));
+  const Real y = 0.5 * drive.InterwheelDistance;
+  wheels->SetWheel(0, CVector3(0.0, y, 0.0), drive.WheelRadius);
+  wheels->SetWheel(1, CVector3(0.0, -y, 0.0), drive.WheelRadius);
+  return *wheels;
+}
+
 CDifferentialDriveRobotEntity::CDifferentialDriveRobotEntity(
     const SDifferentialDriveRobotType& type, const std::string& id, const CVector3& position,
     const CQuaternion& orientation)
     : CRobotEntity(type, id, position, orientation), m_bodies(type.Bodies) {
-  GetEmbodiedEntity().SetBodyDescription(m_bodies.Get(*m_bodies.GetDefault().Drive));
-  m_wheels = NewComponent<CWheeledEntity>(*this, "wheels_0", size_t(2));
-  MakeWheels();
+  GetEmbodiedEntity().SetBodyDescription(m_bodies.GetSharedDefault());
+  m_wheels = &AddWheels(*this, *m_bodies.GetDefault().Drive);
   AddController();
-}
-
-void CDifferentialDriveRobotEntity::MakeWheels() {
-  const SDifferentialDriveDescription& drive = *m_bodies.GetDefault().Drive;
-  const Real y = 0.5 * drive.InterwheelDistance;
-  m_wheels->SetWheel(0, CVector3(0.0, y, 0.0), drive.WheelRadius);
-  m_wheels->SetWheel(1, CVector3(0.0, -y, 0.0), drive.WheelRadius);
 }
 
 void CDifferentialDriveRobotEntity::InitParts(TConfigurationNode& tree) {

@@ -25,6 +25,7 @@ class CSharedBodies {
   explicit CSharedBodies(const SBodyDescription& body);
 
   const SBodyDescription& GetDefault() const { return *m_default; }
+  const std::shared_ptr<const SBodyDescription>& GetSharedDefault() const { return m_default; }
   /** @return the description with drive @p drive. */
   std::shared_ptr<const SBodyDescription> Get(const SDifferentialDriveDescription& drive) const;
 
@@ -41,6 +42,9 @@ class CSharedBodies {
  * @return false if there is none. @throws CARGoSException if a limit is not > 0.
  */
 bool ReadDriveLimits(TConfigurationNode& tree, SDifferentialDriveDescription& drive);
+
+/** Adds the component "wheels" of a robot whose description has a Drive; owned by the robot. */
+CWheeledEntity& AddWheels(CComposableEntity& robot, const SDifferentialDriveDescription& drive);
 
 /** The properties that all robots of a type with two driven wheels share. */
 struct SDifferentialDriveRobotType : SRobotType {
@@ -73,8 +77,6 @@ class CDifferentialDriveRobotEntity : public CRobotEntity {
   void InitParts(TConfigurationNode& tree);
 
  private:
-  void MakeWheels();
-
   const CSharedBodies& m_bodies;  // of the type
   CWheeledEntity* m_wheels = nullptr;  // a component
 };
