@@ -46,6 +46,7 @@ void CDrawing::Begin(UInt32 width, UInt32 height) {
   m_corners.clear();
   m_texts.clear();
   m_styles.clear();
+  m_frames.clear();
   m_width = width;
   m_height = height;
   SetWorldFrame();
@@ -55,6 +56,27 @@ void CDrawing::SetFrame(const CVector3& position, const CQuaternion& orientation
   m_framePosition = position;
   m_frameOrientation = orientation;
   m_space = SDrawnShape::ESpace::World;
+}
+
+void CDrawing::MoveFrame(const CVector3& position, const CQuaternion& orientation) {
+  CVector3 offset = position;
+  m_framePosition += offset.Rotate(m_frameOrientation);
+  m_frameOrientation *= orientation;
+}
+
+void CDrawing::PushFrame() {
+  constexpr std::size_t kMaxFrames = 1024;  // an end for code that only pushes
+  if (m_frames.size() < kMaxFrames) {
+    m_frames.push_back({m_framePosition, m_frameOrientation});
+  }
+}
+
+void CDrawing::PopFrame() {
+  if (!m_frames.empty()) {
+    m_framePosition = m_frames.back().Position;
+    m_frameOrientation = m_frames.back().Orientation;
+    m_frames.pop_back();
+  }
 }
 
 void CDrawing::SetWorldFrame() {
@@ -138,6 +160,34 @@ void CDrawing::DrawPolygon(const CVector3& position, const CQuaternion& orientat
   if (Add(shape, sizes)) {
     m_corners.insert(m_corners.end(), corners.begin(), corners.end());
   }
+}
+
+void CDrawing::DrawFace(const CVector3& position, const CQuaternion& orientation,
+                        const std::vector<CVector2>& corners, const CColor& color) {
+  const std::size_t count = m_shapes.size();
+  if (m_space == SDrawnShape::ESpace::World) {
+    DrawPolygon(position, orientation, corners, color);
+  }
+  if (m_shapes.size() > count) {
+    m_shapes.back().IsFace = true;
+  }
+}
+
+void CDrawing::DrawFace(const std::array<CVector3, 3>& corners, const CColor& color) {
+  CVector3 normal = corners[1] - corners[0];
+  normal.CrossProduct(corners[2] - corners[0]);
+  if (!(normal.SquareLength() > 0.0)) {
+    return;
+  }
+  const CQuaternion orientation(CVector3::Z, normal.Normalize());
+  const CQuaternion toFace = orientation.Conjugate();
+  std::vector<CVector2> flat;
+  for (const CVector3& corner : corners) {
+    CVector3 point = corner - corners[0];
+    point.Rotate(toFace);
+    flat.emplace_back(point.GetX(), point.GetY());
+  }
+  DrawFace(corners[0], orientation, flat, color);
 }
 
 void CDrawing::DrawCircle(const CVector3& position, const CQuaternion& orientation, Real radius,

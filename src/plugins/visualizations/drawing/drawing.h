@@ -6,6 +6,7 @@
 #include <argos3/core/utility/math/vector2.h>
 #include <argos3/core/utility/math/vector3.h>
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -48,6 +49,8 @@ struct SDrawnShape {
   EKind Kind = EKind::Point;
   ESpace Space = ESpace::World;
   bool IsFilled = true; /**< Polygon and Circle; otherwise only their outline */
+  /** Polygon: part of a solid's surface, which hides what is behind it, whatever their order. */
+  bool IsFace = false;
   CColor Color;
   CVector3 Position; /**< origin of the shape's frame, see ESpace */
   CQuaternion Orientation; /**< of the shape's frame */
@@ -79,6 +82,12 @@ class CDrawing {
 
   /** The frame of what is drawn next, in the world. */
   void SetFrame(const CVector3& position, const CQuaternion& orientation);
+  const CQuaternion& GetFrameOrientation() const { return m_frameOrientation; }
+  /** Moves the frame: to a pose that is given in it. */
+  void MoveFrame(const CVector3& position, const CQuaternion& orientation);
+  /** PopFrame() brings the frame back; without a PushFrame() in this picture it does nothing. */
+  void PushFrame();
+  void PopFrame();
   /** The next shapes are given in the world frame, m. */
   void SetWorldFrame();
   /** The next shapes lie over the picture, see SDrawnShape::ESpace. */
@@ -99,6 +108,11 @@ class CDrawing {
   void DrawPolygon(const CVector3& position, const CQuaternion& orientation,
                    const std::vector<CVector2>& corners, const CColor& color = CColor::RED,
                    bool fill = true);
+  /** Part of a solid's surface, see SDrawnShape::IsFace; over the picture nothing. */
+  void DrawFace(const CVector3& position, const CQuaternion& orientation,
+                const std::vector<CVector2>& corners, const CColor& color = CColor::RED);
+  /** The same for a triangle; nothing if it has no area. */
+  void DrawFace(const std::array<CVector3, 3>& corners, const CColor& color = CColor::RED);
   /** @param corners 0 = round; otherwise a regular polygon, one corner at +x. */
   void DrawCircle(const CVector3& position, const CQuaternion& orientation, Real radius,
                   const CColor& color = CColor::RED, bool fill = true, UInt32 corners = 0);
@@ -135,6 +149,11 @@ class CDrawing {
   std::string m_texts;
   std::vector<STextStyle> m_styles;
 
+  struct SFrame {
+    CVector3 Position;
+    CQuaternion Orientation;
+  };
+  std::vector<SFrame> m_frames;  // pushed ones
   CVector3 m_framePosition;
   CQuaternion m_frameOrientation;
   SDrawnShape::ESpace m_space = SDrawnShape::ESpace::World;

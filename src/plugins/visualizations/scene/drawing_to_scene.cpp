@@ -28,7 +28,9 @@ class CSceneDrawer {
 
   void AddAll() {
     for (const SDrawnShape& shape : m_drawing.GetShapes()) {
-      m_nearer = std::min(m_nearer + kNearerPerShape, kNearest);
+      // faces of solids are not in order, but where they are
+      m_nearer = shape.IsFace ? 0.0 : std::min(m_nextNearer, kNearest);
+      m_nextNearer += shape.IsFace ? 0.0 : kNearerPerShape;
       if (shape.Kind == SDrawnShape::EKind::Text) {
         AddText(shape);
       } else if (shape.Space == SDrawnShape::ESpace::Overlay) {
@@ -207,7 +209,8 @@ class CSceneDrawer {
 
   const CDrawing& m_drawing;
   SScene& m_scene;
-  double m_nearer = kNearer;
+  double m_nearer = kNearer;  // of the shape
+  double m_nextNearer = kNearer + kNearerPerShape;  // of the next one that is in order
 };
 
 }  // namespace

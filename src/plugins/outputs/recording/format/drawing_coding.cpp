@@ -10,6 +10,10 @@ namespace {
 using EKind = SDrawnShape::EKind;
 using ESpace = SDrawnShape::ESpace;
 
+// marks of a shape; a reader that knows the first one only takes a face for a filled polygon
+constexpr UInt8 kFilled = 1;
+constexpr UInt8 kFace = 2;
+
 /* A shape with what it refers to. */
 struct SWholeShape {
   SDrawnShape Shape;
@@ -53,7 +57,7 @@ STextStyle ReadStyle(CByteReader& in) {
 void WriteShape(const CDrawing& drawing, const SDrawnShape& shape, CByteWriter& out) {
   out.WriteByte(static_cast<UInt8>(shape.Kind));
   out.WriteByte(static_cast<UInt8>(shape.Space));
-  out.WriteByte(shape.IsFilled ? 1 : 0);
+  out.WriteByte((shape.IsFilled ? kFilled : 0) | (shape.IsFace ? kFace : 0));
   WriteColor(shape.Color, out);
   WriteVector(shape.Position, out);
   WriteVector(shape.Size, out);
@@ -82,7 +86,9 @@ SWholeShape ReadShape(CByteReader& in) {
       static_cast<EKind>(in.ReadNumberUpTo(static_cast<UInt64>(EKind::Text), "kind of shape"));
   shape.Space = static_cast<ESpace>(
       in.ReadNumberUpTo(static_cast<UInt64>(ESpace::Overlay), "space of a shape"));
-  shape.IsFilled = in.ReadByte() != 0;
+  const UInt8 marks = in.ReadByte();
+  shape.IsFilled = (marks & kFilled) != 0;
+  shape.IsFace = (marks & kFace) != 0;
   shape.Color = ReadColor(in);
   shape.Position = ReadVector(in);
   shape.Size = ReadVector(in);
@@ -118,8 +124,12 @@ void Draw(const SWholeShape& whole, CDrawing& drawing) {
       drawing.DrawLine(shape.Position, shape.Position + shape.Size, shape.Color, shape.Pixels);
       break;
     case EKind::Polygon:
-      drawing.DrawPolygon(shape.Position, shape.Orientation, whole.Corners, shape.Color,
-                          shape.IsFilled);
+      if (shape.IsFace) {
+        drawing.DrawFace(shape.Position, shape.Orientation, whole.Corners, shape.Color);
+      } else {
+        drawing.DrawPolygon(shape.Position, shape.Orientation, whole.Corners, shape.Color,
+                            shape.IsFilled);
+      }
       break;
     case EKind::Circle:
       drawing.DrawCircle(shape.Position, shape.Orientation, shape.Size.GetX(), shape.Color,

@@ -25,6 +25,7 @@ void DrawEverything(CDrawing& drawing) {
   drawing.DrawCircle(CVector3(0, 0, 1), turn, 0.25, CColor::RED, true, 6);
   drawing.DrawCylinder(CVector3(), turn, 0.5, 2.0);
   drawing.DrawBox(CVector3(), turn, CVector3(1, 2, 3));
+  drawing.DrawFace({CVector3(1, 0, 0), CVector3(2, 0, 0), CVector3(1, 0, 3)}, CColor::CYAN);
   drawing.DrawText(CVector3(), "two\nlines", CColor::BLACK, style);
   drawing.SetOverlay();
   drawing.DrawText(CVector3(10, 20, 0), "score", CColor::WHITE);
@@ -40,6 +41,7 @@ void CheckEqual(const CDrawing& a, const CDrawing& b) {
     CHECK(one.Kind == other.Kind);
     CHECK(one.Space == other.Space);
     CHECK(one.IsFilled == other.IsFilled);
+    CHECK(one.IsFace == other.IsFace);
     CHECK(one.Color == other.Color);
     CHECK(one.Position == other.Position);
     CHECK(one.Orientation == other.Orientation);
@@ -71,7 +73,7 @@ TEST_CASE("drawings: all shapes are the same after writing and drawing again",
   again.SetWorldFrame();
   CByteReader world(bytes);
   DrawAgain(world, SDrawnShape::ESpace::World, again);
-  CHECK(again.GetShapes().size() == 7);
+  CHECK(again.GetShapes().size() == 8);
   again.SetOverlay();
   CByteReader overlay(bytes);
   DrawAgain(overlay, SDrawnShape::ESpace::Overlay, again);

@@ -103,6 +103,41 @@ TEST_CASE("drawing: polygons keep their corners, orientation and fill", "[core][
   CHECK(drawing.GetShapes().size() == 2);
 }
 
+TEST_CASE("drawing: a face is a polygon in the plane of its corners", "[core][drawing]") {
+  CDrawing drawing = MakeTurnedDrawing();
+  drawing.DrawFace({CVector3(0.5, 0.0, 0.0), CVector3(1.5, 0.0, 0.0), CVector3(0.5, 0.0, 2.0)});
+  const SDrawnShape& face = OnlyShape(drawing);
+  CHECK(face.Kind == EKind::Polygon);
+  CHECK(face.IsFace);
+  CHECK(face.IsFilled);
+  const std::vector<CVector3> corners = {CVector3(1.0, 2.5, 3.0), CVector3(1.0, 3.5, 3.0),
+                                         CVector3(1.0, 2.5, 5.0)};
+  REQUIRE(face.Count == corners.size());
+  for (UInt32 i = 0; i < face.Count; ++i) {
+    const CVector2& flat = drawing.GetCorners()[face.First + i];
+    CVector3 corner(flat.GetX(), flat.GetY(), 0.0);
+    CheckVector(corner.Rotate(face.Orientation) + face.Position, corners[i]);
+  }
+  // without an area, or over the picture, there is none
+  drawing.DrawFace({CVector3(), CVector3::X, CVector3(2.0, 0.0, 0.0)});
+  drawing.SetOverlay();
+  drawing.DrawFace({CVector3(), CVector3::X, CVector3::Y});
+  CHECK(drawing.GetShapes().size() == 1);
+}
+
+TEST_CASE("drawing: frames are moved in themselves, and come back", "[core][drawing]") {
+  CDrawing drawing = MakeTurnedDrawing();
+  drawing.PushFrame();
+  drawing.MoveFrame(CVector3(1.0, 0.0, 0.0), kQuarterTurn);
+  drawing.DrawPoint(CVector3(0.5, 0.0, 0.0));
+  drawing.PopFrame();
+  drawing.PopFrame();
+  drawing.DrawPoint(CVector3());
+  REQUIRE(drawing.GetShapes().size() == 2);
+  CheckVector(drawing.GetShapes()[0].Position, CVector3(0.5, 3.0, 3.0));
+  CheckVector(drawing.GetShapes()[1].Position, CVector3(1.0, 2.0, 3.0));
+}
+
 TEST_CASE("drawing: circles, cylinders and boxes keep their sizes", "[core][drawing]") {
   CDrawing drawing = MakeTurnedDrawing();
   drawing.DrawCircle(CVector3(), CQuaternion(), 0.25, CColor::RED, true, 6);
