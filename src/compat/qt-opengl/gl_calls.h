@@ -2,7 +2,8 @@
 #define ARGOS3_COMPAT_QT_OPENGL_GL_CALLS_H
 
 /*
- * The OpenGL calls of users' drawing functions: accepted, without effect.
+ * The OpenGL calls of users' drawing functions: accepted. Those that move the frame of what is
+ * drawn next do so in hooks that draw; the others have no effect.
  *
  * Drawing functions fill a list, so there is no OpenGL state that such calls could change; the
  * context that draws frames is not theirs. The names below are macros for functions that do
@@ -84,11 +85,25 @@ template <typename... ARGUMENTS>
 constexpr GLuint IgnoreGlNumbers(const ARGUMENTS&...) {
   return 1;
 }
+/** As their namesakes of OpenGL; what a display list contains is not drawn. @param angle degrees.
+ */
+void PushGlMatrix();
+void PopGlMatrix();
+void TranslateGlMatrix(GLdouble x, GLdouble y, GLdouble z);
+void RotateGlMatrix(GLdouble angle, GLdouble x, GLdouble y, GLdouble z);
+void BeginGlList(GLuint list, GLenum mode);
+void EndGlList();
 }  // namespace argos
 
 // a qualified call, ::glEnable(...), must compile, too
+using argos::BeginGlList;
+using argos::EndGlList;
 using argos::IgnoreGlCall;
 using argos::IgnoreGlNumbers;
+using argos::PopGlMatrix;
+using argos::PushGlMatrix;
+using argos::RotateGlMatrix;
+using argos::TranslateGlMatrix;
 
 #define glBegin IgnoreGlCall
 #define glBindTexture IgnoreGlCall
@@ -110,7 +125,7 @@ using argos::IgnoreGlNumbers;
 #define glDisable IgnoreGlCall
 #define glEnable IgnoreGlCall
 #define glEnd IgnoreGlCall
-#define glEndList IgnoreGlCall
+#define glEndList EndGlList
 #define glFlush IgnoreGlCall
 #define glFrontFace IgnoreGlCall
 #define glGenLists IgnoreGlNumbers
@@ -126,7 +141,7 @@ using argos::IgnoreGlNumbers;
 #define glMatrixMode IgnoreGlCall
 #define glMultMatrixd IgnoreGlCall
 #define glMultMatrixf IgnoreGlCall
-#define glNewList IgnoreGlCall
+#define glNewList BeginGlList
 #define glNormal3d IgnoreGlCall
 #define glNormal3dv IgnoreGlCall
 #define glNormal3f IgnoreGlCall
@@ -135,13 +150,13 @@ using argos::IgnoreGlNumbers;
 #define glPolygonMode IgnoreGlCall
 #define glPolygonOffset IgnoreGlCall
 #define glPopAttrib IgnoreGlCall
-#define glPopMatrix IgnoreGlCall
+#define glPopMatrix PopGlMatrix
 #define glPushAttrib IgnoreGlCall
-#define glPushMatrix IgnoreGlCall
+#define glPushMatrix PushGlMatrix
 #define glRectd IgnoreGlCall
 #define glRectf IgnoreGlCall
-#define glRotated IgnoreGlCall
-#define glRotatef IgnoreGlCall
+#define glRotated RotateGlMatrix
+#define glRotatef RotateGlMatrix
 #define glScaled IgnoreGlCall
 #define glScalef IgnoreGlCall
 #define glShadeModel IgnoreGlCall
@@ -152,8 +167,8 @@ using argos::IgnoreGlNumbers;
 #define glTexImage2D IgnoreGlCall
 #define glTexParameterf IgnoreGlCall
 #define glTexParameteri IgnoreGlCall
-#define glTranslated IgnoreGlCall
-#define glTranslatef IgnoreGlCall
+#define glTranslated TranslateGlMatrix
+#define glTranslatef TranslateGlMatrix
 #define glVertex2d IgnoreGlCall
 #define glVertex2f IgnoreGlCall
 #define glVertex2i IgnoreGlCall

@@ -24,13 +24,15 @@ void SetFrameOf(CEntity& entity, CDrawing& drawing) {
   drawing.SetWorldFrame();
 }
 
+thread_local CDrawing* g_currentDrawing = nullptr;
+
 // points to a drawing during its lifetime
 class CDrawingScope {
  public:
   CDrawingScope(CDrawing*& pointer, CDrawing& drawing) : m_pointer(pointer) {
-    m_pointer = &drawing;
+    m_pointer = g_currentDrawing = &drawing;
   }
-  ~CDrawingScope() { m_pointer = nullptr; }
+  ~CDrawingScope() { m_pointer = g_currentDrawing = nullptr; }
   CDrawingScope(const CDrawingScope&) = delete;
   CDrawingScope& operator=(const CDrawingScope&) = delete;
 
@@ -68,6 +70,10 @@ CDrawing& CDrawingFunctions::GetDrawing() {
         "class of entities, in DrawInWorld(), and in that of the overlay");
   }
   return *m_drawing;
+}
+
+CDrawing* CDrawingFunctions::GetCurrentDrawing() {
+  return g_currentDrawing;
 }
 
 void CDrawingFunctions::DrawAll(CDrawing& drawing, const CEntity::TVector& roots) {

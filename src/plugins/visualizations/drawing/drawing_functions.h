@@ -58,6 +58,9 @@ class CDrawingFunctions : public CBaseConfigurableResource {
    * @throws CARGoSException outside of hooks.
    */
   CDrawing& GetDrawing();
+  /** The list of the hook that runs on this thread, whatever its functions; null outside of hooks.
+   */
+  static CDrawing* GetCurrentDrawing();
 
   /**
    * Draws everything to a list.
