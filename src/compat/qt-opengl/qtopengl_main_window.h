@@ -1,6 +1,7 @@
 #ifndef ARGOS3_COMPAT_QT_OPENGL_QTOPENGL_MAIN_WINDOW_H
 #define ARGOS3_COMPAT_QT_OPENGL_QTOPENGL_MAIN_WINDOW_H
 
+#include <argos3/plugins/simulator/visualizations/qt-opengl/qtopengl_obj_model.h>
 #include <argos3/plugins/simulator/visualizations/qt-opengl/qtopengl_widget.h>
 
 namespace argos {
@@ -16,14 +17,16 @@ class CQTOpenGLMainWindow : public QMainWindow {
   const CQTOpenGLUserFunctions& GetUserFunctions() const {
     return const_cast<CQTOpenGLWidget&>(m_widget).GetUserFunctions();
   }
-  /** Folders of icons, textures and models: empty, there are none. */
-  const QString& GetIconDir() const { return m_folder; }
-  const QString& GetTextureDir() const { return m_folder; }
-  const QString& GetModelDir() const { return m_folder; }
+  /** Folders of the installation, in which plug-ins install files: with a final slash. */
+  const QString& GetIconDir() const { return m_icons; }
+  const QString& GetTextureDir() const { return m_textures; }
+  const QString& GetModelDir() const { return m_models; }
 
  private:
   CQTOpenGLWidget m_widget;
-  QString m_folder;
+  QString m_icons = GetQtOpenGLFolder("icons");
+  QString m_textures = GetQtOpenGLFolder("textures");
+  QString m_models = GetQtOpenGLFolder("models");
 };
 
 }  // namespace argos

@@ -10,12 +10,15 @@
 #include <array>
 #include <map>
 #include <string>
+#include <vector>
 
 namespace argos {
 
 /**
- * A solid of a Wavefront file, for users' drawing code: it has the materials that the code changes,
- * but pictures do not show it (views have models of their own: doc/povray.md).
+ * A solid of a Wavefront file (.obj) with its materials (.mtl), for users' drawing code, m.
+ *
+ * Reads v, vn, f (polygons are convex), usemtl and mtllib; of materials Ka, Kd, Ks, d and Tr. Other
+ * statements, textures among them, are ignored. At most 64 MiB and 200,000 triangles.
  */
 class CQTOpenGLObjModel {
  public:
@@ -31,19 +34,42 @@ class CQTOpenGLObjModel {
     bool EnableTransparency = false;
   };
 
-  /** @param file  is not read. */
+  /**
+   * @param file  in include/argos3/plugins/simulator/visualizations/qt-opengl/models/ of the
+   * installation, else in the working directory, or an absolute path.
+   * @throws CARGoSException if it or its materials cannot be read, or it has no normals (vn).
+   */
   CQTOpenGLObjModel(const std::string& file);
-  /** Two texts in the formats of .mtl and .obj files; not read. */
+  /** Two texts in the formats of .mtl and .obj files. @throws CARGoSException */
   CQTOpenGLObjModel(const std::string& materials, const std::string& solid);
 
-  /** @return the material of that name, which is created if there is none. */
-  SMaterial& GetMaterial(const std::string& name) { return m_materials[name]; }
-  /** Draws nothing. */
-  void Draw() const {}
+  /** May be changed, also between pictures. @throws CARGoSException if there is none. */
+  SMaterial& GetMaterial(const std::string& name);
+  /** Draws all triangles in the current frame; nothing outside of hooks that draw. */
+  void Draw() const;
 
  private:
+  class CReader;
+
+  struct STriangle {
+    std::array<UInt32, 3> Vertices;
+    CVector3 Normal;  // unit length, outwards
+  };
+  // the triangles of a material
+  struct SPart {
+    std::string Material;
+    std::vector<STriangle> Triangles;
+  };
+
+  const SMaterial& FindMaterial(const std::string& name) const;
+
   std::map<std::string, SMaterial> m_materials;
+  std::vector<CVector3> m_vertices;
+  std::vector<SPart> m_parts;
 };
+
+/** A folder of the installation with files for drawing, such as "models", with a final slash. */
+std::string GetQtOpenGLFolder(const std::string& name);
 
 }  // namespace argos
 
