@@ -12,6 +12,7 @@
 #include <catch2/catch.hpp>
 
 #include <filesystem>
+#include <fstream>
 
 namespace compat_drawing_test {
 
@@ -221,6 +222,97 @@ TEST_CASE("compat: the widget draws rays, bounding boxes and frames of entities"
              Catch::WithinAbs(4.0 * (extents.GetX() + extents.GetY() + extents.GetZ()), 1e-4));
   // fb1 looks along y
   CHECK(Distance(shapes[13].Position, CVector3(1.0, 2.5, 0.0)) < 2e-6);
+}
+
+// a square of 2 m, upright at x = 1, in two materials
+constexpr const char* kMaterials =
+    "newmtl red\nKd 1 0 0\n\n# glass\nnewmtl glass\nKd 0 0 1\nd 0.5\nmap_Kd x.png\n";
+constexpr const char* kSquare =
+    "mtllib other.mtl\nv 1 -1 0\nv 1 1 0\nv +1 1 2\r\nv 1 -1 2e0\nvn -1 0 0\nvn 1 0 0\n"
+    "usemtl red\nf 1//2 2//2 3//2 4//2\nusemtl glass\nf -4/1/1 -3/1/1 -2/1/1\nusemtl none\n"
+    "f 1 2 3\n";
+
+class CModelDrawing : public CQTOpenGLUserFunctions {
+ public:
+  CQTOpenGLObjModel Model{kMaterials, kSquare};
+  bool IsMoved = false;
+
+  void DrawInWorld() override {
+    glPushMatrix();
+    if (IsMoved) {
+      glTranslatef(0.0f, 0.0f, 1.0f);
+      glRotated(90.0, 0.0, 0.0, 2.0);
+    }
+    glNewList(1, GL_COMPILE);
+    glTranslated(7.0, 0.0, 0.0);
+    glEndList();
+    Model.Draw();
+    glPopMatrix();
+    DrawPoint(CVector3());
+  }
+};
+
+static std::vector<CVector3> CornersOf(const CDrawing& drawing, const SDrawnShape& shape) {
+  std::vector<CVector3> corners;
+  for (UInt32 i = 0; i < shape.Count; ++i) {
+    const CVector2& flat = drawing.GetCorners()[shape.First + i];
+    CVector3 corner(flat.GetX(), flat.GetY(), 0.0);
+    corners.push_back(corner.Rotate(shape.Orientation) + shape.Position);
+  }
+  return corners;
+}
+
+TEST_CASE("compat: models are drawn with their materials, in the frame of OpenGL calls",
+          "[compat]") {
+  CModelDrawing functions;
+  functions.Model.Draw();
+  CDrawing drawing;
+  drawing.Begin(320, 240);
+  functions.DrawAll(drawing, {});
+  // a fan of two triangles, and one in each of two other materials
+  REQUIRE(drawing.GetShapes().size() == 2 + 1 + 1 + 1);
+  const SDrawnShape& second = drawing.GetShapes()[1];
+  CHECK(second.IsFace);
+  CHECK(second.Color.GetRed() > 0);
+  CHECK(second.Color.GetGreen() == 0);
+  const std::vector<CVector3> corners = CornersOf(drawing, second);
+  const std::vector<CVector3> expected = {CVector3(1, -1, 0), CVector3(1, 1, 2),
+                                          CVector3(1, -1, 2)};
+  for (size_t i = 0; i < 3; ++i) {
+    CHECK(Distance(corners[i], expected[i]) < 1e-12);
+  }
+  CHECK(drawing.GetShapes()[2].Color.GetAlpha() == 128);
+  // a name without a material is grey
+  CHECK(drawing.GetShapes()[3].Color.GetRed() == drawing.GetShapes()[3].Color.GetBlue());
+  functions.IsMoved = true;
+  functions.Model.GetMaterial("red").Emission = {{0.0f, 1.0f, 0.0f, 1.0f}};
+  drawing.Begin(320, 240);
+  functions.DrawAll(drawing, {});
+  CHECK(drawing.GetShapes()[1].Color.GetGreen() == 255);
+  CHECK(Distance(CornersOf(drawing, drawing.GetShapes()[1])[0], CVector3(1, 1, 1)) < 1e-12);
+  CHECK(drawing.GetShapes()[4].Position == CVector3());
+}
+
+TEST_CASE("compat: errors of models have file and line", "[compat]") {
+  using Catch::Contains;
+  CQTOpenGLObjModel cModel(kMaterials, kSquare);
+  CHECK_THROWS_WITH(cModel.GetMaterial("led"), Contains("\"led\"; it has: glass, red"));
+  CHECK_THROWS_WITH(CQTOpenGLObjModel("", "v 1 2 3\n"), Contains("no normals"));
+  CHECK_THROWS_WITH(CQTOpenGLObjModel("", "v 1 2 3\nv 1 two 3\n"),
+                    Contains("(text of a model):2: \"two\" is not a number"));
+  CHECK_THROWS_WITH(CQTOpenGLObjModel("", "v 0 0 0\nv 1 0 0\nf 1 2 3\n"),
+                    Contains(":3: \"3\" is not a vertex from 1 to 2"));
+  CHECK_THROWS_WITH(CQTOpenGLObjModel("", "v 0 0 0\nf 1 1\n"), Contains("three corners"));
+  CHECK_THROWS_WITH(CQTOpenGLObjModel("newmtl a\nnewmtl a\n", ""), Contains("defined twice"));
+  CHECK_THROWS_WITH(CQTOpenGLObjModel("none.obj"),
+                    Contains("qt-opengl/models/none.obj") && Contains("working directory"));
+  const CTemporaryFolder folder;
+  std::ofstream(folder.Path("cube.obj")) << "mtllib cube.mtl\n";
+  CHECK_THROWS_WITH(CQTOpenGLObjModel(folder.Path("cube.obj")),
+                    Contains("cube.mtl\" cannot be read"));
+  std::ofstream(folder.Path("cube.mtl")) << kMaterials;
+  std::ofstream(folder.Path("cube.obj")) << "mtllib cube.mtl\nvn 0 0 1\n";
+  CHECK_NOTHROW(CQTOpenGLObjModel(folder.Path("cube.obj")).GetMaterial("red"));
 }
 
 TEST_CASE("compat: what needs a window is accepted and named once", "[compat]") {
