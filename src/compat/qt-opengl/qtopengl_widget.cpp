@@ -20,6 +20,9 @@ void CQTOpenGLWidget::DrawEntity(CEmbodiedEntity& body) {
 
 void CQTOpenGLWidget::DrawRays(CControllableEntity& entity) {
   constexpr Real kPointDiameter = 5.0;  // pixels
+  if (!m_drawsRays) {
+    return;
+  }
   CDrawing& drawing = m_userFunctions.GetDrawing();
   drawing.SetWorldFrame();
   for (const auto& [isObstructed, ray] : entity.GetCheckedRays()) {

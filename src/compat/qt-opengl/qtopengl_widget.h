@@ -36,6 +36,11 @@ class CQTOpenGLWidget : public QOpenGLWidget, protected QOpenGLFunctions {
     QSize Size = QSize(1600, 1200);
   };
 
+  struct SSelectionInfo {
+    bool IsSelected = false;
+    CEntity* Entity = nullptr;
+  };
+
   /** @param userFunctions  its hooks are told when the selection changes. */
   explicit CQTOpenGLWidget(CQTOpenGLUserFunctions& userFunctions)
       : m_userFunctions(userFunctions) {}
@@ -46,7 +51,10 @@ class CQTOpenGLWidget : public QOpenGLWidget, protected QOpenGLFunctions {
   /** The frame of what is drawn next: that of the entity. Only in hooks that draw. */
   void DrawEntity(CPositionalEntity& entity);
   void DrawEntity(CEmbodiedEntity& body);
-  /** The rays that sensors have recorded: magenta if obstructed, else cyan. Only in such hooks. */
+  /**
+   * The rays that sensors have recorded: magenta if obstructed, else cyan. Only in such hooks.
+   * Nothing in operations: pictures have the rays anyway.
+   */
   void DrawRays(CControllableEntity& entity);
   /** The edges of the bounding box, white. Only in such hooks. */
   void DrawBoundingBox(CEmbodiedEntity& body);
@@ -59,6 +67,7 @@ class CQTOpenGLWidget : public QOpenGLWidget, protected QOpenGLFunctions {
   CQTOpenGLUserFunctions& GetUserFunctions() { return m_userFunctions; }
   CQTOpenGLCamera& GetCamera() { return m_camera; }
   SFrameGrabData& GetFrameGrabData() { return m_frameGrabData; }
+  void SetDrawRays(bool draw) { m_drawsRays = draw; }
   void SetInvertMouse(bool /*invert*/) {}
   void SetShowBoundary(bool /*show*/) {}
   void SetDrawFrameEvery(int /*every*/) {}
@@ -93,11 +102,12 @@ class CQTOpenGLWidget : public QOpenGLWidget, protected QOpenGLFunctions {
   CEntity* m_selected = nullptr;
   CQTOpenGLCamera m_camera;
   SFrameGrabData m_frameGrabData;
+  bool m_drawsRays = true;
 };
 
 /**
- * Kinds of operations that draw an entity with OpenGL calls; registered, but not called: views show
- * the solids of an entity.
+ * Kinds of operations that draw an entity. The normal one is called for entities without an
+ * appearance; if it draws nothing but OpenGL's vertices, or fails, views show the solids.
  */
 class CQTOpenGLOperationDrawNormal
     : public CEntityOperation<CQTOpenGLOperationDrawNormal, CQTOpenGLWidget, void> {};

@@ -16,6 +16,7 @@
 #include <argos3/plugins/simulator/entities/directional_led_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/led_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/light_entity.h>
+#include <argos3/plugins/simulator/visualizations/scene/drawing_to_scene.h>
 #include <argos3/plugins/simulator/visualizations/scene/led_glows.h>
 #include <argos3/plugins/simulator/visualizations/scene/scene_parts.h>
 
@@ -101,6 +102,12 @@ bool StandsOnGround(const SVisualPart& part, const SPose& pose) {
          std::abs(pose.Translation.z()) < kHighestFoot;
 }
 
+// set when a library is loaded, which runs nothing
+CSceneBuilder::TDrawEntity& DrawEntity() {
+  static CSceneBuilder::TDrawEntity draw;
+  return draw;
+}
+
 constexpr SRgba kFreeRay = {36, 122, 196, 170};
 constexpr SRgba kObstructedRay = {214, 52, 58, 230};
 constexpr SRgba kHitPoint = {232, 40, 34, 255};
@@ -157,8 +164,13 @@ void AddRayLines(CControllableEntity& robot, SScene& scene) {
 
 }  // namespace
 
+void CSceneBuilder::SetDrawEntity(const TDrawEntity& draw) {
+  DrawEntity() = draw;
+}
+
 void CSceneBuilder::Build(CSpace& space, SScene& scene) {
   scene.ClearContents();
+  m_drawing.Begin(0, 0);
   const Eigen::Vector3d center = ToEigen(space.GetArenaCenter());
   const Eigen::Vector3d half = 0.5 * ToEigen(space.GetArenaSize());
   scene.ArenaMin = (center - half).head<2>();
@@ -168,6 +180,7 @@ void CSceneBuilder::Build(CSpace& space, SScene& scene) {
   for (CEntity* entity : space.GetRootEntityVector()) {
     AddEntity(*entity, scene);
   }
+  AddDrawing(m_drawing, scene);
   if (m_showRays) {
     for (CControllableEntity* robot : space.GetControllableEntities()) {
       AddRayLines(*robot, scene);
@@ -191,8 +204,8 @@ void CSceneBuilder::WarnOfSolids(const CEntity& entity) {
   const std::string type = entity.GetTypeDescription();
   if (m_unseenTypes.insert(type).second) {
     LOGERR << "[WARNING] pictures show the solids of \"" << entity.GetId() << "\" and other <"
-           << type << ">: the class has no GetAppearance(), and its drawing with OpenGL, if there "
-           << "is any, does not run" << std::endl;
+           << type << ">: the class has no GetAppearance(), and its drawing, if there is any, "
+           << "consists of OpenGL calls, which have no effect" << std::endl;
   }
 }
 
@@ -223,7 +236,10 @@ void CSceneBuilder::AddEntity(CEntity& entity, SScene& scene) {
       subject.Body->GetBodyDescription() != nullptr) {
     solids = MakeBodyAppearance(*subject.Body->GetBodyDescription());
     appearance = &solids;
-    WarnOfSolids(entity);
+    subject.IsDrawn = DrawEntity() && DrawEntity()(entity, m_drawing);
+    if (!subject.IsDrawn) {
+      WarnOfSolids(entity);
+    }
   } else if (appearance == nullptr) {
     WarnUnseen(entity);
     appearance = &kNone;
@@ -280,7 +296,7 @@ void CSceneBuilder::AddPart(const SVisualPart& part, SSubject& subject, SScene& 
   }
   const CColor color = subject.IsQuarantined ? PaleGray(part.Color) : part.Color;
   const bool isDetail = ComputeVolume(part) < kDetailShare * subject.LargestVolume;
-  if (part.Kind != SVisualPart::EKind::LED && HasModel(subject, part.Anchor)) {
+  if (part.Kind != SVisualPart::EKind::LED && (subject.IsDrawn || HasModel(subject, part.Anchor))) {
     return;
   }
   switch (part.Kind) {

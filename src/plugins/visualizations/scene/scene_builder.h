@@ -45,6 +45,14 @@ class CSceneBuilder {
   typedef std::vector<std::pair<std::string, std::size_t>> TModels;
   typedef std::function<const TModels&(const std::string& type)> TFindModels;
 
+  /**
+   * Draws an entity that has no appearance, in the world frame.
+   * @return false if it cannot: its solids are shown.
+   */
+  typedef std::function<bool(CEntity& entity, CDrawing& drawing)> TDrawEntity;
+  /** Of all scenes of the process; called when a library is loaded. */
+  static void SetDrawEntity(const TDrawEntity& draw);
+
   /** Entities whose type has models appear as such instead of as solids. */
   void SetModels(const TFindModels& find) { m_findModels = find; }
 
@@ -64,6 +72,7 @@ class CSceneBuilder {
     const CDirectionalLEDEquippedEntity* DirectionalLEDs = nullptr;
     const CLightEntity* Light = nullptr;  // its solids glow while its intensity is above 0
     const TModels* Models = nullptr;  // null: it has solids only
+    bool IsDrawn = false;  // by its class, instead of its solids
     bool IsRobot = false;
     bool IsQuarantined = false;  // a robot that errors have stopped (CSpace::QuarantineLater())
     double LargestVolume = 0.0;  // of the boxes around its parts, m^3
@@ -83,6 +92,7 @@ class CSceneBuilder {
   bool m_showRays;
   TFindModels m_findModels;  // may be empty
   CFloorImage m_floor;
+  CDrawing m_drawing;  // of entities that are drawn by their class
   std::set<std::string> m_unseenTypes;  // that were reported
 };
 
