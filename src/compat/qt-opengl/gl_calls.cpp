@@ -49,4 +49,8 @@ void EndGlList() {
   g_isInList = false;
 }
 
+bool IsInGlList() {
+  return g_isInList;
+}
+
 }  // namespace argos

@@ -93,6 +93,8 @@ void TranslateGlMatrix(GLdouble x, GLdouble y, GLdouble z);
 void RotateGlMatrix(GLdouble angle, GLdouble x, GLdouble y, GLdouble z);
 void BeginGlList(GLuint list, GLenum mode);
 void EndGlList();
+/** True between BeginGlList() and EndGlList(), if what is called there is only kept. */
+bool IsInGlList();
 }  // namespace argos
 
 // a qualified call, ::glEnable(...), must compile, too

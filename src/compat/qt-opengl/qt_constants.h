@@ -95,6 +95,29 @@ enum KeyboardModifier {
   AltModifier = 0x08000000
 };
 
+enum Orientation { Horizontal = 1, Vertical = 2 };
+
+// of models of items
+enum ItemDataRole {
+  DisplayRole,
+  DecorationRole,
+  EditRole,
+  ToolTipRole,
+  StatusTipRole,
+  FontRole = 6,
+  TextAlignmentRole,
+  UserRole = 256
+};
+
+enum ItemFlag {
+  NoItemFlags = 0,
+  ItemIsSelectable = 1,
+  ItemIsEditable = 2,
+  ItemIsUserCheckable = 16,
+  ItemIsEnabled = 32
+};
+using ItemFlags = int;
+
 enum GlobalColor {
   black = 2,
   white,

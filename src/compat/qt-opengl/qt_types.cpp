@@ -4,6 +4,8 @@
 #include <argos3/plugins/simulator/visualizations/qt-opengl/qt_conversions.h>
 
 #include <array>
+#include <locale>
+#include <sstream>
 
 namespace argos {
 
@@ -67,6 +69,45 @@ QColor::QColor(Qt::GlobalColor color) {
   m_red = channels[0];
   m_green = channels[1];
   m_blue = channels[2];
+}
+
+QString QString::number(double value, char format, int precision) {
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text.precision(precision);
+  if (format == 'f') {
+    text << std::fixed;
+  } else if (format == 'e') {
+    text << std::scientific;
+  }
+  text << value;
+  return text.str();
+}
+
+QString QString::arg(const QString& text) const {
+  // number and length of the place at a '%'; the number is 0 if there is none
+  const auto placeAt = [this](size_t at) {
+    size_t length = 1;
+    int number = 0;
+    while (length <= 2 && at + length < size() && (*this)[at + length] >= '0' &&
+           (*this)[at + length] <= '9') {
+      number = 10 * number + ((*this)[at + length] - '0');
+      ++length;
+    }
+    return std::pair<int, size_t>(number, length);
+  };
+  int lowest = 0;
+  for (size_t at = find('%'); at != npos; at = find('%', at + 1)) {
+    const int number = placeAt(at).first;
+    lowest = number > 0 && (lowest == 0 || number < lowest) ? number : lowest;
+  }
+  std::string result;
+  for (size_t at = 0; at < size();) {
+    const auto [number, length] = (*this)[at] == '%' ? placeAt(at) : std::pair<int, size_t>(0, 1);
+    result += number > 0 && number == lowest ? std::string(text) : substr(at, length);
+    at += length;
+  }
+  return result;
 }
 
 void QFont::setStyleHint(StyleHint hint) {

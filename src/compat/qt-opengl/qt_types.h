@@ -38,10 +38,18 @@ class QString : public std::string {
     text.erase(text.find_last_not_of('0') + 1);
     return text.back() == '.' ? text.substr(0, text.size() - 1) : text;
   }
+  /** @param format  'f', 'e' or 'g'. */
+  static QString number(double value, char format, int precision = 6);
   static QString number(int value) { return std::to_string(value); }
   const std::string& toStdString() const { return *this; }
   bool isEmpty() const { return empty(); }
+  /** Puts a text in the place of the lowest of %1 to %99. */
+  QString arg(const QString& text) const;
+  QString arg(int value) const { return arg(number(value)); }
+  QString arg(double value) const { return arg(number(value)); }
 };
+
+typedef long long qint64;
 
 /** Channels from 0 to 255. */
 class QColor {
@@ -192,6 +200,7 @@ class QPainter {
 
   void setPen(const QColor& color) { m_color = color; }
   void setFont(const QFont& font) { m_font = font; }
+  const QFont& font() const { return m_font; }
   QRect viewport() const;
   QRect window() const { return viewport(); }
 

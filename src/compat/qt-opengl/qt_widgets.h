@@ -134,6 +134,7 @@ class QOpenGLTexture {
   explicit QOpenGLTexture(const QImage& /*image*/) { argos::WarnOfQtName("QOpenGLTexture"); }
   explicit QOpenGLTexture(Target /*target*/) { argos::WarnOfQtName("QOpenGLTexture"); }
 
+  bool isCreated() const { return false; }
   void bind() {}
   void release() {}
   void destroy() {}
@@ -212,6 +213,23 @@ class QAbstractItemModel : public QObject {
   virtual QModelIndex index(int row, int column,
                             const QModelIndex& parent = QModelIndex()) const = 0;
   virtual QModelIndex parent(const QModelIndex& index) const = 0;
+  virtual Qt::ItemFlags flags(const QModelIndex& index) const {
+    return index.isValid() ? Qt::ItemIsSelectable | Qt::ItemIsEnabled : Qt::NoItemFlags;
+  }
+  virtual QVariant headerData(int /*section*/, Qt::Orientation /*orientation*/,
+                              int /*role*/ = Qt::DisplayRole) const {
+    return {};
+  }
+  virtual bool setData(const QModelIndex& /*index*/, const QVariant& /*value*/,
+                       int /*role*/ = Qt::EditRole) {
+    return false;
+  }
+  bool hasIndex(int row, int column, const QModelIndex& parent = QModelIndex()) const {
+    return row >= 0 && column >= 0 && row < rowCount(parent) && column < columnCount(parent);
+  }
+  /** Signals, to which nothing is connected. */
+  void dataChanged(const QModelIndex& /*first*/, const QModelIndex& /*last*/) {}
+  void layoutChanged() {}
 
  protected:
   QModelIndex createIndex(int row, int column, void* pointer = nullptr) const {

@@ -311,7 +311,7 @@ const CQTOpenGLObjModel::SMaterial& CQTOpenGLObjModel::FindMaterial(const std::s
 
 void CQTOpenGLObjModel::Draw() const {
   CDrawing* const drawing = CDrawingFunctions::GetCurrentDrawing();
-  if (drawing == nullptr) {
+  if (drawing == nullptr || IsInGlList()) {
     return;
   }
   for (const SPart& part : m_parts) {

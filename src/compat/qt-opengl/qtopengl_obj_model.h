@@ -45,7 +45,7 @@ class CQTOpenGLObjModel {
 
   /** May be changed, also between pictures. @throws CARGoSException if there is none. */
   SMaterial& GetMaterial(const std::string& name);
-  /** Draws all triangles in the current frame; nothing outside of hooks that draw. */
+  /** Draws all triangles in the current frame; nothing outside of hooks, and in display lists. */
   void Draw() const;
 
  private:

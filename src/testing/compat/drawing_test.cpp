@@ -7,6 +7,7 @@
 #include <argos3/testing/support/experiment.h>
 #include <argos3/testing/support/temporary_folder.h>
 
+#include <QAbstractItemModel>
 #include <QElapsedTimer>
 #include <QOpenGLTexture>
 #include <catch2/catch.hpp>
@@ -157,9 +158,43 @@ TEST_CASE("compat: QFont, QString and QColor have what users call", "[compat]") 
   CHECK(QString::number(12) == "12");
   CHECK(QString::number(1.5) == "1.5");
   CHECK(QString::number(2.0) == "2");
+  CHECK(QString::number(2.0, 'f', 2) == "2.00");
+  CHECK(QString::number(1234.5, 'e', 1) == "1.2e+03");
+  CHECK(QString("%2 of %1, %1%, %10").arg(7).arg("a") == "a of 7, 7%, %10");
   CHECK(QColor(Qt::red).red() == 255);
   CHECK(QColor(Qt::darkGreen).green() == 128);
   CHECK(QColor(1, 2, 3).alpha() == 255);
+}
+
+// As in ARGoS 3, code of a window may have a model of what it shows.
+class CItems : public QAbstractItemModel {
+  Q_OBJECT
+
+ public:
+  QVariant data(const QModelIndex& c_index, int n_role) const override {
+    return c_index.isValid() && n_role == Qt::DisplayRole ? QVariant("item") : QVariant();
+  }
+  int rowCount(const QModelIndex& /*c_parent*/) const override { return 2; }
+  int columnCount(const QModelIndex& /*c_parent*/) const override { return 1; }
+  QModelIndex index(int n_row, int n_column, const QModelIndex& c_parent) const override {
+    return hasIndex(n_row, n_column, c_parent) ? createIndex(n_row, n_column) : QModelIndex();
+  }
+  QModelIndex parent(const QModelIndex& /*c_index*/) const override { return QModelIndex(); }
+  Qt::ItemFlags flags(const QModelIndex& c_index) const override {
+    return QAbstractItemModel::flags(c_index) | Qt::ItemIsEditable;
+  }
+
+ public slots:
+  void Refresh() { emit dataChanged(QModelIndex(), QModelIndex()); }
+};
+
+TEST_CASE("compat: models of items have what users override", "[compat]") {
+  CItems cItems;
+  CHECK_THAT(TakeLogErr(), Catch::Contains("QAbstractItemModel"));
+  cItems.Refresh();
+  CHECK(cItems.data(cItems.index(1, 0, QModelIndex()), Qt::DisplayRole).toString() == "item");
+  CHECK_FALSE(cItems.index(2, 0, QModelIndex()).isValid());
+  CHECK(cItems.flags(QModelIndex()) == Qt::ItemIsEditable);
 }
 
 TEST_CASE("compat: the named colours are those of Qt", "[compat]") {
@@ -245,6 +280,7 @@ class CModelDrawing : public CQTOpenGLUserFunctions {
     }
     glNewList(1, GL_COMPILE);
     glTranslated(7.0, 0.0, 0.0);
+    Model.Draw();
     glEndList();
     Model.Draw();
     glPopMatrix();
