@@ -7,7 +7,9 @@
 #include <argos3/testing/support/robot_sizes.h>
 
 #include <argos3/core/utility/math/angles.h>
+#include <argos3/plugins/robots/foot-bot/simulator/footbot_measures.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/dynamics3d_model.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_settings.h>
 
 #include <catch2/catch.hpp>
 
@@ -208,6 +210,26 @@ TEST_CASE("rigid upright: a box that is pushed above its middle tips",
   CHECK(jump < 1e-3);
   CHECK(IsUpright(world, "box") != isPushedHigh);
   CHECK((world.Tilt("box") > 1.0) == isPushedHigh);
+}
+
+TEST_CASE("rigid upright: a robot stands unless its push lifts its front, wherever its mass is",
+          "[contract][engine][rigid]") {
+  const SView view = GENERATE(from_range(kViews));
+  const Real ahead = GENERATE(-0.04, 0.0, 0.04);  // m, of its centre of mass
+  const bool isHigh = GENERATE(false, true);
+  CAPTURE(view.Degrees, ahead, isHigh);
+  constexpr Real kHalf = 0.1;  // m, of its length
+  constexpr Real kWeight = 1.6 * kSceneGravity;  // N
+  // the moment of the push about the rear caster is that of the weight
+  const Real limit = kWeight * (kHalf - kCasterRadius * footbot::kWheelRadius) / kLimit;
+  // it touches from the start: an impact would be harder than the push
+  CRigidScene world(GroundedEngine(),
+                    view.Box("box", CVector3(0.8, 0.4, 0.5), 0.4 + kHalf + ahead, 0.0, 20.0) +
+                        view.Robot("r0", 0.0, 0.0, 0.0));
+  world.Reshape("r0", SShapeDescription::Box(CVector3(2.0 * kHalf, 2.0 * kHalf, 0.05),
+                                             CVector3(ahead, 0.0, (isHigh ? 1.1 : 0.9) * limit)));
+  world.Step(20);
+  CHECK(IsUpright(world, "r0") != isHigh);
 }
 
 TEST_CASE("rigid upright: a robot climbs a ramp, and is upright again behind it",
