@@ -8,6 +8,7 @@
 #include <argos3/core/simulator/space/metrics.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_differential_steering_actuator.h>
 
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <csignal>
@@ -80,6 +81,12 @@ void Misbehave(const std::string& what) {
   } else if (what == "fork") {
     // both go on with the run
     fork();
+  } else if (what == "fork_fails") {
+    const pid_t child = fork();
+    if (child == 0) {
+      throw std::runtime_error("the fork fails");
+    }
+    waitpid(child, nullptr, 0);
   } else if (what == "fork_and_exit") {
     // the fork keeps the pipes of this process open
     if (fork() == 0) {
