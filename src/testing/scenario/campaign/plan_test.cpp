@@ -4,13 +4,19 @@
 #include <argos3/campaign/scheduling/metric_watch.h>
 #include <argos3/campaign/scheduling/run_plan.h>
 #include <argos3/campaign/store/failed_runs.h>
+#include <argos3/testing/support/forked.h>
+#include <argos3/testing/support/terminal.h>
 
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <cstdlib>
+#include <functional>
 #include <limits>
 #include <random>
+#include <string>
 
 namespace plan_test {
 
@@ -247,6 +253,93 @@ TEST_CASE("progress of a campaign: text", "[campaign][plan]") {
   progress.WallSeconds = 2.0;
   CHECK(DescribeCampaignProgress(progress) ==
         "45/120 runs (37 %), 2 failed, 0:06 left, 3/12 combinations complete, 12.5 runs/s");
+  // 75 runs are open, three times those that are finished
+  for (const auto& [seconds, left] : std::vector<std::pair<Real, std::string>>{
+           {40.0, "2:00"},
+           {3599.0 / 3.0, "59:59"},
+           {1200.0, "1:00:00"},
+           {1'199'999.0, "999:59:57"},
+           {1'200'000.0, "more than 1000 h"}}) {
+    progress.WallSeconds = seconds;
+    CHECK_THAT(DescribeCampaignProgress(progress), Catch::Contains(" failed, " + left + " left, "));
+  }
+  progress = SCampaignProgress();
+  CHECK(DescribeCampaignProgress(progress) == "0/0 runs (100 %), 0/0 combinations complete");
+}
+
+namespace {
+
+// what a line of a campaign in progress leaves on a terminal
+std::string ShowOnTerminal(unsigned short columns,
+                           const std::function<void(CCampaignProgressLine&)>& show) {
+  CTerminal terminal(columns);
+  REQUIRE(terminal.GetFile() >= 0);
+  const int result = CallInFork([&] {
+    setenv("TERM", "xterm", 1);
+    dup2(terminal.GetFile(), STDERR_FILENO);
+    CCampaignProgressLine line(false);
+    show(line);
+    return 0;
+  });
+  CHECK(result == 0);
+  return terminal.Read();
+}
+
+}  // namespace
+
+TEST_CASE("progress of a campaign: the line in a terminal has a bar and no more columns than it",
+          "[campaign][plan]") {
+  SCampaignProgress progress;
+  progress.Combinations = 12;
+  progress.CompleteCombinations = 3;
+  progress.KnownRuns = 20;
+  progress.Runs = 25;
+  progress.FailedRuns = 2;
+  progress.OpenRuns = 75;
+  progress.WallSeconds = 2.0;
+  // 45 of 120 runs are 7.5 of 20 places
+  const std::string line =
+      "[#######.............] 45/120 runs (37 %), 2 failed, 0:06 left, "
+      "3/12 combinations complete, 12.5 runs/s";
+  const auto finish = [&](CCampaignProgressLine& shown) { shown.Finish(progress); };
+  CHECK(ShowOnTerminal(200, finish) == "\r\x1b[K" + line + "\r\n");
+  // the last column stays free: a full line wraps around in some terminals
+  CHECK(ShowOnTerminal(40, finish) == "\r\x1b[K" + line.substr(0, 39) + "\r\n");
+  CHECK(ShowOnTerminal(1, finish) == "\r\x1b[K[\r\n");
+  // of an unknown width
+  CHECK(ShowOnTerminal(0, finish) == "\r\x1b[K" + line.substr(0, 79) + "\r\n");
+}
+
+TEST_CASE("progress of a campaign: the line in a terminal is drawn at most five times a second",
+          "[campaign][plan]") {
+  SCampaignProgress progress;
+  progress.OpenRuns = 1;
+  const std::string line =
+      "\r\x1b[K[....................] 0/1 runs (0 %), 0/0 combinations complete";
+  const std::string text = ShowOnTerminal(100, [&](CCampaignProgressLine& shown) {
+    shown.Print("nothing to erase");
+    const auto start = std::chrono::steady_clock::now();
+    std::chrono::duration<Real> time(0.0);
+    while (time.count() < 0.45) {
+      shown.Update(progress);
+      time = std::chrono::steady_clock::now() - start;
+    }
+    shown.Update(progress);
+    time = std::chrono::steady_clock::now() - start;
+    shown.Print(std::to_string(std::floor(time.count() / 0.2)));
+  });
+  const std::string head = "nothing to erase\r\n";
+  REQUIRE(text.substr(0, head.size()) == head);
+  size_t place = head.size();
+  int drawings = 0;
+  for (; text.compare(place, line.size(), line) == 0; place += line.size()) {
+    ++drawings;
+  }
+  CHECK(drawings >= 1);
+  const std::string erased = "\r\x1b[K";
+  REQUIRE(text.compare(place, erased.size(), erased) == 0);
+  // less than five a second on a busy machine
+  CHECK(drawings <= std::stoi(text.substr(place + erased.size())));
 }
 
 TEST_CASE("metric watch: names metrics that no run has recorded, once", "[campaign][plan]") {
