@@ -2,7 +2,6 @@
 
 #include <argos3/core/simulator/argos_command_line_arg_parser.h>
 #include <argos3/program/option_table.h>
-#include <argos3/program/progress.h>
 #include <argos3/program/shell_documents.h>
 #include <argos3/core/utility/text/string_utilities.h>
 
@@ -334,30 +333,6 @@ TEST_CASE("command line: the version is printed as lines KEY=value", "[command_l
   CHECK_THAT(version, Contains("\nARGOS_COMPILER=g++ "));
 #endif
   CHECK_THAT(version, Contains("\nARGOS_ENGINES="));
-}
-
-TEST_CASE("progress: shows ticks, simulated time, real-time factor and time left",
-          "[command_line]") {
-  SProgress progress;
-  progress.Ticks = 150;
-  progress.MaxTicks = 600;
-  progress.TickLength = 0.1;
-  progress.WallSeconds = 30.0;
-  // 15 s took 30 s; 450 more ticks at 5 per second
-  CHECK(DescribeProgress(progress) ==
-        "tick 150/600 (25 %), 1:30 left, 0.5 x real time, 15 s simulated");
-  progress.WallSeconds = 3000.0;
-  CHECK_THAT(DescribeProgress(progress), Contains("2:30:00 left"));
-}
-
-TEST_CASE("progress: without a limit no time left is shown", "[command_line]") {
-  SProgress progress;
-  progress.Ticks = 10;
-  progress.TickLength = 0.1;
-  progress.WallSeconds = 0.5;
-  CHECK(DescribeProgress(progress) == "tick 10, 2 x real time, 1 s simulated");
-  progress.Ticks = 0;
-  CHECK(DescribeProgress(progress) == "tick 0, 0 s simulated");
 }
 
 }  // namespace parser_test

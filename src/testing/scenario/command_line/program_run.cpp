@@ -1,6 +1,7 @@
 #include "program_run.h"
 
 #include <argos3/testing/support/paths.h>
+#include <argos3/testing/support/terminal.h>
 
 #include <catch2/catch.hpp>
 
@@ -10,6 +11,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <cstdlib>
 #include <sstream>
 #include <string>
 #include <thread>
@@ -28,15 +30,12 @@ void RedirectTo(int file, const std::string& path) {
 }
 
 [[noreturn]] void Execute(const std::string& program, const std::vector<std::string>& arguments,
-                          const std::string& folder, const std::string& out,
-                          const std::string& err) {
+                          const std::string& folder) {
   std::vector<char*> argv{const_cast<char*>(program.c_str())};
   for (const std::string& argument : arguments) {
     argv.push_back(const_cast<char*>(argument.c_str()));
   }
   argv.push_back(nullptr);
-  RedirectTo(STDOUT_FILENO, out);
-  RedirectTo(STDERR_FILENO, err);
   if (chdir(folder.c_str()) == 0) {
     execv(program.c_str(), argv.data());
   }
@@ -64,7 +63,9 @@ SProgramRun CTestFolder::RunProgram(const std::string& name,
   const pid_t child = fork();
   REQUIRE(child >= 0);
   if (child == 0) {
-    Execute(program, arguments, GetPath(), Path("stdout.txt"), Path("stderr.txt"));
+    RedirectTo(STDOUT_FILENO, Path("stdout.txt"));
+    RedirectTo(STDERR_FILENO, Path("stderr.txt"));
+    Execute(program, arguments, GetPath());
   }
 
   const auto deadline = std::chrono::steady_clock::now() + kPatience;
@@ -86,6 +87,35 @@ SProgramRun CTestFolder::RunProgram(const std::string& name,
   run.Out = Read("stdout.txt");
   SplitStandardError(Read("stderr.txt"), run);
   return run;
+}
+
+std::string CTestFolder::RunOnTerminal(const std::vector<std::string>& arguments,
+                                       unsigned short columns, const std::string& trigger) const {
+  CTerminal terminal(columns);
+  REQUIRE(terminal.GetFile() >= 0);
+  const pid_t child = fork();
+  REQUIRE(child >= 0);
+  if (child == 0) {
+    setenv("TERM", "xterm", 1);
+    dup2(terminal.GetFile(), STDOUT_FILENO);
+    dup2(terminal.GetFile(), STDERR_FILENO);
+    Execute(InBuildTree("bin/argos3"), arguments, GetPath());
+  }
+  const auto deadline = std::chrono::steady_clock::now() + kPatience;
+  std::string text;
+  bool interrupted = false;
+  while (waitpid(child, nullptr, WNOHANG) == 0) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    text += terminal.Read();
+    if (!interrupted && text.find(trigger) != std::string::npos) {
+      kill(child, SIGINT);
+      interrupted = true;
+    }
+    if (std::chrono::steady_clock::now() > deadline) {
+      kill(child, SIGKILL);
+    }
+  }
+  return text + terminal.Read();
 }
 
 }  // namespace argos

@@ -31,6 +31,13 @@ class CTestFolder : public CTemporaryFolder {
   /** Runs another program of this build. @param name  such as "argos3_benchmark". */
   SProgramRun RunProgram(const std::string& name, const std::vector<std::string>& arguments,
                          int signal = 0, const std::string& trigger = "") const;
+  /**
+   * Runs argos3 in this folder with a terminal of so many columns as output and standard error,
+   * and interrupts it (SIGINT) as soon as @p trigger was printed.
+   * @return what was printed.
+   */
+  std::string RunOnTerminal(const std::vector<std::string>& arguments, unsigned short columns,
+                            const std::string& trigger) const;
 };
 
 }  // namespace argos
