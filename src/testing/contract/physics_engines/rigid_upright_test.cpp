@@ -215,19 +215,23 @@ TEST_CASE("rigid upright: a box that is pushed above its middle tips",
 TEST_CASE("rigid upright: a robot stands unless its push lifts its front, wherever its mass is",
           "[contract][engine][rigid]") {
   const SView view = GENERATE(from_range(kViews));
-  const Real ahead = GENERATE(-0.04, 0.0, 0.04);  // m, of its centre of mass
+  // m, of its centre of mass
+  const Real ahead = GENERATE(-0.04, 0.0, 0.04);
+  const Real left = GENERATE(-0.02, 0.0, 0.02);
   const bool isHigh = GENERATE(false, true);
-  CAPTURE(view.Degrees, ahead, isHigh);
+  CAPTURE(view.Degrees, ahead, left, isHigh);
   constexpr Real kHalf = 0.1;  // m, of its length
   constexpr Real kWeight = 1.6 * kSceneGravity;  // N
-  // the moment of the push about the rear caster is that of the weight
-  const Real limit = kWeight * (kHalf - kCasterRadius * footbot::kWheelRadius) / kLimit;
+  // where the weight acts between the casters if the push is as high as possible
+  const Real caster = kHalf - kCasterRadius * footbot::kWheelRadius;
+  const Real behind = (caster - ahead) * (1.0 - std::abs(left) / (caster + std::abs(left)));
+  const Real highest = kWeight * (ahead + behind) / kLimit;
   // it touches from the start: an impact would be harder than the push
   CRigidScene world(GroundedEngine(),
                     view.Box("box", CVector3(0.8, 0.4, 0.5), 0.4 + kHalf + ahead, 0.0, 20.0) +
                         view.Robot("r0", 0.0, 0.0, 0.0));
-  world.Reshape("r0", SShapeDescription::Box(CVector3(2.0 * kHalf, 2.0 * kHalf, 0.05),
-                                             CVector3(ahead, 0.0, (isHigh ? 1.1 : 0.9) * limit)));
+  const CVector3 offset(ahead, view.Side * left, (isHigh ? 1.1 : 0.9) * highest);
+  world.Reshape("r0", SShapeDescription::Box(CVector3(2.0 * kHalf, 2.0 * kHalf, 0.05), offset));
   world.Step(20);
   CHECK(IsUpright(world, "r0") != isHigh);
 }
