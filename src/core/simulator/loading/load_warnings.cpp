@@ -147,8 +147,11 @@ std::vector<std::string> FindUnusedControllers(const CConfigurationDocument& doc
                                                const SSimulationContext& context) {
   TLines lines;
   for (const SControllerSetup* setup : context.Loading.ListUnusedControllers()) {
-    const TLines unread = document.DescribeUnread(*setup->Node);
-    lines.insert(lines.end(), unread.begin(), unread.end());
+    if (!document.DescribeUnread(*setup->Node).empty()) {
+      lines.push_back(setup->Node->GetLocation() + ": <" + setup->Node->Value() +
+                      ">: no robot has the controller \"" + setup->Id +
+                      "\", so its devices and parameters are not checked");
+    }
   }
   return lines;
 }
@@ -157,10 +160,10 @@ std::vector<std::string> FindLoadWarnings(CConfigurationDocument& document,
                                           const SSimulationContext& context, bool mayAddRobots) {
   // before the checks below visit elements
   TLines unread = document.DescribeUnread();
-  if (mayAddRobots) {
-    const TLines later = FindUnusedControllers(document, context);
-    std::erase_if(unread, [&later](const std::string& line) {
-      return std::find(later.begin(), later.end(), line) != later.end();
+  for (const SControllerSetup* setup : context.Loading.ListUnusedControllers()) {
+    const TLines unused = document.DescribeUnread(*setup->Node);
+    std::erase_if(unread, [&unused](const std::string& line) {
+      return std::find(unused.begin(), unused.end(), line) != unused.end();
     });
   }
   TLines lines;
@@ -171,6 +174,10 @@ std::vector<std::string> FindLoadWarnings(CConfigurationDocument& document,
     }
   }
   CheckBodies(context, lines);
+  if (!mayAddRobots) {
+    const TLines unused = FindUnusedControllers(document, context);
+    lines.insert(lines.end(), unused.begin(), unused.end());
+  }
   lines.insert(lines.end(), unread.begin(), unread.end());
   return lines;
 }

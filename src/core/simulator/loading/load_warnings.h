@@ -20,8 +20,8 @@ std::vector<std::string> FindLoadWarnings(CConfigurationDocument& document,
                                           const SSimulationContext& context, bool mayAddRobots);
 
 /**
- * The same of the contents of controllers that no robot has had: robots that are added in the run
- * may read them, so it is known at its end.
+ * One line for each controller that no robot has had, if it has contents: robots that are added in
+ * the run may use them, so it is known at its end.
  */
 std::vector<std::string> FindUnusedControllers(const CConfigurationDocument& document,
                                                const SSimulationContext& context);

@@ -387,11 +387,11 @@ TEST_CASE("argos3: a controller is unused if no robot has had it at the end of t
 <loop_functions label="lua"><params script="loop.lua"/></loop_functions>
 <arena size="6,6,2"/><physics_engines><dynamics2d id="dyn"/></physics_engines><media/>
 </argos-configuration>)");
-  const std::string warning = "e.argos:5: <params> is not used by anything";
+  const std::string warning = "e.argos:3: <lua_controller>: no robot has the controller \"late\"";
   const SProgramRun run = folder.Run({"e.argos"});
   CHECK(run.Status == 0);
   if (isAdded) {
-    CHECK_THAT(run.Err, !Contains("is not used by anything"));
+    CHECK_THAT(run.Err, !Contains("no robot has"));
   } else {
     CHECK_THAT(run.Err, Contains(warning));
   }

@@ -154,7 +154,7 @@ TEST_CASE("controllable entity: a second controller replaces the first",
                        Controller("d", std::string(kDevices) + "<params velocity='0,2,0' />"),
                    Robot("<controller config='c' />")));
     // the warning is about the second controller, which no robot uses yet
-    CHECK_THAT(TakeLogErr(), Contains("<actuators> is not used"));
+    CHECK_THAT(TakeLogErr(), Contains("no robot has the controller \"d\""));
     const CSimulator::CScope scope(world.GetSimulator());
     auto& entity = world.Get<CControllableEntity>("r.controller_0");
     world.Step(2);
