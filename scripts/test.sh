@@ -197,6 +197,21 @@ step_examples() {
 }
 
 # Pages show parts of any file but sources of the simulator, and link to any.
+inputs_studies() {
+  print_installed && print_repository studies
+}
+
+# Their reduced forms; fixed seeds.
+step_studies() {
+  echo "Main properties of the studies"
+  local study
+  for study in "$repo"/studies/*/CMakeLists.txt; do
+    study="$(basename "$(dirname "$study")")"
+    echo "$study:"
+    "$repo/studies/check.sh" "$study" "$work/prefix" 2>&1
+  done
+}
+
 inputs_guide() {
   print_installed && list_repository | tr '\0' '\n' &&
     print_repository . ':!src' ':!scripts' && print_repository scripts/guide scripts/check_guide.sh
@@ -337,9 +352,9 @@ print_folder "$work/prefix" ! -path ./share/argos3/build.txt ! -path './share/do
 # with the installed controllers, which are found by name
 (cd "$work" && "$work/prefix/bin/argos3" -n -zc "$work/prefix/share/argos3/experiments/diffusion_10.argos" --length 1)
 
-began "Side by side: digests, users' projects, packages, site, guide, a build for robots"
+began "Side by side: digests, studies, users' projects, packages, site, guide, a build for robots"
 # those that take longest begin
-run_steps guide page outside_projects digests site robot examples packages users_projects headers build_id
+run_steps guide studies page outside_projects digests site robot examples packages users_projects headers build_id
 
 if [[ "${CI:-}" == true ]]; then
   echo "clang-tidy follows in .ci/run"
