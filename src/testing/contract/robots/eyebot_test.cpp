@@ -310,7 +310,7 @@ TEST_CASE("eye-bot: programs create it by one call", "[contract][robots]") {
   experiment.Actuators = "<quadrotor_position implementation=\"default\"/>";
   CRobotWorld world(experiment);
   // no robot of the file uses the controller
-  CHECK_THAT(TakeLogErr(), Contains("is not used"));
+  CHECK_THAT(TakeLogErr(), Contains("no robot has the controller \"c\""));
   world.Add(std::make_unique<CEyeBotEntity>("eb", "c", CVector3(1, 2, 0.25), CQuaternion(), 2.5, 7,
                                             "", CRadians::PI_OVER_FOUR, 0.05, 1.5));
   world.Step(10);

@@ -145,7 +145,7 @@ TEST_CASE("robots: programs create them by one call", "[contract][robots]") {
   experiment.Sensors = "<proximity implementation=\"default\"/>";
   CRobotWorld world(experiment);
   // no robot of the file uses the controller
-  CHECK_THAT(TakeLogErr(), Contains("is not used"));
+  CHECK_THAT(TakeLogErr(), Contains("no robot has the controller \"c\""));
   const CQuaternion quarterTurn(CRadians::PI_OVER_TWO, CVector3::Z);
   auto made = std::make_unique<CFootBotEntity>("fb", "c", CVector3(1.0, 2.0, 0.0), quarterTurn);
   // the controller exists before the robot is added to the space
