@@ -1,5 +1,5 @@
 # Included by scripts/mutate.sh into the project: compiles each file in MUTATED alone, outside of the unit of its
-# neighbours, and writes "<file> <target>" for each into MUTATED_TARGETS.
+# neighbours, and writes "<file> <target>" for each into MUTATED_TARGETS. Test programs say which mutants a test reaches.
 function(argos_visit_targets folder)
   get_property(targets DIRECTORY "${folder}" PROPERTY BUILDSYSTEM_TARGETS)
   foreach(target IN LISTS targets)
@@ -13,6 +13,16 @@ function(argos_visit_targets folder)
         file(APPEND "${MUTATED_TARGETS}" "${path} ${target}\n")
       endif()
     endforeach()
+    get_target_property(launcher ${target} CXX_COMPILER_LAUNCHER)
+    if(launcher)
+      set_property(TARGET ${target} PROPERTY CXX_COMPILER_LAUNCHER "${here}/compile.sh" ${launcher})
+    endif()
+    if(target MATCHES "_tests$")
+      target_sources(${target} PRIVATE "${here}/reach_listener.cpp")
+      # the precompiled header has Catch2 without listeners
+      set_source_files_properties("${here}/reach_listener.cpp" DIRECTORY "${folder}"
+        PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON SKIP_PRECOMPILE_HEADERS ON)
+    endif()
   endforeach()
   get_property(children DIRECTORY "${folder}" PROPERTY SUBDIRECTORIES)
   foreach(child IN LISTS children)
@@ -20,6 +30,7 @@ function(argos_visit_targets folder)
   endforeach()
 endfunction()
 
+set(here "${CMAKE_CURRENT_LIST_DIR}")
 function(argos_separate_mutated)
   file(WRITE "${MUTATED_TARGETS}" "")
   argos_visit_targets("${PROJECT_SOURCE_DIR}")

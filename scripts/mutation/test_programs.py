@@ -3,8 +3,8 @@
 # scripts/digests.sh, which compares digests with pinned ones
 DIGESTS = "digests"
 
-# By the first folders of a source below src/: those that test it, then wider ones that use it, which only run if the earlier
-# ones pass. So the cheap ones come first.
+# By the first folders of a source below src/: those that test it, then wider ones that use it. Their test cases judge a change;
+# if several files are mutated, those of the programs of all of them.
 PROGRAMS = {
     "campaign": "unit_campaign_design_tests unit_campaign_report_tests unit_campaign_tests scenario_campaign_tests",
     "campaign/plot": "scenario_table_tests",
@@ -45,6 +45,7 @@ PROGRAMS = {
     "plugins/visualizations": "unit_offscreen_tests unit_overlay_tests unit_povray_tests scenario_golden_tests compat_tests "
                               "scenario_recording_tests",
     "plugins/visualizations/drawing": "unit_drawing_tests unit_core_tests unit_offscreen_tests compat_tests scenario_golden_tests",
+    "plugins/visualizations/live": "scenario_live_tests",
     "plugins/visualizations/overlays": "unit_overlay_tests unit_offscreen_tests scenario_golden_tests",
     "plugins/visualizations/povray": "unit_povray_tests scenario_golden_tests",
     "program": "unit_core_tests unit_demand_tests scenario_input_tests scenario_tests scenario_output_tests "
