@@ -90,13 +90,14 @@ SProgramRun CTestFolder::RunProgram(const std::string& name,
 }
 
 std::string CTestFolder::RunOnTerminal(const std::vector<std::string>& arguments,
-                                       unsigned short columns, const std::string& trigger) const {
+                                       unsigned short columns, const std::string& trigger,
+                                       const std::string& kind) const {
   CTerminal terminal(columns);
   REQUIRE(terminal.GetFile() >= 0);
   const pid_t child = fork();
   REQUIRE(child >= 0);
   if (child == 0) {
-    setenv("TERM", "xterm", 1);
+    setenv("TERM", kind.c_str(), 1);
     dup2(terminal.GetFile(), STDOUT_FILENO);
     dup2(terminal.GetFile(), STDERR_FILENO);
     Execute(InBuildTree("bin/argos3"), arguments, GetPath());

@@ -34,10 +34,11 @@ class CTestFolder : public CTemporaryFolder {
   /**
    * Runs argos3 in this folder with a terminal of so many columns as output and standard error,
    * and interrupts it (SIGINT) as soon as @p trigger was printed.
+   * @param kind  for TERM.
    * @return what was printed.
    */
   std::string RunOnTerminal(const std::vector<std::string>& arguments, unsigned short columns,
-                            const std::string& trigger) const;
+                            const std::string& trigger, const std::string& kind = "xterm") const;
 };
 
 }  // namespace argos

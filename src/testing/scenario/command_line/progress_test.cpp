@@ -6,8 +6,10 @@
 
 #include <catch2/catch.hpp>
 
+#include <cstdlib>
 #include <regex>
 #include <string>
+#include <vector>
 
 namespace progress_test {
 
@@ -49,13 +51,18 @@ TEST_CASE("progress: without a limit no time left is shown", "[command_line]") {
   CHECK(DescribeProgress(progress) == "tick 0, 0 s simulated");
 }
 
+namespace {
+
+const std::string kExperiment =
+    "<argos-configuration><framework><experiment ticks_per_second='700' length='5000000' "
+    "real_time='true'/></framework><controllers/><arena size='4,4,1'/><physics_engines/><media/>"
+    "</argos-configuration>";
+
+}  // namespace
+
 TEST_CASE("argos3: the progress line is no wider than the terminal", "[command_line]") {
   const CTestFolder folder;
-  folder.Write(
-      "e.argos",
-      "<argos-configuration><framework><experiment ticks_per_second='700' length='5000000' "
-      "real_time='true'/></framework><arena size='4,4,1'/><physics_engines/><media/>"
-      "</argos-configuration>");
+  folder.Write("e.argos", kExperiment);
   const auto show = [&](unsigned short columns, const std::string& trigger) {
     const std::string text = folder.RunOnTerminal({"-c", "e.argos"}, columns, trigger);
     CAPTURE(text);
@@ -76,6 +83,28 @@ TEST_CASE("argos3: the progress line is no wider than the terminal", "[command_l
   CHECK(show(1, "\x1b[Kt") == "t");
   // of an unknown width
   CHECK(show(0, "\x1b[Kt").size() == 79);
+}
+
+TEST_CASE("argos3: the progress line goes to no dumb terminal", "[command_line]") {
+  const CTestFolder folder;
+  folder.Write("e.argos", kExperiment);
+  const std::vector<std::string> arguments = {"-c", "e.argos", "--length", "0.5"};
+  // erased before the summary
+  CHECK_THAT(folder.RunOnTerminal(arguments, 200, "none"),
+             Contains("\r\x1b[Ktick ") && Contains(" s simulated\r\x1b[K\x1b[1;31m"));
+  CHECK_THAT(folder.RunOnTerminal(arguments, 200, "none", "dumb"),
+             Contains("simulated 0.5 s") && !Contains("\r\x1b[K"));
+}
+
+TEST_CASE("argos3: in a terminal the log has colours unless NO_COLOR is set", "[command_line]") {
+  const CTestFolder folder;
+  folder.Write("e.argos", kExperiment);
+  const std::vector<std::string> arguments = {"-c", "e.argos", "--length", "0.01"};
+  CHECK_THAT(folder.RunOnTerminal(arguments, 80, "none"), Contains("\x1b[1;32m[INFO] "));
+  setenv("NO_COLOR", "1", 1);
+  const std::string plain = folder.RunOnTerminal(arguments, 80, "none");
+  unsetenv("NO_COLOR");
+  CHECK_THAT(plain, Contains("[INFO] ") && !Contains("\x1b"));
 }
 
 }  // namespace progress_test
