@@ -1,3 +1,4 @@
+#include <argos3/plugins/simulator/outputs/recording/format/frame_coding.h>
 #include <argos3/plugins/simulator/outputs/recording/format/recording_reader.h>
 #include <argos3/plugins/simulator/outputs/recording/format/recording_writer.h>
 #include <argos3/core/utility/errors/argos_exception.h>
@@ -108,6 +109,24 @@ TEST_CASE("recording: what was written is read", "[core][recording]") {
   CHECK(reader.GetFirstTick() == 0);
   CHECK(reader.GetLastTick() == kFrames - 1);
   CHECK(CheckStates(reader) == kFrames - 1);
+}
+
+TEST_CASE("recording: its sizes are those of the coded frames and of the file",
+          "[core][recording]") {
+  const CFile file;
+  std::mt19937 random(1);
+  CRecordingWriter writer(file.GetPath(), MakeInfo());
+  std::mt19937 again(1);
+  CFrameEncoder encoder(MakeInfo().Precision);
+  std::string coded;
+  for (UInt32 tick = 0; tick < kFrames; ++tick) {
+    writer.Add(MakeUpdate(tick, random));
+    SFrameUpdate update = MakeUpdate(tick, again);
+    encoder.Encode(update, tick % 100 == 0, coded);
+  }
+  writer.Close();
+  CHECK(writer.GetNumCodedBytes() == coded.size());
+  CHECK(writer.GetNumWrittenBytes() == file.Read().size());
 }
 
 TEST_CASE("recording: reading begins at any tick", "[core][recording]") {
