@@ -83,6 +83,13 @@ TEST_CASE("merging: into a new database", "[campaign][store]") {
   CHECK(store.Merge(folder.Path("other.sqlite")) == 1);
   CHECK(store.IsStored(campaign.Combinations[0].ComputeKey(), 1));
   CHECK(store.ListFactors() == std::vector<std::string>{"robots"});
+  // what the campaign says of itself
+  const CResultStore other(folder.Path("other.sqlite"), CResultStore::EMode::ReadOnly);
+  for (const char* key : {"name", "file", "text", "experiment_file", "collect"}) {
+    CAPTURE(key);
+    CHECK_FALSE(other.GetText(key).empty());
+    CHECK(store.GetText(key) == other.GetText(key));
+  }
   CHECK(store.Register(campaign, false).empty());
   CHECK(store.ListRuns().size() == 1);
 }
