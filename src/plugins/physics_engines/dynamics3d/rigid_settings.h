@@ -124,10 +124,12 @@ constexpr size_t kMaxUprightContactSweeps = 1200;
 constexpr size_t kSmallUprightIsland = 16;
 constexpr Real kUprightTolerance = 2e-4;
 constexpr Real kUprightCrowdTolerance = 1e-3;
-// from this ratio of masses on, small islands are swept more often, and to a tolerance that is
-// smaller by the ratio: a light body between heavy ones passes little on in each sweep
+// from this ratio of masses on, islands are swept more often, and to a tolerance that is smaller by
+// the ratio: a light body between heavy ones passes little on in each sweep
 constexpr Real kUnequalMasses = 10.0;
-constexpr UInt32 kUnequalSweeps = 4;
+constexpr UInt32 kMaxUnequalSweeps = 2400;
+constexpr UInt32 kFewUnequalSweeps = 128;
+constexpr size_t kMaxUnequalContactSweeps = 120000;
 // the rim of a body that is no disc may move farther in a tick than the fastest body, by this
 // factor
 constexpr Real kTurningReach = 2.0;

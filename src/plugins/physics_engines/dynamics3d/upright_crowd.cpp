@@ -26,6 +26,12 @@ UInt32 ChooseUprightSweeps(size_t contacts) {
   return static_cast<UInt32>(std::clamp<size_t>(most, kFewUprightSweeps, kMaxUprightSweeps));
 }
 
+// Of islands with bodies of unequal masses.
+UInt32 ChooseUnequalSweeps(size_t contacts) {
+  const size_t most = kMaxUnequalContactSweeps / std::max<size_t>(contacts, 1);
+  return static_cast<UInt32>(std::clamp<size_t>(most, kFewUnequalSweeps, kMaxUnequalSweeps));
+}
+
 bool IsAtRest(const SUprightBody& body) {
   return body.VX == 0.0 && body.VY == 0.0 && body.W == 0.0;
 }
@@ -233,11 +239,13 @@ void CUprightCrowd::SolveIsland(const SIsland& island, Real substep) {
       {m_contactOrder.data() + island.FirstContact, island.EndContact - island.FirstContact}};
   solver.Prepare(of);
   const bool isSmall = of.Contacts.size() <= kSmallUprightIsland;
-  const Real unequal = isSmall ? MeasureUnequal(of.Bodies) : 1.0;
-  solver.Solve(
-      of, ChooseUprightSweeps(of.Contacts.size()) * (unequal > kUnequalMasses ? kUnequalSweeps : 1),
-      isSmall ? kUprightTolerance / (unequal > kUnequalMasses ? unequal : 1.0)
-              : kUprightCrowdTolerance);
+  const Real unequal = MeasureUnequal(of.Bodies);
+  if (unequal > kUnequalMasses) {
+    solver.Solve(of, ChooseUnequalSweeps(of.Contacts.size()), kUprightTolerance / unequal);
+  } else {
+    solver.Solve(of, ChooseUprightSweeps(of.Contacts.size()),
+                 isSmall ? kUprightTolerance : kUprightCrowdTolerance);
+  }
   for (const UInt32 number : of.Contacts) {
     const SUprightContact& contact = m_contacts[number];
     SPair& pair = m_pairs[contact.Source / 2];

@@ -37,7 +37,7 @@ class CIslandNewton {
   bool Step(NUMBER damping);
 
  private:
-  static constexpr size_t kMaxBodies = 48, kMaxContacts = 64, kMaxUnknowns = 40;
+  static constexpr size_t kMaxBodies = 64, kMaxContacts = 96, kMaxUnknowns = 96;
   static constexpr size_t kLanes = 4;  // numbers of a row that are computed together
   static constexpr UInt32 kEnd = 2 * kMaxUnknowns;
 
