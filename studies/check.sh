@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Runs the reduced form of a study, and tests whether it still has its main properties:
 #   studies/check.sh NAME [PREFIX]
-# PREFIX is where the simulator is installed; without it, the argos3 in the PATH is used (source build/setup_env.sh).
+# PREFIX is where the simulator is installed; without it, the installation whose bin/ is in the PATH is used.
 # The study is copied and built as a user would do it. The runs have fixed seeds, so the result is always the same.
 set -euo pipefail
 (($# == 1 || $# == 2)) || { sed -n '2,5s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2; exit 2; }
