@@ -13,7 +13,7 @@ NAMES = {"hcs": "HCS", "ics": "ICS", "scs": "SCS"}
 def main():
     arguments = parse_arguments(__doc__)
     runs = read_runs(arguments.runs[0])
-    lua = read_runs(*arguments.runs[1:])
+    lua = [run for run in read_runs(*arguments.runs[1:]) if "scenario" in run]
     table = Table()
     for algorithm, name in NAMES.items():
         table.add_median("order goes to near 1", f"{name}, scenario 2, end of phase 1",
