@@ -34,6 +34,7 @@ const std::map<std::string, SFigureKind>& ListFigureKinds() {
         {}}},
       {"series",
        {{{"y", EAxis::Series, true}, {"group", EAxis::Factor, false}}, {"band", "ended"}}},
+      {"difference", {{{"y", EAxis::Series, true}, {"group", EAxis::Factor, true}}, {}}},
       {"means", {kPoints, {"xscale", "bars", "reference", "reference_label"}}},
       {"scaling", {kPoints, {}}},
       {"heatmap",

@@ -81,7 +81,7 @@ void AddReportCommand(CLI::App& app, TCampaignCommand& chosen) {
       ->type_name("PATH");
   command
       .add_option("--plot", figure.Kind,
-                  "draw one figure only: boxplot, series, means, scaling, heatmap")
+                  "draw one figure only: boxplot, series, difference, means, scaling, heatmap")
       ->type_name("KIND");
   command.add_option("--x", figure.X, "factor; of means and scaling also a metric")
       ->type_name("NAME");

@@ -53,6 +53,7 @@ std::string DescribeCounts(const std::vector<size_t>& counts);
 
 SFigureDraft MakeBoxplot(const CReportData& data, const SFigureRequest& request);
 SFigureDraft MakeSeriesFigure(const CReportData& data, const SFigureRequest& request);
+SFigureDraft MakeDifferenceFigure(const CReportData& data, const SFigureRequest& request);
 SFigureDraft MakeMeansFigure(const CReportData& data, const SFigureRequest& request);
 SFigureDraft MakeScalingFigure(const CReportData& data, const SFigureRequest& request);
 SFigureDraft MakeHeatmap(const CReportData& data, const SFigureRequest& request);

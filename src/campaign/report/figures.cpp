@@ -104,6 +104,9 @@ SFigureDraft MakeFigure(const CReportData& data, const SFigureRequest& request) 
   if (request.Kind == "series") {
     return MakeSeriesFigure(data, request);
   }
+  if (request.Kind == "difference") {
+    return MakeDifferenceFigure(data, request);
+  }
   if (request.Kind == "means") {
     return MakeMeansFigure(data, request);
   }
@@ -113,10 +116,10 @@ SFigureDraft MakeFigure(const CReportData& data, const SFigureRequest& request) 
   if (request.Kind == "heatmap") {
     return MakeHeatmap(data, request);
   }
-  THROW_ARGOSEXCEPTION(
-      "there is no kind of figure \""
-      << request.Kind << '"'
-      << DidYouMean(request.Kind, {"boxplot", "series", "means", "scaling", "heatmap"}));
+  THROW_ARGOSEXCEPTION("there is no kind of figure \""
+                       << request.Kind << '"'
+                       << DidYouMean(request.Kind, {"boxplot", "series", "difference", "means",
+                                                    "scaling", "heatmap"}));
 }
 
 std::string MakeFigureName(const SFigureRequest& request) {

@@ -24,6 +24,8 @@ constexpr const char* kDataName = "data_file";
  * - boxplot: median, quartiles and whiskers (the last values within 1.5 interquartile ranges of the
  *   box) of a metric at each level of a factor, and the values; by groups
  * - series: median and quartiles of a time series at each time, by groups
+ * - difference: of a time series between two levels of the group, at each time: Hodges and
+ * Lehmann's estimate with its interval, of pairs of runs with equal seeds
  * - means: means of a metric with t intervals against a factor or another metric; by groups
  * - scaling: means of a metric with t intervals against a factor or another metric, on logarithmic
  *   axes, with a power law fitted to the runs; by groups

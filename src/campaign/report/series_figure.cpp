@@ -2,9 +2,8 @@
 #include <argos3/campaign/report/gnuplot_text.h>
 #include <argos3/campaign/report/report_text.h>
 #include <argos3/campaign/report/series_lines.h>
+#include <argos3/campaign/report/series_times.h>
 #include <argos3/campaign/report/summary_tables.h>
-#include <argos3/core/utility/configuration/argos_configuration.h>
-#include <argos3/core/utility/configuration/configuration_document.h>
 #include <argos3/core/utility/errors/argos_exception.h>
 
 #include <fmt/format.h>
@@ -14,27 +13,6 @@
 namespace argos {
 
 namespace {
-
-// 0 if runs differ in it, or the experiment has none
-Real FindTicksPerSecond(const SCampaign& campaign) {
-  for (const SCombination& combination : campaign.Combinations) {
-    for (const SSetting& setting : combination.Settings) {
-      if (setting.Path.find("ticks_per_second") != std::string::npos) {
-        return 0.0;
-      }
-    }
-  }
-  Real ticksPerSecond = 0.0;
-  try {
-    CConfigurationDocument document;
-    document.Parse(campaign.ExperimentText, campaign.ExperimentFile);
-    GetNodeAttributeOrDefault(GetNode(GetNode(document.GetRoot(), "framework"), "experiment"),
-                              "ticks_per_second", ticksPerSecond, 0.0);
-  } catch (const CARGoSException&) {
-    // ticks remain
-  }
-  return ticksPerSecond;
-}
 
 // the series of each level of the group
 std::vector<SSeriesGroup> CollectGroups(const CReportData& data, const SFigureRequest& request,
@@ -64,7 +42,7 @@ SFigureDraft MakeSeriesFigure(const CReportData& data, const SFigureRequest& req
   RequireName(request, "y", request.Y);
   const CFigureGroups groups(data, request.Group);
   const Real ticksPerSecond = FindTicksPerSecond(data.GetCampaign());
-  const char* const timeLabel = ticksPerSecond > 0.0 ? "time (s)" : "time (ticks)";
+  const std::string timeLabel = MakeTimeLabel(ticksPerSecond);
   const SSeriesLines lines = MakeSeriesLines(CollectGroups(data, request, groups, ticksPerSecond),
                                              {request.ShowsInterval, request.EndedRuns, false});
   if (lines.Counts.empty()) {

@@ -4,6 +4,7 @@ target_sources(argos3campaign PRIVATE
   report/campaign_report.cpp
   report/comparison_text.cpp
   report/comparisons.cpp
+  report/difference_figure.cpp
   report/equal_levels.cpp
   report/figure_drawing.cpp
   report/figure_request.cpp
@@ -22,4 +23,5 @@ target_sources(argos3campaign PRIVATE
   report/scaling_figure.cpp
   report/series_figure.cpp
   report/series_lines.cpp
+  report/series_times.cpp
   report/summary_tables.cpp)

@@ -114,6 +114,45 @@ TEST_CASE("figures: a series says how many runs it shows, and what became of oth
   CHECK_THAT(dropped.Caption, Contains("Times that not all runs have reached are left out"));
 }
 
+TEST_CASE("figures: a difference of two levels has an interval at each time",
+          "[campaign][report]") {
+  CSyntheticCampaign campaign({{"noise", {"off", "on"}}, {"robots", {"5"}}});
+  for (UInt32 seed = 1; seed <= 6; ++seed) {
+    campaign.AddSeries(0, seed, {"spread", "m", {10, 20}, {10.0 + seed, 7.0}});
+    // less by 1 to 6, in another order of the seeds; one has no second value
+    const Real last = 7.0 - seed;
+    campaign.AddSeries(
+        1, seed,
+        {"spread", "m", seed == 6 ? std::vector<UInt32>{10} : std::vector<UInt32>{10, 20},
+         seed == 6 ? std::vector<Real>{10.0 + seed - last}
+                   : std::vector<Real>{10.0 + seed - last, 1.0}});
+  }
+  // without a partner
+  campaign.AddSeries(0, 7, {"spread", "m", {10}, {1000.0}});
+  const SFigureDraft draft =
+      MakeFigure(campaign.Open(), MakeRequest("difference", "spread", "", "noise"));
+  // R: wilcox.test(1:6, conf.int = TRUE): 3.5, from 1 to 6; five pairs are too few
+  CHECK_THAT(draft.Data, Contains("number of pairs\n1 1 3.5 6 6\n") && !Contains("\n2 "));
+  CHECK_THAT(draft.Script, Contains("'noise = off minus noise = on'"));
+  CHECK_THAT(draft.Caption, Contains("95 % interval") && Contains("of 6 pairs of runs"));
+  CHECK_THROWS_WITH(MakeFigure(campaign.Open(), MakeRequest("difference", "spread", "", "robots")),
+                    Contains("the factor has 1 levels; a difference is that of two"));
+  CHECK_THROWS_WITH(MakeFigure(campaign.Open(), MakeRequest("difference", "spread", "")),
+                    Contains("a figure of the kind difference needs group"));
+}
+
+TEST_CASE("figures: pairs without a difference count in its interval", "[campaign][report]") {
+  CSyntheticCampaign campaign({{"noise", {"off", "on"}}});
+  for (UInt32 seed = 1; seed <= 9; ++seed) {
+    campaign.AddSeries(0, seed, {"spread", "m", {10}, {seed == 9 ? 4.0 : 5.0}});
+    campaign.AddSeries(1, seed, {"spread", "m", {10}, {5.0}});
+  }
+  const SFigureDraft draft =
+      MakeFigure(campaign.Open(), MakeRequest("difference", "spread", "", "noise"));
+  // without the zeros, all would be -1; of the Walsh averages most are 0
+  CHECK_THAT(draft.Data, Contains(" 0 0 9\n"));
+}
+
 TEST_CASE("figures: a series may have means with their intervals", "[campaign][report]") {
   CSyntheticCampaign campaign({{"robots", {"5", "10"}}});
   campaign.AddSeries(0, 1, {"spread", "m", {10, 20}, {1, 7}});
