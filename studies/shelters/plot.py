@@ -14,7 +14,7 @@ def write_csv(name, header, rows):
 
 
 def fill_table(rows):
-    """Puts the table of verdicts into README.md, between its marks."""
+    """Prints the table of verdicts, and puts it into README.md, between its marks."""
     readme = os.path.join(os.path.dirname(FOLDER), "README.md")
     with open(readme, encoding="utf-8") as file:
         before, rest = file.read().split("<!--verdicts-->")
@@ -23,6 +23,7 @@ def fill_table(rows):
     lines += ["| " + " | ".join(str(cell) for cell in row) + " |" for row in rows]
     with open(readme, "w", encoding="utf-8") as file:
         file.write(before + "<!--verdicts-->\n" + "\n".join(lines) + "\n<!--end-->" + after)
+    print("\n".join(lines))
 
 
 def gnuplot(name, script, size="640,420"):
