@@ -1,6 +1,5 @@
 #include <argos3/plugins/simulator/visualizations/qt-opengl/qtopengl_obj_model.h>
 
-#include <argos3/core/simulator/visualization/drawing_functions.h>
 #include <argos3/core/utility/errors/argos_exception.h>
 
 #include <dlfcn.h>
@@ -22,12 +21,6 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMaxBytes = std::size_t{64} << 20U;
 constexpr std::size_t kMaxTriangles = 200000;
-// of all that is drawn to one picture, which takes some 200 bytes a triangle
-constexpr std::size_t kMaxShapes = 1000000;
-
-// light from above, ahead of the camera's usual place
-const CVector3 kToLight = CVector3(-0.3, 0.4, 0.85).Normalize();
-constexpr Real kSkyLight = 0.45;  // share of the light that comes from everywhere
 
 std::string ReadFile(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);
@@ -50,22 +43,6 @@ fs::path FindModel(const std::string& name) {
   }
   THROW_ARGOSEXCEPTION("There is no model \"" << name << "\": neither \"" << installed.string()
                                               << "\", nor in the working directory");
-}
-
-UInt8 ToByte(Real share) {
-  return static_cast<UInt8>(std::lround(255.0 * std::clamp(share, 0.0, 1.0)));
-}
-
-// a material in the light that falls on a surface, with that normal in the world
-CColor Illuminate(const CQTOpenGLObjModel::SMaterial& material, const CVector3& normal) {
-  const Real light = kSkyLight + (1.0 - kSkyLight) * std::max(0.0, normal.DotProduct(kToLight));
-  const auto channel = [&](std::size_t i) {
-    return ToByte(Real{material.Emission[i]} + light * Real{material.Diffuse[i]});
-  };
-  const Real alpha = material.EnableTransparency
-                         ? std::min(Real{material.Alpha}, Real{material.Diffuse[3]})
-                         : Real{material.Diffuse[3]};
-  return CColor(channel(0), channel(1), channel(2), ToByte(alpha));
 }
 
 }  // namespace
@@ -309,24 +286,28 @@ const CQTOpenGLObjModel::SMaterial& CQTOpenGLObjModel::FindMaterial(const std::s
   return found == m_materials.end() ? kGray : found->second;
 }
 
+// By OpenGL calls, as users may put a model into a display list.
 void CQTOpenGLObjModel::Draw() const {
-  CDrawing* const drawing = CDrawingFunctions::GetCurrentDrawing();
-  if (drawing == nullptr || IsInGlList()) {
-    return;
-  }
+  glPushAttrib(GL_ENABLE_BIT | GL_LIGHTING_BIT);
   for (const SPart& part : m_parts) {
     const SMaterial& material = FindMaterial(part.Material);
-    for (const STriangle& triangle : part.Triangles) {
-      if (drawing->GetShapes().size() >= kMaxShapes) {
-        return;
-      }
-      CVector3 normal = triangle.Normal;
-      normal.Rotate(drawing->GetFrameOrientation());
-      drawing->DrawFace({m_vertices[triangle.Vertices[0]], m_vertices[triangle.Vertices[1]],
-                         m_vertices[triangle.Vertices[2]]},
-                        Illuminate(material, normal));
+    std::array<GLfloat, 4> diffuse = material.Diffuse;
+    if (material.EnableTransparency) {
+      diffuse[3] = std::min(diffuse[3], material.Alpha);
     }
+    glEnable(GL_BLEND);
+    glMaterialfv(GL_FRONT_AND_BACK, GL_DIFFUSE, diffuse.data());
+    glMaterialfv(GL_FRONT_AND_BACK, GL_EMISSION, material.Emission.data());
+    glBegin(GL_TRIANGLES);
+    for (const STriangle& triangle : part.Triangles) {
+      glNormal3d(triangle.Normal.GetX(), triangle.Normal.GetY(), triangle.Normal.GetZ());
+      for (const UInt32 i : triangle.Vertices) {
+        glVertex3d(m_vertices[i].GetX(), m_vertices[i].GetY(), m_vertices[i].GetZ());
+      }
+    }
+    glEnd();
   }
+  glPopAttrib();
 }
 
 }  // namespace argos

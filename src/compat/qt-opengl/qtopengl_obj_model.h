@@ -45,7 +45,7 @@ class CQTOpenGLObjModel {
 
   /** May be changed, also between pictures. @throws CARGoSException if there is none. */
   SMaterial& GetMaterial(const std::string& name);
-  /** Draws all triangles in the current frame; nothing outside of hooks, and in display lists. */
+  /** Draws all triangles in the current frame, or adds them to a display list that is made. */
   void Draw() const;
 
  private:

@@ -90,6 +90,10 @@ void CQTOpenGLUserFunctions::DrawInOverlay() {
   DrawOverlay(painter);
 }
 
+void CQTOpenGLUserFunctions::SetColor(const CColor& color) {
+  SetGlColorBytes(color.GetRed(), color.GetGreen(), color.GetBlue(), color.GetAlpha());
+}
+
 void CQTOpenGLUserFunctions::DrawPoint(const CVector3& position, const CColor& color,
                                        Real diameter) {
   GetDrawing().DrawPoint(position, color, diameter);

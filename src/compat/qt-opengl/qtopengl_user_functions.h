@@ -60,8 +60,8 @@ class CQTOpenGLUserFunctions : public CDrawingFunctions {
   void SetMainWindow(CQTOpenGLMainWindow& window) { m_mainWindow = &window; }
   CQTOpenGLWidget& GetQTOpenGLWidget() { return m_mainWindow->GetOpenGLWidget(); }
 
-  /** The colour of OpenGL calls, which draw nothing: without effect. */
-  void SetColor(const CColor&) {}
+  /** The colour of OpenGL calls. */
+  void SetColor(const CColor& color);
   /** @param diameter pixels. */
   void DrawPoint(const CVector3& position, const CColor& color = CColor::RED, Real diameter = 5.0);
   /** Isosceles, in the x-y plane of its frame, tip towards +x; @p position bisects its height. */

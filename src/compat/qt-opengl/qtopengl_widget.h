@@ -107,7 +107,7 @@ class CQTOpenGLWidget : public QOpenGLWidget, protected QOpenGLFunctions {
 
 /**
  * Kinds of operations that draw an entity. The normal one is called for entities without an
- * appearance; if it draws nothing but OpenGL's vertices, or fails, views show the solids.
+ * appearance; if it draws nothing, or fails, views show the solids.
  */
 class CQTOpenGLOperationDrawNormal
     : public CEntityOperation<CQTOpenGLOperationDrawNormal, CQTOpenGLWidget, void> {};

@@ -364,10 +364,6 @@ TEST_CASE("compat: what needs a window is accepted and named once", "[compat]") 
   QElapsedTimer cTimer;
   cTimer.start();
   CHECK(cTimer.elapsed() >= 0);
-  CHECK(glGenLists(2) == 1);
-  glNewList(1, GL_COMPILE);
-  glEndList();
-  glCallList(1);
 }
 
 }  // namespace compat_drawing_test

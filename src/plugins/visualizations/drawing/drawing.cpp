@@ -46,7 +46,6 @@ void CDrawing::Begin(UInt32 width, UInt32 height) {
   m_corners.clear();
   m_texts.clear();
   m_styles.clear();
-  m_frames.clear();
   m_width = width;
   m_height = height;
   SetWorldFrame();
@@ -62,21 +61,6 @@ void CDrawing::MoveFrame(const CVector3& position, const CQuaternion& orientatio
   CVector3 offset = position;
   m_framePosition += offset.Rotate(m_frameOrientation);
   m_frameOrientation *= orientation;
-}
-
-void CDrawing::PushFrame() {
-  constexpr std::size_t kMaxFrames = 1024;  // an end for code that only pushes
-  if (m_frames.size() < kMaxFrames) {
-    m_frames.push_back({m_framePosition, m_frameOrientation});
-  }
-}
-
-void CDrawing::PopFrame() {
-  if (!m_frames.empty()) {
-    m_framePosition = m_frames.back().Position;
-    m_frameOrientation = m_frames.back().Orientation;
-    m_frames.pop_back();
-  }
 }
 
 void CDrawing::SetWorldFrame() {

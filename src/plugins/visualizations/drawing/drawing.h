@@ -82,16 +82,15 @@ class CDrawing {
 
   /** The frame of what is drawn next, in the world. */
   void SetFrame(const CVector3& position, const CQuaternion& orientation);
+  const CVector3& GetFramePosition() const { return m_framePosition; }
   const CQuaternion& GetFrameOrientation() const { return m_frameOrientation; }
   /** Moves the frame: to a pose that is given in it. */
   void MoveFrame(const CVector3& position, const CQuaternion& orientation);
-  /** PopFrame() brings the frame back; without a PushFrame() in this picture it does nothing. */
-  void PushFrame();
-  void PopFrame();
   /** The next shapes are given in the world frame, m. */
   void SetWorldFrame();
   /** The next shapes lie over the picture, see SDrawnShape::ESpace. */
   void SetOverlay();
+  bool IsOverlay() const { return m_space == SDrawnShape::ESpace::Overlay; }
 
   /** @param diameter pixels. */
   void DrawPoint(const CVector3& position, const CColor& color = CColor::RED, Real diameter = 5.0);
@@ -149,11 +148,6 @@ class CDrawing {
   std::string m_texts;
   std::vector<STextStyle> m_styles;
 
-  struct SFrame {
-    CVector3 Position;
-    CQuaternion Orientation;
-  };
-  std::vector<SFrame> m_frames;  // pushed ones
   CVector3 m_framePosition;
   CQuaternion m_frameOrientation;
   SDrawnShape::ESpace m_space = SDrawnShape::ESpace::World;

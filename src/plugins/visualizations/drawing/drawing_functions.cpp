@@ -25,6 +25,7 @@ void SetFrameOf(CEntity& entity, CDrawing& drawing) {
 }
 
 thread_local CDrawing* g_currentDrawing = nullptr;
+thread_local UInt64 g_numHooks = 0;
 
 // points to a drawing during its lifetime
 class CDrawingScope {
@@ -76,19 +77,26 @@ CDrawing* CDrawingFunctions::GetCurrentDrawing() {
   return g_currentDrawing;
 }
 
+UInt64 CDrawingFunctions::GetNumHooks() {
+  return g_numHooks;
+}
+
 void CDrawingFunctions::DrawAll(CDrawing& drawing, const CEntity::TVector& roots) {
   const CDrawingScope scope(m_drawing, drawing);
   if (!m_functions.empty()) {
     for (CEntity* root : roots) {
       if (HasFunctionFor(*root)) {
         SetFrameOf(*root, drawing);
+        ++g_numHooks;
         Call(*root);
       }
     }
   }
   drawing.SetWorldFrame();
+  ++g_numHooks;
   DrawInWorld();
   drawing.SetOverlay();
+  ++g_numHooks;
   DrawInOverlay();
 }
 

@@ -61,6 +61,8 @@ class CDrawingFunctions : public CBaseConfigurableResource {
   /** The list of the hook that runs on this thread, whatever its functions; null outside of hooks.
    */
   static CDrawing* GetCurrentDrawing();
+  /** The number of hooks that have begun on this thread: another number is another hook. */
+  static UInt64 GetNumHooks();
 
   /**
    * Draws everything to a list.

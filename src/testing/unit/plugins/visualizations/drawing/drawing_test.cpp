@@ -125,13 +125,13 @@ TEST_CASE("drawing: a face is a polygon in the plane of its corners", "[core][dr
   CHECK(drawing.GetShapes().size() == 1);
 }
 
-TEST_CASE("drawing: frames are moved in themselves, and come back", "[core][drawing]") {
+TEST_CASE("drawing: frames are moved in themselves, and can be kept", "[core][drawing]") {
   CDrawing drawing = MakeTurnedDrawing();
-  drawing.PushFrame();
+  const CVector3 position = drawing.GetFramePosition();
+  const CQuaternion orientation = drawing.GetFrameOrientation();
   drawing.MoveFrame(CVector3(1.0, 0.0, 0.0), kQuarterTurn);
   drawing.DrawPoint(CVector3(0.5, 0.0, 0.0));
-  drawing.PopFrame();
-  drawing.PopFrame();
+  drawing.SetFrame(position, orientation);
   drawing.DrawPoint(CVector3());
   REQUIRE(drawing.GetShapes().size() == 2);
   CheckVector(drawing.GetShapes()[0].Position, CVector3(0.5, 3.0, 3.0));
