@@ -15,13 +15,17 @@ for engine in dynamics2d kinematics2d dynamics3d pointmass3d; do
     grep '^position_of_b2' "$engine.log" | expect "$engine: wall, x" 2 0.34 0.005
 done
 
-# its operation draws the model with OpenGL calls that move it; the rest of them is accepted
+# its operation draws the model, and shapes of display lists, with OpenGL calls that move them
 sed 's|</argos-configuration>|<visualization><povray directory="out" every="50" render="false" /></visualization></argos-configuration>|' beetles.argos >drawn.argos
 argos3 -n -c drawn.argos >drawn.log 2>&1
 if grep "pictures show the solids" drawn.log; then exit 1; fi
-# four triangles of each of three beetles, of which one is lit by its material: red
-test "$(grep -c "triangle {" out/scene_0000000050.pov)" = 12
+# each of three beetles: 4 triangles of the model, 12 of a block, 40 of a strip and 2 x 18 of the discs of each of two
+# wheels, 20 of each of two fans
+test "$(grep -c "triangle {" out/scene_0000000050.pov)" = $((3 * (4 + 12 + 2 * (40 + 2 * 18) + 2 * 20)))
+# the model's light is red, an LED green, the other one black, each in its own colour
 test "$(grep -c "Argos_Flat(srgb <1," out/scene_0000000050.pov)" = 3
+test "$(grep -c "Argos_Flat(srgb <0,1,0>" out/scene_0000000050.pov)" = 3
+test "$(grep -c "Argos_Flat(srgb <0,0,0>" out/scene_0000000050.pov)" = 3
 
 # without the file, a picture shows the solids
 mv beetle.obj elsewhere.obj

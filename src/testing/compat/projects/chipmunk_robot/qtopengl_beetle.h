@@ -29,12 +29,15 @@ class CQTOpenGLBeetle {
  protected:
   void RenderWheel();
   void RenderBody();
-  void SetBlackTireMaterial();
+  void RenderLED();
+  void SetMaterial(GLfloat f_red, GLfloat f_green, GLfloat f_blue);
+  void SetLEDMaterial(GLfloat f_red, GLfloat f_green, GLfloat f_blue);
 
  private:
   GLuint m_unLists;
   GLuint m_unBodyList;
   GLuint m_unWheelList;
+  GLuint m_unLEDList;
   GLuint m_unVertices;
   CQTOpenGLObjModel m_cShell;
   CQTOpenGLObjModel::SMaterial& m_sLight;
