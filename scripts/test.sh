@@ -316,7 +316,7 @@ echo "as .clang-format says"
 
 began "Shell scripts (shellcheck)"
 shellcheck scripts/*.sh .ci/run
-shellcheck src/testing/compat/projects/*/check.sh studies/*/*.sh
+shellcheck src/testing/compat/projects/*/check.sh studies/*.sh studies/*/*.sh
 echo "nothing found"
 
 began "Project rules (lint)"

@@ -1,4 +1,5 @@
-// scripts/mutate.sh includes this into the sources that it changes: marks which changed places a test reaches.
+// scripts/mutate.sh includes this into the sources that it changes: marks which changed places a
+// test reaches.
 #ifndef ARGOS3_MUTATION_REACH_H
 #define ARGOS3_MUTATION_REACH_H
 
@@ -20,7 +21,8 @@ class CReachMap {
       return;
     }
     const off_t size = lseek(file, 0, SEEK_END);
-    void* map = mmap(nullptr, static_cast<size_t>(size), PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
+    void* map =
+        mmap(nullptr, static_cast<size_t>(size), PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
     close(file);
     if (map != MAP_FAILED) {
       m_bytes = static_cast<volatile char*>(map);

@@ -1,5 +1,6 @@
-// scripts/mutate.sh adds this to test programs: appends a line for each test case to the file that ARGOS_MUTATION_CASES
-// names: passed or failed, seconds, the mutants it reached (a byte each: see reach.h), its name.
+// scripts/mutate.sh adds this to test programs: appends a line for each test case to the file that
+// ARGOS_MUTATION_CASES names: passed or failed, seconds, the mutants it reached (a byte each: see
+// reach.h), its name.
 
 // Catch2 declares listeners only on demand
 #define CATCH_CONFIG_EXTERNAL_INTERFACES
@@ -32,8 +33,8 @@ class CReachListener : public Catch::TestEventListenerBase {
     if (m_cases != nullptr && m_map != nullptr) {
       const std::chrono::duration<double> time = std::chrono::steady_clock::now() - m_begin;
       std::ofstream(m_cases, std::ios::app)
-          << (stats.totals.assertions.allOk() ? "passed " : "failed ") << time.count() << ' ' << ReadMap() << ' '
-          << stats.testInfo.name << '\n';
+          << (stats.totals.assertions.allOk() ? "passed " : "failed ") << time.count() << ' '
+          << ReadMap() << ' ' << stats.testInfo.name << '\n';
     }
     TestEventListenerBase::testCaseEnded(stats);
   }

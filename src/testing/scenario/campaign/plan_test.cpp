@@ -254,12 +254,12 @@ TEST_CASE("progress of a campaign: text", "[campaign][plan]") {
   CHECK(DescribeCampaignProgress(progress) ==
         "45/120 runs (37 %), 2 failed, 0:06 left, 3/12 combinations complete, 12.5 runs/s");
   // 75 runs are open, three times those that are finished
-  for (const auto& [seconds, left] : std::vector<std::pair<Real, std::string>>{
-           {40.0, "2:00"},
-           {3599.0 / 3.0, "59:59"},
-           {1200.0, "1:00:00"},
-           {1'199'999.0, "999:59:57"},
-           {1'200'000.0, "more than 1000 h"}}) {
+  for (const auto& [seconds, left] :
+       std::vector<std::pair<Real, std::string>>{{40.0, "2:00"},
+                                                 {3599.0 / 3.0, "59:59"},
+                                                 {1200.0, "1:00:00"},
+                                                 {1'199'999.0, "999:59:57"},
+                                                 {1'200'000.0, "more than 1000 h"}}) {
     progress.WallSeconds = seconds;
     CHECK_THAT(DescribeCampaignProgress(progress), Catch::Contains(" failed, " + left + " left, "));
   }
