@@ -299,6 +299,27 @@ TEST_CASE("redistribution: with the attribute each reset draws the places of its
                     Contains("redistribute"));
 }
 
+namespace {
+
+class CPlacelessEntity : public CEntity {
+ public:
+  ENABLE_VTABLE()
+  CPlacelessEntity() : CEntity(nullptr) {}
+  std::string GetTypeDescription() const override { return "placeless"; }
+};
+
+}  // namespace
+
+REGISTER_ENTITY(CPlacelessEntity, "placeless", "", "", "", "", "")
+
+TEST_CASE("distribute: what has neither a body nor a position is an error",
+          "[core][space][distribute]") {
+  CHECK_THROWS_WITH(
+      CTestWorld(Experiment(
+          Distribute(kUniform, kNoYaw, "quantity='1' max_trials='1'", "<placeless id='p' />"))),
+      Contains("<placeless> has neither a body nor a position: it cannot be distributed"));
+}
+
 TEST_CASE("redistribution: many bodies, and bodies that were removed, get the places of the seed",
           "[core][space][distribute]") {
   // from CSpace::kFewRobots on, loading creates bodies in the order of the ground
