@@ -9,9 +9,11 @@ import shutil
 import sqlite3
 import statistics
 import subprocess
+import sys
 import tempfile
 
-from plot import FOLDER, fill_table, gnuplot, write_csv
+sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+from plot import FOLDER, fill_table, gnuplot, write_csv  # noqa: E402
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 REAL_SAMPLES = 61  # positions of real robots in the thesis

@@ -16,7 +16,8 @@ import math
 import os
 import sys
 
-from plot import FOLDER, gnuplot, write_csv
+sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+from plot import FOLDER, gnuplot, write_csv  # noqa: E402
 
 L_HIGH, L_LOW = 1e-2, 1e-5
 CONVERGED = 1e-6

@@ -6,8 +6,10 @@ import os
 import random
 import sqlite3
 import statistics
+import sys
 
-from plot import FOLDER, fill_table, gnuplot, write_csv
+sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+from plot import FOLDER, fill_table, gnuplot, write_csv  # noqa: E402
 
 LINES = ["smallest", "quartile_1", "median", "quartile_3", "largest"]
 TICKS_PER_SECOND = 10

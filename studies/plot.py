@@ -1,9 +1,11 @@
-"""Files and figures of the study's scripts: gnuplot, as svg for the README and png to look at."""
+"""Files and figures of studies' scripts: gnuplot, as svg for the README and png to look at."""
 import csv
 import os
 import subprocess
+import sys
 
-FOLDER = os.path.join(os.path.dirname(os.path.abspath(__file__)), "results")
+# of the study whose script runs
+FOLDER = os.path.join(os.path.dirname(os.path.abspath(sys.argv[0])), "results")
 
 
 def write_csv(name, header, rows):
