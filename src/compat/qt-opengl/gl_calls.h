@@ -105,8 +105,9 @@ void SetGlMaterial(GLenum face, GLenum kind, const GLfloat* values);
 /** Of GL_LIGHTING and GL_BLEND; others have no effect. */
 void SwitchGlOn(GLenum what);
 void SwitchGlOff(GLenum what);
-/** @param width, size  pixels. */
+/** @param width  pixels. */
 void SetGlLineWidth(GLdouble width);
+/** @param size  pixels. */
 void SetGlPointSize(GLdouble size);
 void PushGlAttributes(GLbitfield kinds);
 void PopGlAttributes();
