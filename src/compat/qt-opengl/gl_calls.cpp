@@ -10,7 +10,7 @@ namespace argos {
 
 namespace {
 
-typedef SGlCommand::EKind EKind;
+typedef SGlCommand::EKind ECall;
 
 constexpr std::size_t kMaxListCommands = 1000000;
 
@@ -41,7 +41,7 @@ SGlThread& GetThread() {
 }
 
 // Keeps a call in a list, or does it.
-void Do(EKind kind, GLuint number = 0, const std::array<GLdouble, 4>& values = {}) {
+void Do(ECall kind, GLuint number = 0, const std::array<GLdouble, 4>& values = {}) {
   SGlThread& thread = GetThread();
   const SGlCommand command{kind, number, values};
   if (thread.IsInList) {
@@ -62,30 +62,30 @@ void Do(EKind kind, GLuint number = 0, const std::array<GLdouble, 4>& values = {
 
 void SwitchGl(GLenum what, bool isOn) {
   if (what == GL_LIGHTING || what == GL_BLEND) {
-    Do(EKind::Switch, what, {isOn ? 1.0 : 0.0});
+    Do(ECall::Switch, what, {isOn ? 1.0 : 0.0});
   }
 }
 
 }  // namespace
 
 void BeginGl(GLenum shape) {
-  Do(EKind::Begin, shape);
+  Do(ECall::Begin, shape);
 }
 
 void EndGl() {
-  Do(EKind::End);
+  Do(ECall::End);
 }
 
 void AddGlVertex(GLdouble x, GLdouble y, GLdouble z) {
-  Do(EKind::Vertex, 0, {x, y, z});
+  Do(ECall::Vertex, 0, {x, y, z});
 }
 
 void SetGlNormal(GLdouble x, GLdouble y, GLdouble z) {
-  Do(EKind::Normal, 0, {x, y, z});
+  Do(ECall::Normal, 0, {x, y, z});
 }
 
 void SetGlColor(GLdouble red, GLdouble green, GLdouble blue, GLdouble alpha) {
-  Do(EKind::Color, 0, {red, green, blue, alpha});
+  Do(ECall::Color, 0, {red, green, blue, alpha});
 }
 
 void SetGlColorBytes(GLubyte red, GLubyte green, GLubyte blue, GLubyte alpha) {
@@ -99,7 +99,7 @@ void SetGlMaterial(GLenum face, GLenum kind, const GLfloat* values) {
   }
   const bool isDiffuse = kind == GL_DIFFUSE || kind == GL_AMBIENT_AND_DIFFUSE;
   if (isDiffuse || kind == GL_EMISSION) {
-    Do(isDiffuse ? EKind::Diffuse : EKind::Emission, 0,
+    Do(isDiffuse ? ECall::Diffuse : ECall::Emission, 0,
        {values[0], values[1], values[2], values[3]});
   }
 }
@@ -113,19 +113,19 @@ void SwitchGlOff(GLenum what) {
 }
 
 void SetGlLineWidth(GLdouble width) {
-  Do(EKind::LineWidth, 0, {width});
+  Do(ECall::LineWidth, 0, {width});
 }
 
 void SetGlPointSize(GLdouble size) {
-  Do(EKind::PointSize, 0, {size});
+  Do(ECall::PointSize, 0, {size});
 }
 
 void PushGlAttributes(GLbitfield /*kinds*/) {
-  Do(EKind::PushAttributes);
+  Do(ECall::PushAttributes);
 }
 
 void PopGlAttributes() {
-  Do(EKind::PopAttributes);
+  Do(ECall::PopAttributes);
 }
 
 void DrawGlRectangle(GLdouble x1, GLdouble y1, GLdouble x2, GLdouble y2) {
@@ -138,31 +138,31 @@ void DrawGlRectangle(GLdouble x1, GLdouble y1, GLdouble x2, GLdouble y2) {
 }
 
 void SetGlMatrixMode(GLenum mode) {
-  Do(EKind::MatrixMode, mode);
+  Do(ECall::MatrixMode, mode);
 }
 
 void PushGlMatrix() {
-  Do(EKind::PushMatrix);
+  Do(ECall::PushMatrix);
 }
 
 void PopGlMatrix() {
-  Do(EKind::PopMatrix);
+  Do(ECall::PopMatrix);
 }
 
 void TranslateGlMatrix(GLdouble x, GLdouble y, GLdouble z) {
-  Do(EKind::Translate, 0, {x, y, z});
+  Do(ECall::Translate, 0, {x, y, z});
 }
 
 void RotateGlMatrix(GLdouble angle, GLdouble x, GLdouble y, GLdouble z) {
-  Do(EKind::Rotate, 0, {x, y, z, angle});
+  Do(ECall::Rotate, 0, {x, y, z, angle});
 }
 
 void ScaleGlMatrix(GLdouble x, GLdouble y, GLdouble z) {
-  Do(EKind::Scale, 0, {x, y, z});
+  Do(ECall::Scale, 0, {x, y, z});
 }
 
 void SetGlMatrixColumn(GLuint column, GLdouble x, GLdouble y, GLdouble z) {
-  Do(EKind::Column, column, {x, y, z});
+  Do(ECall::Column, column, {x, y, z});
 }
 
 GLuint ReserveGlLists(GLsizei count) {
@@ -186,7 +186,7 @@ void EndGlList() {
 }
 
 void CallGlList(GLuint list) {
-  Do(EKind::Call, list);
+  Do(ECall::Call, list);
 }
 
 // not of the thread: called also when the process ends
