@@ -80,7 +80,7 @@ class CTransporter : public argos::CCI_Controller {
   void Return();
   void Search();
 
-  /** The nearest object that nobody has, or that is offered. */
+  /** The nearest object that no robot holds, or that its robot offers. */
   std::optional<argos::CVector2> FindObject() const;
   /** The nearest object, if it is where a gripped one is. */
   std::optional<argos::CVector2> FindLoad() const;

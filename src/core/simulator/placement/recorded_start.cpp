@@ -12,7 +12,8 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <unordered_map>
+#include <unordered_set>
+#include <vector>
 
 namespace argos {
 
@@ -52,9 +53,14 @@ bool Place(CEntity& entity, const SBodyPose& pose) {
 }
 
 // Overlaps of recorded bodies are roundings; one with what was not there is an error.
-void CheckOverlaps(CSpace& space, const std::unordered_map<std::string, CEntity*>& recorded) {
+void CheckOverlaps(CSpace& space, const std::vector<SRecordedPose>& recorded) {
   const CBodyIndex& index = space.GetBodyIndex();
-  for (const auto& [id, entity] : recorded) {
+  std::unordered_set<std::string> ids;
+  for (const SRecordedPose& pose : recorded) {
+    ids.insert(pose.Id);
+  }
+  for (const SRecordedPose& pose : recorded) {
+    CEntity* const entity = space.TryGetEntity(pose.Id);
     const CEmbodiedEntity* const body = entity != nullptr ? FindPlacedBody(*entity) : nullptr;
     if (body == nullptr || !body->IsMovable() || body->GetBodyDescription() == nullptr) {
       continue;
@@ -66,8 +72,8 @@ void CheckOverlaps(CSpace& space, const std::unordered_map<std::string, CEntity*
       continue;
     }
     const std::string& other = index.GetBody(obstacle).GetRootEntity().GetId();
-    if (recorded.count(other) == 0) {
-      THROW_ARGOSEXCEPTION('"' << id << "\" would overlap \"" << other << "\" at ("
+    if (ids.count(other) == 0) {
+      THROW_ARGOSEXCEPTION('"' << pose.Id << "\" would overlap \"" << other << "\" at ("
                                << origin.Position << "), where it was then");
     }
   }
@@ -83,18 +89,17 @@ void Place(CSpace& space, TConfigurationNode& arena) {
   GetNodeAttribute(arena, "start_from", name);
   const std::string file = FindNearbyFile(name, arena.GetFileName(), "recording");
   const std::unique_ptr<CReplay> recording(CFactory<CReplay>::New("recording"));
-  std::unordered_map<std::string, CEntity*> found;
+  const std::vector<SRecordedPose> recorded = recording->ReadPoses(file, ReadStartTime(arena));
   size_t numPlaced = 0;
-  for (const SRecordedPose& recorded : recording->ReadPoses(file, ReadStartTime(arena))) {
-    CEntity* const entity = space.TryGetEntity(recorded.Id);
-    found[recorded.Id] = entity;
-    numPlaced += entity != nullptr && Place(*entity, recorded.Pose) ? 1 : 0;
+  for (const SRecordedPose& pose : recorded) {
+    CEntity* const entity = space.TryGetEntity(pose.Id);
+    numPlaced += entity != nullptr && Place(*entity, pose.Pose) ? 1 : 0;
   }
   if (numPlaced == 0) {
     THROW_ARGOSEXCEPTION("nothing of the arena that can move is in \"" << file
                                                                        << "\": ids must be equal");
   }
-  CheckOverlaps(space, found);
+  CheckOverlaps(space, recorded);
   LOG << "[INFO] " << numPlaced << " of " << space.GetRootEntityVector().size()
       << " entities start where they were in \"" << file << '"' << std::endl;
 }

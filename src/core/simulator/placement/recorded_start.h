@@ -15,8 +15,8 @@ class CSpace;
  * Entities that the recording does not have, and bodies that cannot move, stay where they are.
  * Velocities, readings and the states of controllers are those of a new run.
  * @throws CARGoSException if there is no such state, if no entity of the arena is in it, if one of
- *   them overlaps a body there that the recording does not have, or if `<arena>` places entities
- *   anew at each reset.
+ *   them overlaps a body there that the recording does not have, or if `<arena>` has
+ *   redistribute="true".
  */
 void PlaceAsRecorded(CSpace& space, TConfigurationNode& arena);
 

@@ -240,7 +240,14 @@ TEST_CASE("robot types: mistakes are reported with file and line", "[contract][r
         "\"max_torque\""},
        {"<robot-type id='x'>" + kBody +
             "<propellers max_force='1' max_torque='1' yaw_gains='0,1'/></robot-type>",
-        "\"yaw_gains\" must be \"proportional,derivative\""},
+        "\"yaw_gains\" must be \"proportional,derivative\", the first > 0 and the second > 0"},
+       {"<robot-type id='x'>" + kBody +
+            "<propellers max_force='1' max_torque='1' position_gains='1,0'/></robot-type>",
+        "\"position_gains\" must be"},
+       {"<robot-type id='x'>" + kBody +
+            "<propellers max_force='1' max_torque='1' velocity_gains='1,-1'/></robot-type>",
+        "\"velocity_gains\" must be \"proportional,derivative\", the first > 0 and the second >= "
+        "0"},
        {"<robot-type id='x'>" + kBody + kDrive +
             "<proximity_sensors><rings/></proximity_sensors></robot-type>",
         "unknown child of <proximity_sensors>"},

@@ -145,10 +145,10 @@ class CTypeReader {
   void ReadPropellers(TConfigurationNode& node) {
     const Real inertia = m_body.PlanarInertia.value_or(m_body.ComputePlanarInertia());
     SPropellersDescription propellers;
-    propellers.Position = ReadGains(node, "position_gains", kPositionGains, m_body.Mass);
-    propellers.Velocity = ReadGains(node, "velocity_gains", kVelocityGains, m_body.Mass);
-    propellers.Yaw = ReadGains(node, "yaw_gains", kYawGains, inertia);
-    propellers.YawRate = ReadGains(node, "yaw_rate_gains", kYawRateGains, inertia);
+    propellers.Position = ReadGains(node, "position_gains", kPositionGains, m_body.Mass, false);
+    propellers.Velocity = ReadGains(node, "velocity_gains", kVelocityGains, m_body.Mass, true);
+    propellers.Yaw = ReadGains(node, "yaw_gains", kYawGains, inertia, false);
+    propellers.YawRate = ReadGains(node, "yaw_rate_gains", kYawRateGains, inertia, true);
     ReadPositive(node, "max_force", "N", propellers.MaxForce);
     ReadPositive(node, "max_torque", "N m", propellers.MaxTorque);
     m_body.Propellers = propellers;
@@ -156,14 +156,16 @@ class CTypeReader {
 
   // "proportional,derivative"
   static SControlGains ReadGains(TConfigurationNode& node, const char* attribute,
-                                 const SControlGains& byDefault, Real scale) {
+                                 const SControlGains& byDefault, Real scale, bool isOfRate) {
     CVector2 gains(scale * byDefault.Proportional, scale * byDefault.Derivative);
     GetNodeAttributeOrDefault(node, attribute, gains, gains);
-    if (!(gains.GetX() > 0.0) || !(gains.GetY() >= 0.0)) {
-      THROW_ARGOSEXCEPTION(OwnerOf(node) << ": \"" << attribute
-                                         << "\" must be \"proportional,derivative\", the first > 0 "
-                                            "and the second >= 0, found \""
-                                         << gains << '"');
+    // the control of a rate is stable without its derivative, that of a pose is not
+    if (!(gains.GetX() > 0.0) || !(isOfRate ? gains.GetY() >= 0.0 : gains.GetY() > 0.0)) {
+      THROW_ARGOSEXCEPTION(OwnerOf(node)
+                           << ": \"" << attribute
+                           << "\" must be \"proportional,derivative\", the first > 0 "
+                              "and the second "
+                           << (isOfRate ? ">=" : ">") << " 0, found \"" << gains << '"');
     }
     return {gains.GetX(), gains.GetY()};
   }
@@ -361,7 +363,7 @@ ATTRIBUTES AND CHILDREN
   planar_drive          omnidirectional wheels, for the actuator planar_drive. max_force (N), max_torque (N m): the same.
   propellers            the robot flies, for the actuators quadrotor_position and quadrotor_speed. max_force (N),
                         max_torque (N m): > 0, required, limits along each axis and about the vertical.
-  propellers@position_gains, @velocity_gains, @yaw_gains, @yaw_rate_gains  "proportional,derivative", > 0 and >= 0:
+  propellers@position_gains, @velocity_gains, @yaw_gains, @yaw_rate_gains  "proportional,derivative", > 0; of rates, the second >= 0:
                         of the controllers of these targets. Force (N) and torque (N m) are gain times error. Default:
                         those of an eye-bot, for the mass and the moment of inertia of the body.
   proximity_sensors, light_sensors  rays that start on a ring and point outward (ring), and single ones (sensor):
