@@ -363,7 +363,8 @@ ATTRIBUTES AND CHILDREN
   planar_drive          omnidirectional wheels, for the actuator planar_drive. max_force (N), max_torque (N m): the same.
   propellers            the robot flies, for the actuators quadrotor_position and quadrotor_speed. max_force (N),
                         max_torque (N m): > 0, required, limits along each axis and about the vertical.
-  propellers@position_gains, @velocity_gains, @yaw_gains, @yaw_rate_gains  "proportional,derivative", > 0; of rates, the second >= 0:
+  propellers@position_gains, @velocity_gains, @yaw_gains, @yaw_rate_gains  "proportional,derivative", > 0
+                        (of velocity and yaw rate, the second >= 0):
                         of the controllers of these targets. Force (N) and torque (N m) are gain times error. Default:
                         those of an eye-bot, for the mass and the moment of inertia of the body.
   proximity_sensors, light_sensors  rays that start on a ring and point outward (ring), and single ones (sensor):
