@@ -31,6 +31,7 @@ PROGRAMS = {
     "core/wrappers/lua": "unit_lua_tests scenario_lua_tests",
     "compat": "unit_core_tests compat_tests unit_lua_tests contract_tests scenario_tests",
     "plugins/entities": "unit_plugin_tests compat_tests contract_camera_tests contract_sensor_tests contract_tests scenario_tests",
+    "plugins/images": "unit_offscreen_tests scenario_output_tests contract_sensor_tests scenario_golden_tests",
     "plugins/loop_functions": "scenario_lua_tests unit_lua_tests scenario_table_tests",
     "plugins/media": "unit_plugin_tests contract_camera_tests contract_sensor_tests contract_tests scenario_tests determinism_tests",
     "plugins/outputs/quantities": "unit_core_tests scenario_table_tests scenario_output_tests scenario_recording_tests",
@@ -59,6 +60,8 @@ def choose_programs(path: str) -> list[str]:
     """The test programs of a source, relative to the tree, in the order in which they run."""
     folder = path.rpartition("/")[0].removeprefix("src/")
     while folder not in PROGRAMS:
+        if not folder:
+            raise SystemExit(f"{path}: no test programs are known for its folder; add it to scripts/mutation/test_programs.py")
         folder = folder.rpartition("/")[0]
     programs = PROGRAMS[folder].split()
     # takes seconds, and sees the final state of scenes, tables, figures, scenes of POV-Ray and texts
