@@ -13,6 +13,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -138,6 +139,45 @@ TEST_CASE("overlays: the clock says the time and the tick, in a corner", "[overl
   CHECK(drawing.GetStyles()[texts[0].Style].Size == 20.0);
   // 2.5 % of 480 pixels
   CHECK(drawing.GetStyles()[texts[1].Style].Size == 12.0);
+}
+
+TEST_CASE("overlays: regions of engines have an outline inside of each, and its id", "[overlays]") {
+  CTestWorld world(SExperiment{
+      .Controllers = "",
+      .Engines = "<dynamics2d id='left'><boundaries><sides><vertex point='-9,-1'/>"
+                 "<vertex point='0,-1'/><vertex point='0,9'/><vertex point='-9,9'/></sides>"
+                 "</boundaries></dynamics2d>"
+                 "<kinematics2d id='rest'/>"
+                 "<dynamics3d id='right'><boundaries><bottom height='0.5'/><sides>"
+                 "<vertex point='0,-1'/><vertex point='2,-1'/><vertex point='0,1'/></sides>"
+                 "</boundaries></dynamics3d>",
+      .ArenaSize = "4,2,4",
+      .Arena = ""});
+  COverlaysOf view(world, "<regions width='2'/>");
+  const std::vector<SDrawnShape> lines = view.DrawAll(EKind::Line);
+  // the engine without sides has none
+  REQUIRE(lines.size() == 7);
+  const std::vector<SDrawnShape> texts = view.DrawAll(EKind::Text);
+  REQUIRE(texts.size() == 2);
+  CHECK(view.DrawText(0) == "left");
+  CHECK(view.DrawText(1) == "right");
+  CHECK(texts[0].Color != texts[1].Color);
+  // as far as the arena, -2 to 2 and -1 to 1; 0.6 % of 2 m towards the middle: along the diagonal
+  // of a square
+  const Real gap = 0.012 / std::sqrt(2.0);
+  const auto hasLine = [&](const CVector3& start, const CVector3& size) {
+    return std::any_of(lines.begin(), lines.end(), [&](const SDrawnShape& line) {
+      return IsAt(line.Position, start) && IsAt(line.Size, size);
+    });
+  };
+  CHECK(hasLine(CVector3(-2.0 + gap, -1.0 + gap, 0.003), CVector3(2.0 - 2.0 * gap, 0.0, 0.0)));
+  CHECK(hasLine(CVector3(-gap, 1.0 - gap, 0.003), CVector3(-2.0 + 2.0 * gap, 0.0, 0.0)));
+  CHECK(lines[0].Pixels == 2.0);
+  CHECK(IsAt(texts[0].Position, CVector3(-1.0, 0.0, 0.003)));
+  CHECK(lines[4].Position.GetZ() == Approx(0.503));
+  COverlaysOf black(world, "<regions color='black' ids='false'/>");
+  CHECK(black.DrawAll(EKind::Text).empty());
+  CHECK(black.DrawAll(EKind::Line)[4].Color == CColor::BLACK);
 }
 
 TEST_CASE("overlays: title and legend", "[overlays]") {
