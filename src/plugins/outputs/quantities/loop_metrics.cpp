@@ -9,6 +9,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <chrono>
@@ -127,23 +128,96 @@ class CSpeedup : public CLoopMetric {
   }
 };
 
+using TFileStart = std::array<char, 256>;
+
+// the first bytes of a file of the system, ending with 0; empty if it cannot be read
+TFileStart ReadStart(const char* name) {
+  TFileStart text{};
+  const int file = open(name, O_RDONLY | O_CLOEXEC);
+  if (file >= 0) {
+    const ssize_t length = read(file, text.data(), text.size() - 1);
+    text[static_cast<size_t>(std::max<ssize_t>(length, 0))] = '\0';
+    close(file);
+  }
+  return text;
+}
+
 constexpr const char* kMemoryFile = "/proc/self/statm";  // Linux: pages in all, resident, ...
 
 // MB; nothing if the system does not tell
 std::optional<Real> ReadResidentMemory() {
-  const int file = open(kMemoryFile, O_RDONLY | O_CLOEXEC);
-  if (file < 0) {
-    return std::nullopt;
-  }
-  std::array<char, 256> text{};
-  const ssize_t length = read(file, text.data(), text.size() - 1);
-  close(file);
   unsigned long long pages = 0;
-  if (length <= 0 || std::sscanf(text.data(), "%*u %llu", &pages) != 1) {
+  if (std::sscanf(ReadStart(kMemoryFile).data(), "%*u %llu", &pages) != 1) {
     return std::nullopt;
   }
   return static_cast<Real>(pages) * static_cast<Real>(sysconf(_SC_PAGESIZE)) / 1e6;
 }
+
+// Linux, proc(5): user, nice, system, idle, iowait, irq, softirq, steal, ... of all processors
+constexpr const char* kProcessorFile = "/proc/stat";
+
+// s, of all processors, since the system was started; nothing if the system does not tell
+std::optional<Real> ReadBusyTime() {
+  unsigned long long user = 0, nice = 0, system = 0, irq = 0, softIrq = 0, steal = 0;
+  if (std::sscanf(ReadStart(kProcessorFile).data(), "cpu %llu %llu %llu %*u %*u %llu %llu %llu",
+                  &user, &nice, &system, &irq, &softIrq, &steal) != 6) {
+    return std::nullopt;
+  }
+  return static_cast<Real>(user + nice + system + irq + softIrq + steal) /
+         static_cast<Real>(sysconf(_SC_CLK_TCK));
+}
+
+class COtherLoad : public CBuiltInMetric {
+ public:
+  void Init(CSpace& space) override {
+    if (!ReadBusyTime()) {
+      THROW_ARGOSEXCEPTION("the system does not tell how busy it is: \""
+                           << kProcessorFile << "\" cannot be read: " << std::strerror(errno));
+    }
+    m_clock = space.GetContext().Clock;
+  }
+  void Reset() override { m_isRunning = false; }
+  bool IsReproducible() const override { return false; }
+
+  Real Compute() override {
+    const TWallClock::time_point now = TWallClock::now();
+    // while the metrics of the first state are computed, the loop has not begun
+    if (!m_isRunning || *m_clock == m_firstTick) {
+      m_isRunning = true;
+      m_firstTick = *m_clock;
+      m_start = now;
+      m_next = now + kMinTime;
+      m_startTime = ReadOthersTime();
+      m_value = CMetrics::kNone;
+    } else if (now >= m_next) {
+      m_next = now + kPause;
+      // the system counts in hundredths of a second, some of them late
+      m_value = std::max(
+          (ReadOthersTime() - m_startTime) / std::chrono::duration<Real>(now - m_start).count(),
+          0.0);
+    }
+    return m_value;
+  }
+
+ private:
+  static constexpr std::chrono::milliseconds kMinTime{500};
+  // a reading takes as long as a tick of some hundred robots
+  static constexpr std::chrono::milliseconds kPause{100};
+
+  // s, of processors that did not work for this process
+  static Real ReadOthersTime() {
+    const Real busy = ReadBusyTime().value_or(CMetrics::kNone);
+    return busy - GetCPUTime();
+  }
+
+  const UInt32* m_clock = nullptr;
+  bool m_isRunning = false;
+  UInt32 m_firstTick = 0;
+  TWallClock::time_point m_start;
+  TWallClock::time_point m_next;  // no reading before
+  Real m_startTime = 0.0;
+  Real m_value = CMetrics::kNone;
+};
 
 class CResidentMemory : public CBuiltInMetric {
  public:
@@ -221,6 +295,19 @@ much faster the run was. There is no value before the first tick.
 This metric is not reproducible: another run of the same experiment has other values. So has its recording.
 
   <metrics file="metrics.csv" builtin="loop_wall_time, loop_cpu_time, speedup" />
+)",
+    "Usable")
+REGISTER_BUILT_IN_METRIC(
+    COtherLoad, "other_load", "the authors of this project", "1.0",
+    "The processors that other programs kept busy during the main loop, on average.",
+    R"(0 on an idle machine, 1 if others used one processor all the time. It tells which measurements of time were disturbed:
+`argos3-campaign retry FILE --where "other_load > 0.1"` repeats them. Time that the host of a virtual machine took away counts.
+Linux only, and of the whole computer, not of a container. It has no value in the first half second of wall time, because the
+system counts in hundredths of a second, and is read at most ten times a second.
+
+This metric is not reproducible: another run of the same experiment has other values. So has its recording.
+
+  <metrics file="metrics.csv" builtin="loop_wall_time, other_load" />
 )",
     "Usable")
 REGISTER_BUILT_IN_METRIC(

@@ -10,6 +10,9 @@
 
 #include <catch2/catch.hpp>
 
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <chrono>
 #include <cmath>
 #include <ctime>
@@ -115,6 +118,41 @@ TEST_CASE("loop metrics: processor time is that of all threads", "[outputs][metr
   other.join();
   loop.World().Step();
   CHECK(loop.Get("loop_cpu_time") >= 0.1);
+}
+
+TEST_CASE("loop metrics: what other programs use is counted, and what this one uses is not",
+          "[outputs][metrics]") {
+  CLoopWorld loop;
+  loop.Metrics().EnableBuiltIn("other_load");
+  CHECK(std::isnan(loop.Get("other_load")));
+  loop.World().Step();
+  // shorter spans are not measured
+  CHECK(std::isnan(loop.Get("other_load")));
+  const pid_t other = fork();
+  if (other == 0) {
+    Burn(0.6);
+    _exit(0);
+  }
+  REQUIRE(other > 0);
+  const auto numProcessors = static_cast<Real>(std::thread::hardware_concurrency());
+  std::vector<std::thread> own;
+  for (int i = 0; i < 2; ++i) {
+    own.emplace_back([] { Burn(0.6); });
+  }
+  for (std::thread& thread : own) {
+    thread.join();
+  }
+  int status = 0;
+  REQUIRE(waitpid(other, &status, 0) == other);
+  Sleep(std::chrono::milliseconds(100));
+  loop.World().Step();
+  const Real time = loop.Get("loop_wall_time");
+  // the system counts in hundredths of a second
+  CHECK(loop.Get("other_load") * time >= 0.55);
+  CHECK(loop.Get("speedup") * time >= 1.2);
+  CHECK(loop.Get("other_load") + loop.Get("speedup") <= 1.05 * numProcessors);
+  loop.World().GetSimulator().Reset();
+  CHECK(std::isnan(loop.Get("other_load")));
 }
 
 TEST_CASE("loop metrics: after a reset they begin at 0", "[outputs][metrics]") {

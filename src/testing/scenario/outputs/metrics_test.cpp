@@ -299,8 +299,9 @@ TEST_CASE("metrics output: argos3 -q lists built-in metrics", "[outputs][metrics
   const CTestFolder folder;
   const SProgramRun list = folder.Run({"-q", "built_in_metrics"});
   CHECK(list.Status == 0);
-  for (const char* const name : {"collisions", "dispersion", "loop_cpu_time", "loop_wall_time",
-                                 "messages", "real_time_factor", "resident_memory", "speedup"}) {
+  for (const char* const name :
+       {"collisions", "dispersion", "loop_cpu_time", "loop_wall_time", "messages", "other_load",
+        "real_time_factor", "resident_memory", "speedup"}) {
     CHECK_THAT(list.Out, Contains("   [ " + std::string(name) + " ]\n"));
   }
   CHECK_THAT(folder.Run({"-q", "collisions"}).Out, Contains("closer than 1 mm"));
