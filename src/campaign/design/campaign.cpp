@@ -21,8 +21,8 @@ std::string SCombination::ComputeKey() const {
 
 const std::vector<std::string>& ListBuiltInMetrics() {
   static const std::vector<std::string> kNames = {
-      "dispersion",     "collisions",    "messages", "real_time_factor",
-      "loop_wall_time", "loop_cpu_time", "speedup",  "resident_memory"};
+      "dispersion",    "collisions", "messages",        "real_time_factor", "loop_wall_time",
+      "loop_cpu_time", "speedup",    "resident_memory", "other_load"};
   return kNames;
 }
 

@@ -68,10 +68,15 @@ CExpressions::~CExpressions() = default;
 
 void CExpressions::SetNames(std::vector<std::pair<std::string, std::string>> namesAndValues) {
   m_names = std::move(namesAndValues);
+  m_numbers.clear();
 }
 
 void CExpressions::AddName(const std::string& name, const std::string& value) {
   m_names.emplace_back(name, value);
+}
+
+void CExpressions::AddNumber(const std::string& name, Real value) {
+  m_numbers.emplace_back(name, value);
 }
 
 // __index of the environment; upvalue 1 is the CExpressions
@@ -99,6 +104,10 @@ void CExpressions::PushEnvironment(lua_State* state) {
     lua_setfield(state, -2, name);
   }
   lua_setfield(state, -2, "math");
+  for (const auto& [name, value] : m_numbers) {
+    lua_pushnumber(state, value);
+    lua_setfield(state, -2, name.c_str());
+  }
   for (const auto& [name, value] : m_names) {
     SInt64 integer = 0;
     Real number = 0.0;
@@ -149,6 +158,9 @@ CExpressions::SValue CExpressions::Compute(std::string_view expression) {
     if (m_unknownName[0] != '\0') {
       std::vector<std::string> known = {"math"};
       for (const auto& name : m_names) {
+        known.push_back(name.first);
+      }
+      for (const auto& name : m_numbers) {
         known.push_back(name.first);
       }
       const std::string unknown = m_unknownName.data();

@@ -1,6 +1,8 @@
 #ifndef ARGOS3_CAMPAIGN_DESIGN_EXPRESSION_H
 #define ARGOS3_CAMPAIGN_DESIGN_EXPRESSION_H
 
+#include <argos3/core/utility/datatypes/datatypes.h>
+
 #include <array>
 #include <memory>
 #include <string>
@@ -30,6 +32,8 @@ class CExpressions {
   /** Replaces all names. */
   void SetNames(std::vector<std::pair<std::string, std::string>> namesAndValues);
   void AddName(const std::string& name, const std::string& value);
+  /** @param value  may be NaN, with which all comparisons but `~=` are false. */
+  void AddNumber(const std::string& name, Real value);
 
   /**
    * @return the value as text: whole numbers without decimal point, others with 15 digits.
@@ -55,6 +59,7 @@ class CExpressions {
 
   std::unique_ptr<CLuaState> m_state;
   std::vector<std::pair<std::string, std::string>> m_names;
+  std::vector<std::pair<std::string, Real>> m_numbers;
   std::array<char, 64> m_unknownName = {};  // set by HandleUnknownName()
 };
 

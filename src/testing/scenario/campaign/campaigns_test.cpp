@@ -140,6 +140,40 @@ TEST_CASE("campaign: runs that crash, hang, eat memory or print without end are 
   }
 }
 
+TEST_CASE("campaign: retry repeats the runs for which a condition of factors and metrics holds",
+          "[campaign][program]") {
+  SetPluginPath();
+  const CTestFolder folder;
+  std::string campaign = MakeDiffusionCampaign("jobs='2'");
+  campaign.insert(campaign.find("  <execution"),
+                  "<collect><builtin name='dispersion' /></collect>\n");
+  folder.Write("c.xml", campaign);
+  REQUIRE(folder.RunProgram("argos3-campaign", {"run", "c.xml"}).Status == 0);
+  const auto retry = [&folder](const std::string& where) {
+    return folder.RunProgram("argos3-campaign", {"retry", "c.xml", "--where", where});
+  };
+  const auto countSecond = [&folder] {
+    const CResultStore store(folder.Path("results.sqlite"), CResultStore::EMode::ReadOnly);
+    const std::vector<SStoredRun> runs = store.ListRuns();
+    return std::count_if(runs.begin(), runs.end(),
+                         [](const SStoredRun& run) { return run.Attempt == 2; });
+  };
+  const std::vector<std::string> table = ReadTable(folder.Path("results.sqlite"));
+  CHECK_THAT(retry("dispersion > 1000").Out, Contains("0 runs are repeated"));
+  CHECK(countSecond() == 0);
+  CHECK_THAT(retry("speed == 10 and seed <= 2 and dispersion > 0").Out,
+             Contains("4 runs are repeated"));
+  CHECK(countSecond() == 4);
+  CHECK(ReadTable(folder.Path("results.sqlite")) == table);
+
+  const SProgramRun unknown = retry("dispersal > 1");
+  CHECK(unknown.Status == 1);
+  CHECK_THAT(unknown.Err, Contains("did you mean \"dispersion\"?"));
+  const SProgramRun noCondition = retry("dispersion");
+  CHECK(noCondition.Status == 1);
+  CHECK_THAT(noCondition.Err, Contains("expected a condition"));
+}
+
 TEST_CASE("campaign: a worker that dies is replaced, and its run is named", "[campaign][program]") {
   const CTestFolder folder;
   folder.Write("experiment.argos", MakeCampaignExperiment("kill_parent", 2));

@@ -7,6 +7,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -116,6 +117,18 @@ TEST_CASE("expressions: numbers, texts and math", "[campaign][design]") {
   CHECK_FALSE(expressions.IsTrue("mode ~= 'fast'"));
   CHECK(expressions.Expand("{robots}, {('x'):rep(3)}, {{1}}") == "20, xxx, {1}");
   CHECK(expressions.Expand("{'}'}") == "}");
+}
+
+TEST_CASE("expressions: of what is missing no comparison is true", "[campaign][design]") {
+  CExpressions expressions;
+  expressions.AddNumber("load", 0.25);
+  expressions.AddNumber("missing", std::numeric_limits<Real>::quiet_NaN());
+  CHECK(expressions.IsTrue("load > 0.2 and load < 0.3"));
+  CHECK_FALSE(expressions.IsTrue("missing > 0.2 or missing <= 0.2"));
+  CHECK_THAT(CatchText([&] { expressions.IsTrue("loads > 1"); }),
+             Contains("did you mean \"load\"?"));
+  expressions.SetNames({});
+  CHECK_THAT(CatchText([&] { expressions.IsTrue("load > 1"); }), Contains("\"load\" is not known"));
 }
 
 TEST_CASE("expressions: errors name expression and reason", "[campaign][design]") {
