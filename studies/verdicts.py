@@ -58,6 +58,16 @@ def difference(first, second, level=LEVEL):
     return statistics.median(shifts), shifts[k - 1], shifts[-k]
 
 
+def judge(estimate, above=-math.inf, below=math.inf):
+    """The verdict on `above` < statistic < `below`. estimate: value, lower and upper end of the interval."""
+    _, low, high = estimate
+    if low > above and high < below:
+        return "reproduced"
+    if high <= above or low >= below:
+        return "not reproduced"
+    return "undecided"
+
+
 class Table:
     """Collects verdicts; prints them as a table in Markdown."""
 
@@ -67,12 +77,7 @@ class Table:
     def add(self, text, what, estimate, n, above=-math.inf, below=math.inf, digits=2):
         """A property: `above` < statistic < `below`. estimate: value, lower and upper end of the interval; n: number of runs."""
         value, low, high = estimate
-        if low > above and high < below:
-            verdict = "reproduced"
-        elif high <= above or low >= below:
-            verdict = "not reproduced"
-        else:
-            verdict = "undecided"
+        verdict = judge(estimate, above, below)
         ours = f"{what}: {value:.{digits}f} [{low:.{digits}f}, {high:.{digits}f}], n = {n}"
         self.rows.append((text, ours, verdict))
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Runs a form of this study, and writes tables, figures, verdicts and a description of the machine:
 #   studies/efficiency/run.sh [--no-run] short|reduced|full [FOLDER]
-# The reduced form has a second campaign, large.xml, for the runs of 100,000 robots.
+# Runs during which other programs kept more than a tenth of a processor busy are repeated, three times at most.
 # FOLDER is results/FORM by default, and for the short form short.results. A form that was stopped (Ctrl-C) goes on where
 # it was; --no-run only writes what there is so far. Needs gnuplot, python3 and argos3-campaign: installed, or built in
 # build/ or build-ci/ or, with ARGOS_BUILD=FOLDER, elsewhere.
@@ -36,8 +36,6 @@ case "${1:-}" in
     ;;
 esac
 form="$1"
-campaigns=("$form")
-[[ "$form" != reduced ]] || campaigns+=(large)
 results="$(realpath -m -- "${2:-$results}")"
 
 # the build tree first: its libraries are those of this source tree
@@ -83,7 +81,7 @@ describe_results() {
 # Results: the form $form
 
 Made by \`run.sh $form\`, see [the study](${1}README.md). [Verdicts](verdicts.md) about the printed values of the thesis,
-[machine](machine.md), \`runs.csv\`: each run.$2 Bars are standard deviations.
+[machine](machine.md), \`runs.csv\`: each run. Bars are 95 % intervals of the means.
 TEXT
   for figure in figures/*.svg; do
     name="$(basename "$figure" .svg)"
@@ -107,26 +105,23 @@ mkdir -p "$results/figures"
 status=0
 if ((run)); then
   # runs that have failed, 3, do not prevent results of the others
-  for campaign in "${campaigns[@]}"; do
-    argos3-campaign run "$campaign.xml" || status=$?
+  argos3-campaign run "$form.xml" || status=$?
+  ((status == 0 || status == 3)) || exit "$status"
+  for _ in 1 2 3; do
+    status=0
+    argos3-campaign retry "$form.xml" --where "other_load > 0.1" || status=$?
     ((status == 0 || status == 3)) || exit "$status"
   done
 fi
 argos3-campaign report "$form.xml"
-runs=()
-for campaign in "${campaigns[@]}"; do
-  argos3-campaign export "$campaign.xml" --csv "$campaign.tables"
-  runs+=("$results/${campaign/$form/runs}.csv")
-  cp "$campaign.tables/runs.csv" "${runs[-1]}"
-done
+argos3-campaign export "$form.xml" --csv "$form.tables"
+cp "$form.tables/runs.csv" "$results/runs.csv"
 cp "$form.report/figures/"*.svg "$results/figures/"
 if ((run)) || [[ ! -f "$results/machine.md" ]]; then
   describe_machine "$began" "$load" "$sources" >"$results/machine.md"
 fi
-./verdicts.py "${runs[@]}" >"$results/verdicts.md"
-large=""
-[[ "$form" != reduced ]] || large=" \`large.csv\`: runs of 100,000 robots."
-(cd "$results" && describe_results "$(realpath --relative-to="$results" "$study")/" "$large") >"$results/README.md"
+PYTHONDONTWRITEBYTECODE=1 ./verdicts.py "$results/runs.csv" >"$results/verdicts.md"
+(cd "$results" && describe_results "$(realpath --relative-to="$results" "$study")/") >"$results/README.md"
 printf '%s: README.md, verdicts.md, machine.md, runs.csv, figures/; all of it as a page: %s\n' \
   "$results" "$study/$form.report/report.html"
 exit "$status"

@@ -3,32 +3,34 @@
 
 import argparse
 import collections
-import csv
 import math
 import os
+import pathlib
 import statistics
 import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
+from verdicts import LEVEL, difference, judge, median, read_runs  # noqa: E402  # pylint: disable=wrong-import-position
 
 DESCRIPTION = """Compares results of this study with what chapter 5 of the thesis prints.
 
 RUNS are files runs.csv of `argos3-campaign export CAMPAIGN --csv FOLDER`. A table in Markdown is
-printed. Wall times are those of a minute of simulated time (600 ticks); shorter runs are scaled."""
+printed. Wall times are those of a minute of simulated time (600 ticks); shorter runs are scaled.
+A statement is reproduced if the whole interval of a statistic fulfils it, not reproduced if no part
+of the interval does, and undecided otherwise."""
 
 TICKS = 600  # of a run of the thesis
 REAL_TIME = 60.0  # s
 THREADS_OF_THESIS = 16
+SAME = 1.05  # ratios below are no difference that matters
+OUTLIER = 1.5  # times the median of a setting
 
-# one row for each setting: means over the runs
 Setting = collections.namedtuple("Setting", "engine engines threads robots")
-Means = collections.namedtuple("Means", "w u memory runs")
-Verdict = collections.namedtuple("Verdict", "ours word why")
+Run = collections.namedtuple("Run", "w u memory load")
+# a statement about a statistic: text, verdict, why
+Claim = collections.namedtuple("Claim", "ours word why")
 
-REPRODUCED = "reproduced"
-NOT_SLOWER = "not slower"
-BETTER = "better"
-DIFFERS = "differs"
-FEW_CORES = "not applicable with these cores"
-NOT_RUN = "not run"
+REPRODUCED, NOT_REPRODUCED, UNDECIDED = "reproduced", "not reproduced", "undecided"
 
 
 class NotRun(Exception):
@@ -36,81 +38,115 @@ class NotRun(Exception):
 
 
 class Results:
-    """The means of the runs of some files."""
+    """The runs of some files."""
 
     def __init__(self, paths):
-        rows = []
-        for path in paths:
-            with open(path, newline="", encoding="utf-8") as file:
-                lines = (line for line in file if not line.startswith("#"))
-                rows += [row for row in csv.DictReader(lines) if row["status"] == "done"]
+        rows = read_runs(*paths)
         if not rows:
             raise SystemExit(f"{', '.join(paths)}: no run is done")
-        samples = collections.defaultdict(list)
+        self.runs = collections.defaultdict(list)
         for row in rows:
-            setting = Setting(row["engine"], int(row["engines"]), int(row["threads"]),
-                              int(row["robots"]))
-            samples[setting].append(
-                (float(row["loop_wall_time"]) * TICKS / int(row["ticks"]), float(row["speedup"]),
-                 float(row["resident_memory"])))
-        self.means = {
-            setting: Means(*(statistics.fmean(column) for column in zip(*sample)), len(sample))
-            for setting, sample in samples.items()
-        }
-        self.threads = sorted({setting.threads for setting in self.means})
+            setting = Setting(row["engine"], int(row["engines"]), int(row["threads"]), int(row["robots"]))
+            self.runs[setting].append(
+                Run(float(row["loop_wall_time"]) * TICKS / int(row["ticks"]), float(row["speedup"]),
+                    float(row["resident_memory"]), float(row.get("other_load") or "nan")))
+        self.threads = sorted({setting.threads for setting in self.runs})
         self.most_threads = self.threads[-1]
         self.ticks = sorted({int(row["ticks"]) for row in rows})
         self.versions = sorted({row["version"] for row in rows})
-        counts = [means.runs for means in self.means.values()]
-        self.runs = f"{min(counts)}" if min(counts) == max(counts) else \
-            f"{min(counts)} to {max(counts)}"
 
-    def get(self, engine, engines, threads, robots):
-        setting = Setting(engine, engines, threads, robots)
-        if setting not in self.means:
+    def get(self, *setting):
+        if Setting(*setting) not in self.runs:
+            engine, engines, threads, robots = setting
             raise NotRun(f"{engine}, A{engines}, P = {threads}, N = {robots}")
-        return self.means[setting]
+        return self.runs[Setting(*setting)]
 
-    def robots_of(self, engine, engines, threads):
-        """All N of a setting, ascending."""
-        numbers = sorted(setting.robots for setting in self.means
-                         if setting[:3] == (engine, engines, threads))
-        if not numbers:
-            raise NotRun(f"{engine}, A{engines}, P = {threads}")
-        return numbers
+    def list_levels(self, factor, **others):
+        """All levels of a factor for which there are runs with these levels of the others, ascending."""
+        found = {getattr(setting, factor) for setting in self.runs
+                 if all(getattr(setting, name) == level for name, level in others.items())}
+        if not found:
+            raise NotRun(", ".join(f"{name} = {level}" for name, level in others.items()))
+        return sorted(found)
 
-    def engines_of(self, engine, threads, robots):
-        """All numbers of engines of a setting, ascending."""
-        numbers = sorted(setting.engines for setting in self.means
-                         if (setting.engine, setting.threads, setting.robots) ==
-                         (engine, threads, robots))
-        if len(numbers) < 2:
-            raise NotRun(f"{engine} with several numbers of engines, N = {robots}")
-        return numbers
+    def describe_runs(self):
+        counts = [len(runs) for runs in self.runs.values()]
+        few, many = min(counts), max(counts)
+        return f"{few}" if few == many else f"{few} to {many}"
+
+    def describe_disturbances(self):
+        """Runs that took much longer than others of their setting, and the load that other programs were."""
+        outliers = []
+        for setting, runs in sorted(self.runs.items()):
+            usual = statistics.median(run.w for run in runs)
+            outliers += [f"{setting.engine}, A{setting.engines}, P = {setting.threads}, N = {setting.robots}: "
+                         f"{number(run.w / usual)} times" for run in runs if run.w > OUTLIER * usual]
+        total = sum(map(len, self.runs.values()))
+        text = f"Outliers, of {total} runs: {len(outliers)} took more than {OUTLIER} times the median of their setting"
+        text += f" ({'; '.join(outliers[:10])}{'; ...' if len(outliers) > 10 else ''})." if outliers else "."
+        loads = [run.load for runs in self.runs.values() for run in runs if not math.isnan(run.load)]
+        if loads:
+            text += f" Other programs kept {number(max(loads))} processors busy at most during a run of half a second or more."
+        return text
 
 
 def number(value):
     """Three significant digits, without exponent."""
-    if value == 0.0:
-        return "0"
+    if value == 0.0 or not math.isfinite(value):
+        return f"{value:.0f}"
     digits = max(0, 2 - math.floor(math.log10(abs(value))))
     return f"{value:.{digits}f}"
 
 
-def at_most(ours, limit, text):
-    """The verdict of a printed time that is to be reached."""
-    if ours <= limit:
-        return Verdict(text, NOT_SLOWER, f"{number(limit / ours)} times as fast")
-    return Verdict(text, DIFFERS, f"{number(ours / limit)} times as slow")
+def show(estimate):
+    value, low, high = estimate
+    return f"{number(value)} [{number(low)}, {number(high)}]"
 
 
-def seconds(w):
-    return f"w = {number(w)} s = {number(w / REAL_TIME)} T"
+def claim(text, estimate, above=-math.inf, below=math.inf, why="", otherwise=""):
+    """A statement: above < statistic < below. why: if it is reproduced; otherwise: if it is not."""
+    word = judge(estimate, above, below)
+    if word == UNDECIDED:
+        reason = "more runs are needed"
+    else:
+        reason = why if word == REPRODUCED else otherwise
+    return Claim(f"{text} = {show(estimate)}", word, reason)
 
 
-def falls(times):
-    """True if they fall from each to the next, and by a tenth at least in all."""
-    return times == sorted(times, reverse=True) and times[0] > 1.1 * times[-1]
+def ratio(first, second):
+    """First over second, with the interval that belongs to the rank-sum test of the logarithms."""
+    shift = difference([math.log(run.w) for run in first], [math.log(run.w) for run in second])
+    return tuple(math.exp(end) if end < 700.0 else math.inf for end in shift)
+
+
+def time_of(runs):
+    return median([run.w for run in runs])
+
+
+def use_of(runs):
+    return median([run.u for run in runs])
+
+
+def at_most(estimate, limit, text, unit="s"):
+    """A printed time or memory that is to be reached."""
+    value = estimate[0]
+    ours = f"{text} = {show(estimate)} {unit}"
+    if unit == "s":
+        ours += f" = {number(value / REAL_TIME)} T"
+    word = judge(estimate, below=limit)
+    more = f"{number(limit / value)} times less" if value < limit else f"{number(value / limit)} times more"
+    return Claim(ours, word, "more runs are needed" if word == UNDECIDED else more)
+
+
+def differs(text, estimate, why):
+    """The statement that a ratio is above 1. A whole interval within 5 % of 1 is no difference."""
+    if estimate[1] > 1.0 / SAME and estimate[2] < SAME:
+        return Claim(f"{text} = {show(estimate)}", NOT_REPRODUCED, f"no difference of 5 %: {why}")
+    return claim(text, estimate, above=1.0, otherwise=why)
+
+
+def missing(text, what):
+    return Claim(text, UNDECIDED, f"needs {what}")
 
 
 def several_threads(results):
@@ -119,205 +155,169 @@ def several_threads(results):
     return [threads for threads in results.threads if threads > 0]
 
 
+ONE_ENGINE = "one engine uses all threads here"
+ALONE = "the main thread alone does phases with little work"
+
+
 def e1(results):
     most = several_threads(results)[-1]
-    ratio = (results.get("dynamics2d", 1, 0, 100000).w /
-             results.get("dynamics2d", 1, most, 100000).w)
-    text = f"w(P = 0) / w(P = {most}) = {number(ratio)}"
-    if ratio >= 1.8:
-        return Verdict(text, REPRODUCED if ratio <= 2.2 else BETTER,
-                       "" if most >= THREADS_OF_THESIS else f"with {most} threads")
-    return Verdict(text, DIFFERS if most >= THREADS_OF_THESIS else FEW_CORES,
-                   f"{most} threads can give {most} at most")
+    text = f"w(P = 0) / w(P = {most})"
+    gain = ratio(results.get("dynamics2d", 1, 0, 100000), results.get("dynamics2d", 1, most, 100000))
+    if most < THREADS_OF_THESIS and gain[0] < 2.2:
+        return [missing(f"{text} = {show(gain)}", f"{THREADS_OF_THESIS} processors; {most} can give {most} at most")]
+    return [claim(text, gain, 1.8, 2.2, otherwise="better" if gain[1] >= 2.2 else "")]
 
 
 def e2(results):
     threads = [0] + several_threads(results)
-    gains = []
-    for robots in results.robots_of("dynamics2d", 1, 0):
+    claims = []
+    for robots in results.list_levels("robots", engine="dynamics2d", engines=1, threads=0):
         if robots > 100:
-            gains.append((robots, [results.get("dynamics2d", 1, p, robots).w for p in threads]))
-    if not gains:
+            for fewer, more in zip(threads, threads[1:]):
+                gain = ratio(results.get("dynamics2d", 1, fewer, robots), results.get("dynamics2d", 1, more, robots))
+                claims.append(differs(f"N = {robots}: w(P = {fewer}) / w(P = {more})", gain, "threads bring nothing"))
+    if not claims:
         raise NotRun("N > 100")
-    text = "; ".join(f"N = {robots}: w(P = 0) / w(P = {threads[-1]}) = {number(w[0] / w[-1])}"
-                     for robots, w in gains)
-    if all(falls(w) for _, w in gains):
-        return Verdict(text, REPRODUCED, "")
-    return Verdict(text, DIFFERS, "w does not fall with P, by a tenth at least, for each of these N")
+    return claims
 
 
 def e3(results):
     most = several_threads(results)[-1]
-    costs = [(robots, results.get("dynamics2d", 1, most, robots).w /
-              results.get("dynamics2d", 1, 0, robots).w)
-             for robots in results.robots_of("dynamics2d", 1, 0) if robots < 100]
-    if not costs:
+    claims = []
+    for robots in results.list_levels("robots", engine="dynamics2d", engines=1, threads=0):
+        if robots < 100:
+            cost = ratio(results.get("dynamics2d", 1, most, robots), results.get("dynamics2d", 1, 0, robots))
+            claims.append(differs(f"N = {robots}: w(P = {most}) / w(P = 0)", cost, ALONE))
+    if not claims:
         raise NotRun("N < 100")
-    text = "; ".join(f"N = {robots}: w(P = {most}) / w(P = 0) = {number(ratio)}"
-                     for robots, ratio in costs)
-    slower = [robots for robots, ratio in costs if ratio > 1.1]
-    why = "the main thread alone does phases with little work"
-    if not slower:
-        return Verdict(text, BETTER, why)
-    if len(slower) == len(costs):
-        return Verdict(text, REPRODUCED, "")
-    return Verdict(text, f"{REPRODUCED} for N = {', '.join(map(str, slower))}; else {BETTER}", why)
+    return claims
 
 
 def e4(results):
     most = several_threads(results)[-1]
-    u = {robots: results.get("dynamics2d", 1, most, robots).u
-         for robots in results.robots_of("dynamics2d", 1, most)}
-    best = max(u, key=u.get)
-    text = f"P = {most}: u from {number(min(u.values()))} to {number(u[best])}, at N = {best}"
-    last = max(u)
-    if u[best] >= 2.9 and min(u.values()) > 1.0:
-        if last == best or u[last] >= 0.9 * u[best]:
-            return Verdict(text, BETTER, "one engine uses all threads: u does not fall")
-        if u[best] > 3.2 or best != 1000:
-            return Verdict(text, BETTER if u[best] > 3.2 else DIFFERS, "another maximum")
-        return Verdict(text, REPRODUCED, "")
+    numbers = results.list_levels("robots", engine="dynamics2d", engines=1, threads=most)
+    u = {robots: use_of(results.get("dynamics2d", 1, most, robots)) for robots in numbers}
+    claims = [claim(f"P = {most}, N = {robots}: u", u[robots], above=1.0, otherwise=ALONE) for robots in numbers]
     if most < 4:
-        why = f"{most} threads give u = {most} at most. "
-        why += ("u does not fall for larger N: one engine uses all threads"
-                if u[last] >= 0.9 * u[best] else "u falls for larger N")
-        if min(u.values()) < 1.0:
-            alone = ", ".join(str(robots) for robots in sorted(u) if u[robots] < 1.0)
-            why += f". For N = {alone} the main thread works alone, and u is 1 or less"
-        return Verdict(text, FEW_CORES, why)
-    return Verdict(text, DIFFERS, "")
+        claims.append(missing("maximum of u", f"4 processors or more, to reach 3.04; {most} give {most} at most"))
+    else:
+        best = max(u, key=lambda robots: u[robots][0])
+        claims.append(claim(f"maximum of u, at N = {best}", u[best], 2.9, 3.2,
+                            otherwise="better" if u[best][0] > 3.04 else ""))
+        if best != 1000:
+            claims.append(Claim(f"the maximum is at N = {best}", NOT_REPRODUCED, "another maximum"))
+    if 1000 in u and numbers[-1] > 1000:
+        fall = difference([run.u for run in results.get("dynamics2d", 1, most, 1000)],
+                          [run.u for run in results.get("dynamics2d", 1, most, numbers[-1])])
+        claims.append(claim(f"u(N = 1000) - u(N = {numbers[-1]})", fall, above=0.0, otherwise=ONE_ENGINE))
+    return claims
 
 
 def e5(results):
     several_threads(results)
-    texts, words = [], []
+    claims = []
     for threads, printed in ((2, 1.0), (16, 1.39)):
         if threads in results.threads:
-            u = results.get("dynamics2d", 1, threads, 1).u
-            texts.append(f"P = {threads}: u = {number(u)}")
-            if abs(u - printed) <= 0.1:
-                words.append(REPRODUCED)
-            else:
-                # one robot keeps one processor busy; threads that do not spin add nothing
-                words.append(BETTER if 0.9 <= u < printed else DIFFERS)
-    if not texts:
-        raise NotRun("P = 2 or 16, N = 1")
-    word = next((word for word in (DIFFERS, BETTER) if word in words), REPRODUCED)
-    why = "" if 16 in results.threads else "P = 2 only; 1.39 needs 16 threads"
-    if word == BETTER:
-        why = "threads that wait use no processor"
-    return Verdict("; ".join(texts), word, why)
+            u = use_of(results.get("dynamics2d", 1, threads, 1))
+            # one robot keeps one processor busy; threads that do not spin add nothing
+            claims.append(claim(f"P = {threads}: u", u, printed - 0.1, printed + 0.1,
+                                otherwise="threads that wait use no processor" if 0.9 <= u[0] < printed else ""))
+        else:
+            claims.append(missing(f"P = {threads}", f"{threads} processors"))
+    return claims
 
 
 def e6(results):
-    w = results.get("dynamics2d", 1, 0, 1000).w
-    return at_most(w, 0.24 * REAL_TIME, seconds(w))
+    return [at_most(time_of(results.get("dynamics2d", 1, 0, 1000)), 0.24 * REAL_TIME, "w")]
 
 
 def e7(results):
-    w = results.get("dynamics2d", 2, results.most_threads, 10000).w
-    return at_most(w, REAL_TIME, seconds(w))
+    return [at_most(time_of(results.get("dynamics2d", 2, results.most_threads, 10000)), REAL_TIME, "w")]
 
 
 def e8(results):
-    ratio = (results.get("dynamics2d", 2, results.most_threads, 10000).w /
-             results.get("dynamics2d", 1, results.most_threads, 10000).w)
-    text = f"w(A2) / w(A1) = {number(ratio)}"
-    if 0.5 <= ratio <= 0.7:
-        return Verdict(text, REPRODUCED, "")
-    if ratio > 0.7:
-        return Verdict(text, DIFFERS, "one engine uses all threads here, so that a second one "
-                       "brings no further thread")
-    return Verdict(text, DIFFERS, "")
+    share = ratio(results.get("dynamics2d", 2, results.most_threads, 10000),
+                  results.get("dynamics2d", 1, results.most_threads, 10000))
+    return [claim("w(A2) / w(A1)", share, 0.5, 0.7, otherwise=ONE_ENGINE if share[0] > 0.7 else "")]
 
 
 def e9(results):
-    w = results.get("dynamics2d", 16, results.most_threads, 10000).w
-    return at_most(w, 0.6 * REAL_TIME, seconds(w))
+    return [at_most(time_of(results.get("dynamics2d", 16, results.most_threads, 10000)), 0.6 * REAL_TIME, "w")]
 
 
 def e10(results):
-    few, many = (results.get("dynamics2d", 16, results.most_threads, robots).w
-                 for robots in (1000, 100000))
-    exponent = math.log10(many / few) / 2
-    verdict = at_most(many, 10 * REAL_TIME,
-                      f"{seconds(many)}; from 10^3 to 10^5 w grows as N^{number(exponent)}")
-    if not 0.8 <= exponent <= 1.2:
-        return Verdict(verdict.ours, DIFFERS, verdict.why + "; not linear: 100,000 robots cover a "
-                       "quarter of the ground and press against each other")
-    return Verdict(verdict.ours, f"{verdict.word}, linear", verdict.why)
+    few, many = (results.get("dynamics2d", 16, results.most_threads, robots) for robots in (1000, 100000))
+    exponent = tuple(math.log10(end) / 2.0 if 0.0 < end < math.inf else end for end in ratio(many, few))
+    return [at_most(time_of(many), 10.0 * REAL_TIME, "w"),
+            claim("exponent of N from 10^3 to 10^5", exponent, 0.8, 1.2,
+                  otherwise="100,000 robots cover a quarter of the ground and press against each other")]
+
+
+def falls(results, settings, texts, why):
+    """w falls from each setting to the next one."""
+    claims = []
+    for (before, after), text in zip(zip(settings, settings[1:]), texts):
+        claims.append(differs(text, ratio(results.get(*before), results.get(*after)), why))
+    return claims
 
 
 def e11(results):
     most = several_threads(results)[-1]
-    robots = results.robots_of("dynamics2d", 16, most)[-1]
-    engines = results.engines_of("dynamics2d", most, robots)
-    w = [results.get("dynamics2d", count, most, robots).w for count in engines]
-    by_threads = [results.get("dynamics2d", 16, threads, robots).w for threads in results.threads]
-    settings = [(results.means[s].u, s) for s in results.means if s.engine == "dynamics2d"]
-    largest, where = max(settings)
-    text = (f"N = {robots}, P = {most}: w = " +
-            ", ".join(f"{number(time)} s (A{count})" for count, time in zip(engines, w)) +
-            f"; A16: w = " + ", ".join(f"{number(time)} s (P = {threads})" for threads, time in
-                                       zip(results.threads, by_threads)) +
-            f"; largest u = {number(largest)} at P = {where.threads}, A{where.engines}, "
-            f"N = {where.robots}")
-    improves_with_threads, improves_with_engines = falls(by_threads), falls(w)
-    if improves_with_threads and improves_with_engines:
-        is_there = where == Setting("dynamics2d", 16, most, robots)
-        return Verdict(text, REPRODUCED if is_there else "reproduced for w; differs for u", "")
-    if improves_with_threads:
-        return Verdict(text, "reproduced for P; differs for E",
-                       "one engine uses all threads here; more engines bring borders, but no "
-                       "further thread")
-    return Verdict(text, DIFFERS, "")
+    robots = results.list_levels("robots", engine="dynamics2d", engines=16, threads=most)[-1]
+    engines = results.list_levels("engines", engine="dynamics2d", threads=most, robots=robots)
+    claims = falls(results, [("dynamics2d", count, most, robots) for count in engines],
+                   [f"N = {robots}, P = {most}: w(A{few}) / w(A{many})" for few, many in zip(engines, engines[1:])],
+                   ONE_ENGINE)
+    threads = results.list_levels("threads", engine="dynamics2d", engines=16, robots=robots)
+    claims += falls(results, [("dynamics2d", 16, count, robots) for count in threads],
+                    [f"N = {robots}, A16: w(P = {few}) / w(P = {many})" for few, many in zip(threads, threads[1:])], "")
+    largest = Setting("dynamics2d", 16, most, robots)
+    others = [setting for setting in results.runs if setting.engine == "dynamics2d" and setting != largest]
+    if others:
+        best = max(others, key=lambda setting: use_of(results.runs[setting])[0])
+        lead = difference([run.u for run in results.get(*largest)], [run.u for run in results.runs[best]])
+        claims.append(claim(f"u(P = {most}, A16, N = {robots}) - u(P = {best.threads}, A{best.engines}, N = {best.robots})",
+                            lead, above=0.0, otherwise=ONE_ENGINE))
+    return claims
 
 
-def orders(results, engine):
-    """The times of an engine with N = 10,000 by the number of engines."""
+def engines_of(results, engine):
+    """All numbers of engines with 10,000 robots, and their runs."""
     most = results.most_threads
-    engines = results.engines_of(engine, most, 10000)
-    w = {count: results.get(engine, count, most, 10000).w for count in engines}
-    text = ", ".join(f"{number(time)} s (A{count})" for count, time in w.items())
-    return w, f"w = {text}"
+    return {count: results.get(engine, count, most, 10000)
+            for count in results.list_levels("engines", engine=engine, threads=most, robots=10000)}
 
 
 def e12(results):
-    w, text = orders(results, "kinematics2d")
-    verdict = at_most(w[max(w)], REAL_TIME, text)
-    ratio = w[min(w)] / w[max(w)]
-    if ratio > 2.0:
-        return Verdict(text, f"{verdict.word}; {REPRODUCED}",
-                       f"{verdict.why}. A{min(w)} takes {number(ratio)} times as long as A{max(w)}")
-    return Verdict(text, f"{verdict.word}; {BETTER}",
-                   f"{verdict.why}. A{min(w)} takes {number(ratio)} times as long as A{max(w)}: "
-                   "collisions are found in a grid, not in O(N^2)")
+    runs = engines_of(results, "kinematics2d")
+    few, many = min(runs), max(runs)
+    return [at_most(time_of(runs[many]), REAL_TIME, f"A{many}: w"),
+            claim(f"w(A{few}) / w(A{many})", ratio(runs[few], runs[many]), above=2.0,
+                  otherwise="collisions are found in a grid, not in O(N^2)")]
 
 
 def e13(results):
-    w, text = orders(results, "dynamics3d")
-    verdict = at_most(w[max(w)], REAL_TIME, text)
-    spread = max(w.values()) / min(w.values())
-    best = min(w, key=w.get)
-    is_same = spread <= 1.5 and best == max(w)
-    why = f"{verdict.why}. The slowest E takes {number(spread)} times as long as the fastest, A{best}"
-    return Verdict(text, f"{verdict.word}; order " + (REPRODUCED if is_same else DIFFERS), why)
+    runs = engines_of(results, "dynamics3d")
+    many = max(runs)
+    claims = [at_most(time_of(runs[many]), REAL_TIME, f"A{many}: w")]
+    for count in sorted(runs)[:-1]:
+        claims.append(claim(f"w(A{count}) / w(A{many})", ratio(runs[count], runs[many]), 1.0, 1.5))
+    return claims
 
 
 def e14(results):
-    memory = max(results.get("dynamics2d", engines, threads, 100000).memory
-                 for engines in (1, 16) for threads in results.threads)
-    text = f"{number(memory)} MB"
-    return Verdict(text, "not more" if memory <= 800.0 else DIFFERS,
-                   f"{number(memory / 800.0)} of the thesis' memory")
+    settings = [setting for setting in results.runs if setting.engine == "dynamics2d" and setting.robots == 100000]
+    if not settings:
+        raise NotRun("dynamics2d, N = 100000")
+    memory = [median([run.memory for run in results.runs[setting]]) for setting in settings]
+    return [at_most(max(memory), 800.0, "memory", "MB")]
 
 
 CRITERIA = (
     ("E1", "dynamics2d, A1, N = 10^5", "w(P = 0) / w(P = 16) = 2", e1),
     ("E2", "dynamics2d, A1, N > 10^2", "more threads give a lower w; lowest at P = 16", e2),
     ("E3", "dynamics2d, A1, N < 10^2", "threads make it slower", e3),
-    ("E4", "dynamics2d, A1, P > 0", "u > 1; maximum 3.04 at P = 16, N = 10^3; falls for larger N",
-     e4),
+    ("E4", "dynamics2d, A1, P > 0", "u > 1; maximum 3.04 at P = 16, N = 10^3; falls for larger N", e4),
     ("E5", "dynamics2d, A1, N = 1", "u = 1 at P = 2, 1.39 at P = 16", e5),
     ("E6", "dynamics2d, A1, P = 0, N = 10^3", "w = 0.24 T = 14.4 s", e6),
     ("E7", "dynamics2d, A2, P = 16, N = 10^4", "w = T = 60 s", e7),
@@ -325,23 +325,21 @@ CRITERIA = (
     ("E9", "dynamics2d, A16, P = 16, N = 10^4", "w = 0.6 T = 36 s", e9),
     ("E10", "dynamics2d, A16, P = 16, N = 10^5", "w = 10 T = 600 s; linear in N from 10^3", e10),
     ("E11", "dynamics2d", "w falls with E and with P; largest u at P = 16, A16, N = 10^5", e11),
-    ("E12", "kinematics2d, P = 16, N = 10^4", "w = T = 60 s at A16; far slower with fewer engines",
-     e12),
+    ("E12", "kinematics2d, P = 16, N = 10^4", "w = T = 60 s at A16; far slower with fewer engines", e12),
     ("E13", "dynamics3d, P = 16, N = 10^4", "w = T = 60 s at A16; all E close, A16 best", e13),
     ("E14", "dynamics2d, N = 10^5", "about 800 MB", e14),
 )
 
 
-def judge(criterion, results):
+def list_claims(criterion, results):
     try:
         return criterion(results)
-    except NotRun as missing:
-        return Verdict("-", NOT_RUN, f"no results of {missing}")
+    except NotRun as setting:
+        return [Claim("-", "not run", f"no results of {setting}")]
 
 
 def main():
-    parser = argparse.ArgumentParser(description=DESCRIPTION,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(description=DESCRIPTION, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("runs", metavar="RUNS", nargs="+")
     arguments = parser.parse_args()
     try:
@@ -350,19 +348,20 @@ def main():
         sys.exit(f"{', '.join(arguments.runs)}: these are no results of this study: {error!r}")
     print("# Chapter 5 of the thesis: printed values and ours\n")
     files = ", ".join(f"`{os.path.basename(path)}`" for path in arguments.runs)
-    print(f"Made by `verdicts.py` from {files}: means of "
-          f"{results.runs} runs of each setting; version {', '.join(results.versions)}. "
-          f"P = {', '.join(map(str, results.threads))} threads; where the thesis has P = 16, "
-          f"P = {results.most_threads} is compared.")
+    print(f"Made by `verdicts.py` from {files}: {results.describe_runs()} runs of each setting; "
+          f"version {', '.join(results.versions)}. P = {', '.join(map(str, results.threads))} threads; where the thesis "
+          f"has P = 16, P = {results.most_threads} is compared. {results.describe_disturbances()}\n")
     if results.ticks != [TICKS]:
-        print(f"Runs have {', '.join(map(str, results.ticks))} ticks instead of {TICKS}; w is scaled.")
-    print("w: wall time of the main loop; u = c / w: processors in use, on average; T = 60 s: simulated "
-          "time; A4: four engines share the arena.\n")
+        print(f"Runs have {', '.join(map(str, results.ticks))} ticks instead of {TICKS}; w is scaled.\n")
+    print(f"w: wall time of the main loop; u = c / w: processors in use, on average; T = 60 s: simulated time; A4: four "
+          f"engines share the arena. In brackets: intervals of {LEVEL:.0%}, of medians by order statistics, of ratios and "
+          "differences by the rank-sum test. Of printed times and of the memory, \"reproduced\" means not more.\n")
     print("| # | Setting | Thesis | Here | Verdict | |")
     print("|---|---|---|---|---|---|")
     for name, setting, printed, criterion in CRITERIA:
-        verdict = judge(criterion, results)
-        print(f"| {name} | {setting} | {printed} | {verdict.ours} | **{verdict.word}** | {verdict.why} |")
+        for ours, word, why in list_claims(criterion, results):
+            print(f"| {name} | {setting} | {printed} | {ours} | **{word}** | {why} |")
+            name = setting = printed = ""
 
 
 if __name__ == "__main__":
