@@ -219,6 +219,29 @@ TEST_CASE("replay: a part, with another step, in the views of another file",
                                  "frame_0000000055.png"});
 }
 
+TEST_CASE("replay: outputs of the recorded run are not written again", "[scenario][recording]") {
+  const CTestFolder folder;
+  folder.Write("floor.png", kFloor);
+  folder.Write("robot.lua", kRobotScript);
+  std::string experiment = kLively;
+  experiment.insert(experiment.find("</argos-configuration>"),
+                    "<outputs><table file='table.csv' /></outputs>\n");
+  folder.Write("e.argos", experiment);
+  CheckSuccess(folder.Run({"-z", "-c", "e.argos", "--record", "run.rec"}));
+  const std::string table = folder.Read("table.csv");
+  CHECK(table.size() > 1000);
+  folder.Write("table.csv", "kept");
+  const SProgramRun replay = folder.Run({"-z", "--replay", "run.rec"});
+  CheckSuccess(replay);
+  CHECK_THAT(replay.Out, Contains("The outputs of the recorded run are not written again"));
+  CHECK(folder.Read("table.csv") == "kept");
+  // those of another file are what the user asks for
+  const SProgramRun other = folder.Run({"-z", "--replay", "run.rec", "-c", "e.argos"});
+  CheckSuccess(other);
+  CHECK_THAT(other.Out, !Contains("not written again"));
+  CHECK(folder.Read("table.csv") != "kept");
+}
+
 TEST_CASE("replay: a replay can be recorded, without overwriting what it reads",
           "[scenario][recording]") {
   const CTestFolder folder;

@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <filesystem>
+
 namespace lua_source_test {
 
 using namespace argos;
@@ -71,6 +73,19 @@ TEST_CASE("lua source: files that a script loads belong to it", "[lua][source]")
   CHECK(source.MayUseParameter("speed"));
   CHECK(source.MayUseParameter("limit"));
   // an alias of another file
+  CHECK_FALSE(source.MayUseParameter("other"));
+  CHECK_FALSE(source.UsesAllParameters);
+}
+
+TEST_CASE("lua source: a module is a file, or init.lua of a folder", "[lua][source]") {
+  const CTemporaryFolder folder;
+  std::filesystem::create_directories(folder.Path("package/part"));
+  folder.Write("package/init.lua", "return robot.params.speed");
+  folder.Write("package/part/init.lua", "return robot.params.limit");
+  const SLuaSource source =
+      SLuaSource::Read("require 'package' require('package.part')", folder.Path(""));
+  CHECK(source.MayUseParameter("speed"));
+  CHECK(source.MayUseParameter("limit"));
   CHECK_FALSE(source.MayUseParameter("other"));
   CHECK_FALSE(source.UsesAllParameters);
 }

@@ -8,8 +8,10 @@
 
 #include <unistd.h>
 
+#include <chrono>
 #include <cstdlib>
 #include <random>
+#include <thread>
 
 namespace recording_file_test {
 
@@ -127,6 +129,33 @@ TEST_CASE("recording: its sizes are those of the coded frames and of the file",
   writer.Close();
   CHECK(writer.GetNumCodedBytes() == coded.size());
   CHECK(writer.GetNumWrittenBytes() == file.Read().size());
+}
+
+TEST_CASE("recording: what was recorded is in the file a second later, also if the run waits",
+          "[core][recording]") {
+  const CFile file;
+  std::mt19937 random(1);
+  CRecordingWriter writer(file.GetPath(), MakeInfo());
+  UInt32 added = 0;
+  // the last ones do not fill a block
+  for (const UInt32 end : {3U, 5U}) {
+    for (; added < end; ++added) {
+      writer.Add(MakeUpdate(added, random));
+    }
+    const auto start = std::chrono::steady_clock::now();
+    const auto isThere = [&] {
+      try {
+        return CRecordingReader(file.GetPath()).GetLastTick() == end - 1;
+      } catch (const CARGoSException&) {
+        return false;
+      }
+    };
+    while (!isThere() && std::chrono::steady_clock::now() - start < std::chrono::seconds(10)) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    }
+    CHECK(isThere());
+  }
+  writer.Close();
 }
 
 TEST_CASE("recording: reading begins at any tick", "[core][recording]") {
