@@ -42,6 +42,7 @@ void CLuaController::Init(TConfigurationNode& params) {
 
 void CLuaController::SetLuaScript(const std::string& script) {
   m_scriptName = script;
+  m_isReplaced = false;
   Load();
 }
 
@@ -53,9 +54,22 @@ void CLuaController::Load() {
            << GetId() << "\" does nothing" << std::endl;
     return;
   }
+  try {
+    Run(m_isReplaced ? m_script
+                     : SLuaScript::Load(m_scriptName, m_params.GetFileName(), m_limits.IsUnsafe));
+  } catch (const CLuaError&) {
+    throw CARGoSException(m_error);
+  } catch (const std::exception& error) {
+    m_error = "robot \"" + GetId() + "\": its Lua script cannot be run\n" + error.what();
+    throw CARGoSException(m_error);
+  }
+}
+
+// @throws CLuaError after m_error was set
+void CLuaController::Run(std::shared_ptr<const SLuaScript> script) {
+  m_script = std::move(script);
   const char* running = "its top level";
   try {
-    m_script = SLuaScript::Load(m_scriptName, m_params.GetFileName(), m_limits.IsUnsafe);
     m_state = std::make_unique<CLuaState>(m_limits);
     m_state->KeepOrder(true);
     m_state->Run([this](lua_State* state) {
@@ -77,10 +91,26 @@ void CLuaController::Load() {
     CLuaParameters::Finish(*m_state, m_params, m_script->Source);
   } catch (const CLuaError& error) {
     m_error = DescribeFailure(running, error.GetMessage());
-    throw CARGoSException(m_error);
+    throw;
+  }
+}
+
+void CLuaController::Restart(std::shared_ptr<const SLuaScript> script) {
+  std::shared_ptr<const SLuaScript> oldScript = m_script;
+  std::unique_ptr<CLuaState> oldState = std::move(m_state);
+  // in place of m_random, to which functions of the old state refer
+  CLuaRandom oldRandom = m_random ? std::move(*m_random) : CLuaRandom(0);
+  const std::string oldError = std::exchange(m_error, std::string());
+  try {
+    Run(std::move(script));
+    m_isReplaced = true;
   } catch (const std::exception& error) {
-    m_error = "robot \"" + GetId() + "\": its Lua script cannot be run\n" + error.what();
-    throw CARGoSException(m_error);
+    const std::string message = m_error.empty() ? error.what() : m_error;
+    m_state = std::move(oldState);
+    m_script = std::move(oldScript);
+    m_random.emplace(std::move(oldRandom));
+    m_error = oldError;
+    throw CARGoSException(message);
   }
 }
 

@@ -48,6 +48,17 @@ class CLuaController : public CCI_Controller {
   void SetLuaScript(const std::string& script);
 
   /**
+   * Runs another script with the same devices and parameters, from its init() on; Reset() keeps it.
+   * If the script cannot be started, the robot keeps the one that it has.
+   * @throws CARGoSException as Init().
+   */
+  void Restart(std::shared_ptr<const SLuaScript> script);
+  /** Null without a script. */
+  const std::shared_ptr<const SLuaScript>& GetScript() const { return m_script; }
+  /** Whether the script may do what SLuaLimits::IsUnsafe says. */
+  bool IsUnsafe() const { return m_limits.IsUnsafe; }
+
+  /**
    * Messages about functions that a run will call and that the script lacks: step(), destroy(), and
    * reset() if a function has a similar name. Empty without a script.
    */
@@ -62,6 +73,7 @@ class CLuaController : public CCI_Controller {
 
  private:
   void Load();
+  void Run(std::shared_ptr<const SLuaScript> script);
   void FillRobotTable(lua_State* state);
   void AddParameters(lua_State* state) const;
   void AddRandom(lua_State* state);
@@ -73,6 +85,7 @@ class CLuaController : public CCI_Controller {
 
   TConfigurationNode m_params;
   std::shared_ptr<const SLuaScript> m_script;  // shared by all robots that run it
+  bool m_isReplaced = false;  // by Restart(): m_script is not that of the file
   std::unique_ptr<CLuaState> m_state;
   std::optional<CLuaRandom> m_random;
   std::vector<CCI_Sensor*> m_sensors;

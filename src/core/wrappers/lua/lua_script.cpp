@@ -122,4 +122,14 @@ std::shared_ptr<const SLuaScript> SLuaScript::Load(const std::string& name,
   return script;
 }
 
+std::shared_ptr<const SLuaScript> SLuaScript::MakeVariant(const std::string& text) const {
+  constexpr bool kAllowBytecode = false;
+  return std::make_shared<const SLuaScript>(SLuaScript{
+      Path, Folder, Compile(text, Path, kAllowBytecode), SLuaSource::Read(text, Folder)});
+}
+
+std::string SLuaScript::ReadText() const {
+  return Read(Path);
+}
+
 }  // namespace argos

@@ -32,6 +32,20 @@ struct SLuaScript {
   static std::shared_ptr<const SLuaScript> Load(const std::string& name,
                                                 const std::string& experimentFile,
                                                 bool allowBytecode = false);
+
+  /**
+   * Compiles another text in place of the file of a script. No file is read or written.
+   * @param text  source, no bytecode.
+   * @throws CARGoSException for a syntax error, with Lua's message, or for bytecode.
+   */
+  std::shared_ptr<const SLuaScript> MakeVariant(const std::string& text) const;
+
+  /**
+   * The text of the file, without a byte order mark or a first line for the shell, which leaves
+   * the numbers of lines as they are.
+   * @throws CARGoSException if it cannot be read.
+   */
+  std::string ReadText() const;
 };
 
 }  // namespace argos
