@@ -49,6 +49,10 @@ void CFootBotDiffusion::Reset() {
   EnterState(EState::Free);
 }
 
+CFootBotDiffusion::TParameters CFootBotDiffusion::ListParameters() {
+  return {{"velocity", m_velocity, 0.0, 30.0, "cm/s"}, {"delta", m_delta, 0.0, 1.0}};
+}
+
 CVector2 CFootBotDiffusion::SumUpProximity() const {
   const CCI_FootBotProximitySensor::TReadings& readings = m_proximity->GetReadings();
   CVector2 sum;

@@ -1,6 +1,7 @@
 #ifndef FOOTBOT_DIFFUSION_H
 #define FOOTBOT_DIFFUSION_H
 
+#include <argos3/core/control_interface/changeable_parameters.h>
 #include <argos3/core/control_interface/ci_controller.h>
 #include <argos3/core/utility/math/angles.h>
 #include <argos3/core/utility/math/vector2.h>
@@ -20,12 +21,14 @@
  * If the robot has the actuator "leds", they are green while the way is free and orange while it
  * turns.
  */
-class CFootBotDiffusion : public argos::CCI_Controller {
+class CFootBotDiffusion : public argos::CCI_Controller, public argos::CChangeableParameters {
  public:
   /** Reads the optional attributes alpha (degrees), delta (0 to 1) and velocity (cm/s). */
   void Init(argos::TConfigurationNode& params) override;
   void ControlStep() override;
   void Reset() override;
+  /** In the live view, the speed and delta have sliders. */
+  TParameters ListParameters() override;
 
  private:
   enum class EState { Free, TurningLeft, TurningRight };
