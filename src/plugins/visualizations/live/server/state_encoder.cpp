@@ -12,8 +12,8 @@ bool HasSameSize(const SRecordedFloor* a, const SRecordedFloor* b) {
 
 // decoders refuse differences that do not go forward
 bool CStateEncoder::NeedsKey(const SLiveState& state) const {
-  return m_table != state.Table || state.Update.Tick <= m_tick ||
-         !HasSameSize(state.Update.Floor.get(), m_floor.get());
+  return m_numFromKey >= kMaxStatesFromKey || m_table != state.Table ||
+         state.Update.Tick <= m_tick || !HasSameSize(state.Update.Floor.get(), m_floor.get());
 }
 
 void CStateEncoder::AddFloor(const SRecordedFloor& floor, CBlockPacker& packer,
@@ -41,6 +41,7 @@ void CStateEncoder::Encode(SLiveState& state, CBlockPacker& packer,
   }
   m_bytes.clear();
   m_encoder.Encode(update, isKey, m_bytes);
+  m_numFromKey = isKey ? 1 : m_numFromKey + 1;
   update.IsRestart = false;
   update.NewTypes.clear();
   update.Added.clear();

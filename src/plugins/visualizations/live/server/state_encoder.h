@@ -17,6 +17,9 @@ namespace argos {
  */
 class CStateEncoder {
  public:
+  /** A viewer needs at most so many states to decode one that it has kept. */
+  static constexpr UInt32 kMaxStatesFromKey = 100;
+
   CStateEncoder() : m_encoder(EPrecision::Grid) {}
 
   /**
@@ -35,6 +38,7 @@ class CStateEncoder {
   std::shared_ptr<const SLiveTable> m_table;  // of the last state; null: none was sent
   std::shared_ptr<const SRecordedFloor> m_floor;  // of the last state
   UInt32 m_tick = 0;  // of the last state
+  UInt32 m_numFromKey = 0;  // states since the last key frame, with it
   UInt64 m_numFloors = 0;
   std::string m_bytes;
 };
