@@ -67,28 +67,37 @@ void ForEachEntityElement(TConfigurationNode& arena, TAKE&& take) {
 
 }  // namespace
 
+CCommandExecutor::TAction CCommandExecutor::FindAction(const std::string& command) {
+  constexpr std::pair<const char*, TAction> kActions[] = {
+      {"move", &CCommandExecutor::Move},
+      {"add", &CCommandExecutor::Add},
+      {"remove", &CCommandExecutor::Remove},
+      {"drive", &CCommandExecutor::SetDrive},
+      {"user_select", &CCommandExecutor::Select},
+      {"user_key", &CCommandExecutor::PressKey},
+      {"script", &CCommandExecutor::ApplyScript},
+      {"set_parameter", &CCommandExecutor::SetParameter}};
+  for (const auto& [name, action] : kActions) {
+    if (command == name) {
+      return action;
+    }
+  }
+  return nullptr;
+}
+
 bool CCommandExecutor::Knows(const std::string& command) {
-  return command == "move" || command == "add" || command == "remove" || command == "drive" ||
-         command == "user_select" || command == "user_key";
+  return FindAction(command) != nullptr;
 }
 
 TJson CCommandExecutor::Do(const std::string& command, const TJson& arguments) {
   if (m_simulator.IsReplay()) {
     THROW_ARGOSEXCEPTION("a replay shows what was recorded: nothing can be changed in it");
   }
-  if (command == "move") {
-    return Move(arguments);
+  const TAction action = FindAction(command);
+  if (action == nullptr) {
+    THROW_ARGOSEXCEPTION("there is no command \"" << command << '"');
   }
-  if (command == "drive") {
-    return SetDrive(arguments);
-  }
-  if (command == "user_select") {
-    return Select(arguments);
-  }
-  if (command == "user_key") {
-    return PressKey(arguments);
-  }
-  return command == "add" ? Add(arguments) : Remove(arguments);
+  return (this->*action)(arguments);
 }
 
 CEntity& CCommandExecutor::GetRoot(const TJson& arguments) {
@@ -98,6 +107,12 @@ CEntity& CCommandExecutor::GetRoot(const TJson& arguments) {
     THROW_ARGOSEXCEPTION("there is no entity \"" << id << '"');
   }
   return entity->GetRootEntity();
+}
+
+// null if none is named
+CEntity* CCommandExecutor::FindRoot(const TJson& arguments) {
+  return arguments.contains("entity") && !arguments["entity"].is_null() ? &GetRoot(arguments)
+                                                                        : nullptr;
 }
 
 void CCommandExecutor::CheckPlace(const CVector3& position) const {
@@ -204,13 +219,68 @@ void CCommandExecutor::Drive() {
 }
 
 /****************************************/
+// scripts and parameters
+/****************************************/
+
+TJson CCommandExecutor::OpenScript(const TJson& arguments) {
+  return m_scripts.Open(GetRoot(arguments));
+}
+
+TJson CCommandExecutor::ListParameters(const TJson& arguments) {
+  return {{"parameters", m_parameters.List(FindRoot(arguments))}};
+}
+
+TJson CCommandExecutor::ApplyScript(const TJson& arguments) {
+  CEntity& root = GetRoot(arguments);
+  TJson answer = m_scripts.Apply(root, ReadTextArgument(arguments, "text"));
+  if (!answer.contains("error")) {
+    // the robot that is asked for may not be there after a reset, where others are
+    TJson command = arguments;
+    command["entity"] = answer["first"];
+    Keep(command, "script " + answer["file"].get<std::string>());
+  }
+  return answer;
+}
+
+TJson CCommandExecutor::SetParameter(const TJson& arguments) {
+  CEntity* const root = FindRoot(arguments);
+  TJson answer = m_parameters.Set(root, arguments);
+  TJson key = {root != nullptr ? root->GetId() : "", arguments["name"],
+               arguments.value("all", false)};
+  Keep(arguments, "parameter " + ToText(key));
+  return answer;
+}
+
+void CCommandExecutor::Keep(const TJson& command, const std::string& key) {
+  m_kept.erase(std::remove_if(m_kept.begin(), m_kept.end(),
+                              [&](const auto& kept) { return kept.first == key; }),
+               m_kept.end());
+  m_kept.emplace_back(key, command);
+}
+
+CCommandExecutor::SRestart CCommandExecutor::Restore() {
+  m_scripts.Restore();
+  m_parameters.Restore();
+  CSpace& space = m_simulator.GetSpace();
+  for (const std::string& id : std::exchange(m_added, {})) {
+    if (CEntity* const root = space.TryGetEntity(id)) {
+      space.Remove(*root);
+    }
+  }
+  CheckSelection();
+  SRestart restart{m_removals, {}};
+  for (auto& [key, command] : std::exchange(m_kept, {})) {
+    restart.ToDo.push_back(std::move(command));
+  }
+  return restart;
+}
+
+/****************************************/
 // hooks of users' functions
 /****************************************/
 
 TJson CCommandExecutor::Select(const TJson& arguments) {
-  CEntity* const root = arguments.contains("entity") && !arguments["entity"].is_null()
-                            ? &GetRoot(arguments)
-                            : nullptr;
+  CEntity* const root = FindRoot(arguments);
   m_selected = root != nullptr ? root->GetId() : std::string();
   m_selectedIndex = root != nullptr ? root->GetIndex() : -1;
   m_drawing.ForEachFunctions(
@@ -248,6 +318,9 @@ TJson CCommandExecutor::Remove(const TJson& arguments) {
   }
   if (root.GetId() == m_selected) {
     Select(TJson::object());
+  }
+  if (m_added.erase(root.GetId()) == 0) {
+    m_removals.push_back({{"do", "remove"}, {"entity", root.GetId()}});
   }
   m_simulator.GetSpace().Remove(root);
   return TJson::object();
@@ -356,6 +429,8 @@ TJson CCommandExecutor::Add(const TJson& arguments) {
     space.Remove(entity);
     THROW_ARGOSEXCEPTION("it would overlap " << obstacle << " there");
   }
+  m_added.insert(id);
+  m_scripts.ApplyToAdded(entity);
   return {{"entity", id}};
 }
 

@@ -13,6 +13,8 @@
 #include <argos3/plugins/simulator/visualizations/live/run/entity_values.h>
 #include <argos3/plugins/simulator/visualizations/live/run/page.h>
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -71,6 +73,8 @@ void CLiveRun::ReadAttributes(TConfigurationNode& tree, SLiveServerSettings& set
   GetNodeAttributeOrDefault(tree, "open", m_opensPage, m_opensPage);
   GetNodeAttributeOrDefault(tree, "linger", m_linger, m_linger);
   check(m_linger >= 0.0 && m_linger <= 1e9, "\"linger\" must be from 0 to 1e9");
+  GetNodeAttributeOrDefault(tree, "edit", m_mayEdit, m_mayEdit);
+  GetNodeAttributeOrDefault(tree, "url_file", m_urlFileName, m_urlFileName);
 }
 
 void CLiveRun::Init(TConfigurationNode& tree) {
@@ -85,6 +89,7 @@ void CLiveRun::Init(TConfigurationNode& tree) {
 }
 
 void CLiveRun::Destroy() {
+  m_urlFile.reset();
   m_log.reset();
   m_server.reset();
   m_capture.Destroy();
@@ -99,7 +104,7 @@ TJson CLiveRun::MakeWelcome() {
           {"last_tick", m_cSimulator.GetMaxSimulationClock()},
           {"seed", m_cSimulator.GetRandomSeed()},
           {"can",
-           {{"edit", false},
+           {{"edit", m_mayEdit && !isReplay},
             {"replay", isReplay},
             {"seek", isReplay},
             {"change", !isReplay},
@@ -108,11 +113,19 @@ TJson CLiveRun::MakeWelcome() {
           {"types_to_add", m_executor.ListTypesToAdd()}};
 }
 
-void CLiveRun::Announce() const {
+void CLiveRun::Announce() {
   const std::string url = m_server->GetURL();
   CLogControl::Notify("Live view: " + url);
+  if (!m_urlFileName.empty()) {
+    SLiveRunEntry entry;
+    entry.URL = url;
+    entry.Experiment = m_cSimulator.GetExperimentFileName();
+    entry.Seed = m_cSimulator.GetRandomSeed();
+    entry.Process = static_cast<UInt64>(getpid());
+    m_urlFile = std::make_unique<CLiveRunFile>(m_urlFileName, entry);
+  }
   if (m_opensPage) {
-    OpenPage(url);
+    OpenInBrowser(url);
   }
 }
 
@@ -136,6 +149,7 @@ void CLiveRun::Execute() {
     throw;
   }
   Serve(TClock::now());
+  m_urlFile.reset();
   m_server->Stop("the run has ended");
   m_log.reset();
 }
@@ -259,10 +273,18 @@ void CLiveRun::SendValues() {
     if (entity == nullptr) {
       continue;
     }
-    const TJson tree = ReadValues(entity->GetRootEntity(), kMaxValueBytes);
+    TJson tree;
+    try {
+      tree = ReadValues(entity->GetRootEntity(), kMaxValueBytes);
+    } catch (...) {
+      // what viewers look at does not end the run
+      tree = {{"error", WithoutMark(DescribeCurrentException())}};
+    }
     m_link.PutEvent(
-        {0, ToText({{"values",
-                     {{"entity", id}, {"tick", m_cSpace.GetSimulationClock()}, {"tree", tree}}}})});
+        {0,
+         ToText({{"values",
+                  {{"entity", id}, {"tick", m_cSpace.GetSimulationClock()}, {"tree", tree}}}}),
+         id});
   }
 }
 
@@ -282,10 +304,16 @@ void CLiveRun::DoCommands() {
 
 CLiveRun::TAction CLiveRun::FindAction(const std::string& command) {
   constexpr std::pair<const char*, TAction> kActions[] = {
-      {"play", &CLiveRun::Play},      {"pause", &CLiveRun::Pause},
-      {"step", &CLiveRun::Step},      {"speed", &CLiveRun::SetSpeed},
-      {"reset", &CLiveRun::ResetRun}, {"redistribute", &CLiveRun::RedistributeRun},
-      {"seek", &CLiveRun::SeekTick},  {"end", &CLiveRun::EndRun}};
+      {"play", &CLiveRun::Play},
+      {"pause", &CLiveRun::Pause},
+      {"step", &CLiveRun::Step},
+      {"speed", &CLiveRun::SetSpeed},
+      {"reset", &CLiveRun::ResetRun},
+      {"redistribute", &CLiveRun::RedistributeRun},
+      {"seek", &CLiveRun::SeekTick},
+      {"end", &CLiveRun::EndRun},
+      {"open_script", &CLiveRun::OpenScript},
+      {"parameters", &CLiveRun::ListParameters}};
   for (const auto& [name, action] : kActions) {
     if (command == name) {
       return action;
@@ -311,7 +339,9 @@ void CLiveRun::DoCommand(const SLiveCommand& command) {
       THROW_ARGOSEXCEPTION("there is no command \"" << command.Do << '"');
     }
     answer.update(more);
-    answer["ok"] = true;
+    if (!answer.contains("error")) {
+      answer["ok"] = true;
+    }
   } catch (...) {
     answer["error"] = WithoutMark(DescribeCurrentException());
   }
@@ -324,6 +354,9 @@ void CLiveRun::RecordCommand(TJson command) {
 }
 
 TJson CLiveRun::DoChange(const SLiveCommand& command) {
+  if (command.Do == "script") {
+    CheckEditing();
+  }
   // one that is refused is recorded, too: users' code may have been called
   RecordCommand(command.Arguments);
   m_hasChanged = m_haveValuesChanged = true;
@@ -368,12 +401,13 @@ TJson CLiveRun::SetSpeed(const TJson& arguments) {
 
 TJson CLiveRun::ResetRun(const TJson& arguments) {
   const auto seed = ReadCountArgument(arguments, "seed", 1, ~UInt32(0));
+  const CCommandExecutor::SRestart restart = m_executor.Restore();
   if (seed && !m_cSimulator.IsReplay()) {
     m_cSimulator.Reset(*seed);
   } else {
     m_cSimulator.Reset();
   }
-  BeginAgain();
+  BeginAgain(restart);
   return {{"seed", m_cSimulator.GetRandomSeed()}};
 }
 
@@ -382,12 +416,13 @@ TJson CLiveRun::RedistributeRun(const TJson& arguments) {
   if (m_cSimulator.IsReplay()) {
     THROW_ARGOSEXCEPTION("a replay shows what was recorded: nothing can be changed in it");
   }
+  const CCommandExecutor::SRestart restart = m_executor.Restore();
   if (seed) {
     m_cSimulator.Redistribute(*seed);
   } else {
     m_cSimulator.Redistribute();
   }
-  BeginAgain();
+  BeginAgain(restart);
   return {{"seed", m_cSimulator.GetRandomSeed()}};
 }
 
@@ -400,7 +435,7 @@ TJson CLiveRun::SeekTick(const TJson& arguments) {
     THROW_ARGOSEXCEPTION("only a replay has other ticks to show");
   }
   m_cSimulator.SeekReplay(*tick);
-  BeginAgain();
+  BeginAgain({});
   return TJson::object();
 }
 
@@ -410,8 +445,24 @@ TJson CLiveRun::EndRun(const TJson&) {
   return TJson::object();
 }
 
-// after the clock was set
-void CLiveRun::BeginAgain() {
+void CLiveRun::CheckEditing() const {
+  if (!m_mayEdit) {
+    THROW_ARGOSEXCEPTION(
+        "the author of this run does not allow to edit scripts: <live edit=\"true\">");
+  }
+}
+
+TJson CLiveRun::OpenScript(const TJson& arguments) {
+  CheckEditing();
+  return m_executor.OpenScript(arguments);
+}
+
+TJson CLiveRun::ListParameters(const TJson& arguments) {
+  return m_executor.ListParameters(arguments);
+}
+
+// after the clock was set; a run keeps the scripts and parameters that viewers have set
+void CLiveRun::BeginAgain(const CCommandExecutor::SRestart& restart) {
   m_executor.ForgetDrivers();
   m_isPostExperimentDone = false;
   m_stepsLeft = 0;
@@ -419,6 +470,17 @@ void CLiveRun::BeginAgain() {
   m_executor.CheckSelection();
   m_capture.Observe(m_cSimulator);
   m_pace.Restart(TClock::now());
+  for (const TJson& command : restart.Done) {
+    RecordCommand(command);
+  }
+  for (const TJson& command : restart.ToDo) {
+    RecordCommand(command);
+    try {
+      m_executor.Do(command["do"].get<std::string>(), command);
+    } catch (...) {
+      LOGERR << "[ERROR] After the reset: " << WithoutMark(DescribeCurrentException()) << std::endl;
+    }
+  }
   const bool wasPlaying = m_isPlaying;
   CheckEnd();
   m_isPlaying = wasPlaying && !m_isFinished;

@@ -8,6 +8,7 @@
 #include <argos3/plugins/simulator/visualizations/live/run/run_pace.h>
 #include <argos3/plugins/simulator/visualizations/live/run/state_capture.h>
 #include <argos3/plugins/simulator/visualizations/live/server/live_server.h>
+#include <argos3/support/live_runs.h>
 
 #include <chrono>
 #include <memory>
@@ -36,7 +37,7 @@ class CLiveRun : public CLiveEngine {
   using TAction = TJson (CLiveRun::*)(const TJson& arguments);
 
   void ReadAttributes(TConfigurationNode& tree, SLiveServerSettings& settings);
-  void Announce() const;
+  void Announce();
   TJson MakeWelcome();
   void Loop();
   bool MayTick() const { return !m_isFinished && (m_isPlaying || m_stepsLeft > 0); }
@@ -63,7 +64,10 @@ class CLiveRun : public CLiveEngine {
   TJson RedistributeRun(const TJson& arguments);
   TJson SeekTick(const TJson& arguments);
   TJson EndRun(const TJson& arguments);
-  void BeginAgain();
+  void CheckEditing() const;
+  TJson OpenScript(const TJson& arguments);
+  TJson ListParameters(const TJson& arguments);
+  void BeginAgain(const CCommandExecutor::SRestart& restart);
 
   CLiveLink m_link;
   CRunPace m_pace;
@@ -71,6 +75,7 @@ class CLiveRun : public CLiveEngine {
   CCommandExecutor m_executor;
   std::unique_ptr<CLiveLog> m_log;  // null: not running
   std::unique_ptr<CLiveServer> m_server;  // null: only checked
+  std::unique_ptr<CLiveRunFile> m_urlFile;  // null: none is wanted, or not running
 
   bool m_isPlaying = false;
   UInt32 m_stepsLeft = 0;
@@ -81,6 +86,8 @@ class CLiveRun : public CLiveEngine {
   bool m_haveValuesChanged = true;  // since they were sent
   bool m_wasTicking = false;  // as of the last status
   bool m_opensPage = true;
+  bool m_mayEdit = false;  // viewers, the scripts of robots
+  std::string m_urlFileName;  // empty: none; "auto": any
   Real m_linger = 30.0;  // s
   TClock::time_point m_lastViewer;  // when there was one
   std::vector<std::string> m_pinned;  // ids of entities whose values viewers want

@@ -11,10 +11,6 @@ namespace argos {
  */
 std::string ReadPage(const std::string& prefix);
 
-/** Opens it in the user's browser, if there is a display. Failures are silent: the URL is printed.
- */
-void OpenPage(const std::string& url);
-
 }  // namespace argos
 
 #endif

@@ -14,7 +14,7 @@ constexpr size_t kMaxIdBytes = 256;
 
 // commands that need no control
 const std::set<std::string>& FreeCommands() {
-  static const std::set<std::string> free = {"pin", "unpin", "rate", "ask_control"};
+  static const std::set<std::string> free = {"pin", "unpin", "rate", "ask_control", "parameters"};
   return free;
 }
 
