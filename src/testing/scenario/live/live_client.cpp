@@ -171,6 +171,7 @@ void CLiveClient::Decode(const std::string& block) {
   } else if (header->Kind == EBlock::Floor) {
     m_decoder.SetFloor(ReadFloor(in));
   } else {
+    m_numKeys += IsKeyFrame(content) ? 1 : 0;
     m_decoder.Decode(in, IsKeyFrame(content));
     ++m_numFrames;
     if (m_acknowledges) {

@@ -52,6 +52,7 @@ class CLiveClient {
   /** The state that was received last. */
   const SRecordedFrame& GetFrame() const { return m_decoder.GetFrame(); }
   UInt32 CountFrames() const { return m_numFrames; }
+  UInt32 CountKeyFrames() const { return m_numKeys; }
   UInt32 CountInfos() const { return m_numInfos; }
 
  private:
@@ -67,6 +68,7 @@ class CLiveClient {
   TJson m_status = TJson::object();
   CFrameDecoder m_decoder{EPrecision::Grid};
   UInt32 m_numFrames = 0;
+  UInt32 m_numKeys = 0;
   UInt32 m_numInfos = 0;
 };
 

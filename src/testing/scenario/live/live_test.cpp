@@ -1,11 +1,9 @@
 // The live view, with viewers that behave well and others that don't.
 
-#include "live_client.h"
-#include "live_world.h"
+#include "live_viewer.h"
 
 #include <argos3/core/simulator/replay/replay.h>
 #include <argos3/core/simulator/space/space.h>
-#include <argos3/core/utility/configuration/configuration_document.h>
 #include <argos3/plugins/simulator/visualizations/qt-opengl/qtopengl_user_functions.h>
 #include <argos3/testing/support/experiment.h>
 #include <argos3/testing/support/temporary_folder.h>
@@ -28,34 +26,6 @@ using namespace argos;
 using Catch::Contains;
 
 namespace {
-
-const CLiveWorld::TAttributes kPlays = {{"play", "true"}, {"speed", "0"}};
-const CLiveWorld::TAttributes kWaits = {{"speed", "0"}};
-
-std::unique_ptr<CLiveClient> Join(const CLiveWorld& world) {
-  auto viewer = std::make_unique<CLiveClient>(world.GetURL());
-  viewer->Hello();
-  viewer->WaitFor("welcome");
-  return viewer;
-}
-
-bool IsOk(const TJson& answer) {
-  return answer.is_object() && answer.value("ok", false);
-}
-
-std::string GetError(const TJson& answer) {
-  return answer.is_object() ? answer.value("error", "") : "closed";
-}
-
-// plays to the end, and sees the last state
-void PlayToEnd(CLiveClient& viewer) {
-  CHECK(IsOk(viewer.Do("play")));
-  viewer.ReceiveUntil([&] { return viewer.GetStatus().value("run", "") == "ended"; });
-  const UInt32 last = viewer.GetStatus()["tick"];
-  if (viewer.GetFrame().Tick != last) {
-    viewer.ReceiveUntil([&] { return viewer.GetFrame().Tick == last; });
-  }
-}
 
 const SBodyPose& GetPose(const SRecordedFrame& frame, const std::string& id) {
   size_t place = 0;
@@ -92,12 +62,6 @@ class CNotingFunctions : public CQTOpenGLUserFunctions {
 };
 std::vector<std::string> CNotingFunctions::notes;
 REGISTER_QTOPENGL_USER_FUNCTIONS(CNotingFunctions, "live_test_notes")
-
-std::function<void(CSimulator&)> Loading(const std::string& xml) {
-  auto document = std::make_shared<CConfigurationDocument>();
-  document->Parse(xml, "test");
-  return [document](CSimulator& simulator) { simulator.Load(*document); };
-}
 
 // a box, in a file with another view than <live>
 std::function<void(CSimulator&)> BoxWithNotes() {
@@ -184,6 +148,44 @@ TEST_CASE("live view: viewers do not change the run", "[live]") {
     CHECK(IsOk(viewers.front()->Do("end")));
   }
   CHECK(world.Finish() == expected);
+}
+
+TEST_CASE("live view: values of an entity go to those who have pinned it", "[live]") {
+  CLiveWorld world(kWaits, Diffusion(3));
+  auto first = Join(world);
+  auto second = Join(world);
+  CHECK(IsOk(first->Do("pin", {{"entity", "fb0"}})));
+  CHECK(IsOk(second->Do("pin", {{"entity", "fb1"}})));
+  CHECK(IsOk(first->Do("step", {{"n", 3}})));
+  for (int i = 0; i < 3; ++i) {
+    CHECK(first->WaitFor("values")["entity"] == "fb0");
+    CHECK(second->WaitFor("values")["entity"] == "fb1");
+    CHECK(IsOk(first->Do("step")));
+  }
+  CHECK(IsOk(first->Do("end")));
+  world.Finish();
+}
+
+TEST_CASE("live view: a viewer never needs more than 100 states to decode one", "[live]") {
+  CLiveWorld world({{"speed", "0"}, {"fps", "100"}}, Diffusion(60));
+  auto viewer = Join(world);
+  UInt32 fromKey = 0;
+  UInt32 most = 0;
+  UInt32 keys = viewer->CountKeyFrames();
+  CHECK(IsOk(viewer->Do("play")));
+  viewer->ReceiveUntil([&] {
+    fromKey = viewer->CountKeyFrames() > keys ? 0 : fromKey;
+    keys = viewer->CountKeyFrames();
+    fromKey += viewer->GetText().is_null() ? 1 : 0;
+    most = std::max(most, fromKey);
+    return viewer->CountFrames() > 250 || viewer->GetStatus().value("run", "") == "ended";
+  });
+  CHECK(most <= 101);
+  if (viewer->CountFrames() > 250) {
+    CHECK(keys >= 3);
+  }
+  CHECK(IsOk(viewer->Do("end")));
+  world.Finish();
 }
 
 TEST_CASE("live view: strangers are refused", "[live]") {

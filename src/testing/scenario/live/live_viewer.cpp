@@ -1,0 +1,45 @@
+#include "live_viewer.h"
+
+#include <argos3/core/utility/configuration/configuration_document.h>
+
+#include <catch2/catch.hpp>
+
+namespace argos {
+
+std::unique_ptr<CLiveClient> Join(const CLiveWorld& world) {
+  auto viewer = std::make_unique<CLiveClient>(world.GetURL());
+  viewer->Hello();
+  viewer->WaitFor("welcome");
+  return viewer;
+}
+
+bool IsOk(const TJson& answer) {
+  return answer.is_object() && answer.value("ok", false);
+}
+
+std::string GetError(const TJson& answer) {
+  return answer.is_object() ? answer.value("error", "") : "closed";
+}
+
+void PlayToEnd(CLiveClient& viewer) {
+  CHECK(IsOk(viewer.Do("play")));
+  viewer.ReceiveUntil([&] { return viewer.GetStatus().value("run", "") == "ended"; });
+  const UInt32 last = viewer.GetStatus()["tick"];
+  if (viewer.GetFrame().Tick != last) {
+    viewer.ReceiveUntil([&] { return viewer.GetFrame().Tick == last; });
+  }
+}
+
+void StepTicks(CLiveClient& viewer, UInt32 ticks) {
+  const UInt32 last = viewer.GetFrame().Tick + ticks;
+  CHECK(IsOk(viewer.Do("step", {{"n", ticks}})));
+  viewer.ReceiveUntil([&] { return viewer.GetFrame().Tick == last; });
+}
+
+std::function<void(CSimulator&)> Loading(const std::string& xml) {
+  auto document = std::make_shared<CConfigurationDocument>();
+  document->Parse(xml, "test");
+  return [document](CSimulator& simulator) { simulator.Load(*document); };
+}
+
+}  // namespace argos
