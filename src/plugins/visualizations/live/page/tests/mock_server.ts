@@ -6,37 +6,14 @@ import type { AddressInfo } from "node:net";
 
 import { type WebSocket, WebSocketServer } from "ws";
 
-import { BlockKind, checksum, kFileHeaderSize, readBlockHeader, unpackBlock } from "../src/decode/blocks";
+import { BlockKind, kFileHeaderSize, readBlockHeader, unpackBlock } from "../src/decode/blocks";
 import { ByteReader } from "../src/decode/bytes";
-
-const kMagic = 0x4b4c4241;
-
-/** A zstd frame that holds the bytes as they are. */
-function storeAsZstd(content: Uint8Array): Uint8Array {
-  const parts: number[] = [0x28, 0xb5, 0x2f, 0xfd, 0xa0];
-  for (let shift = 0; shift < 32; shift += 8) {
-    parts.push((content.length >>> shift) & 255);
-  }
-  const chunks: Uint8Array[] = [new Uint8Array(parts)];
-  for (let place = 0; place < content.length || place === 0; place += 100_000) {
-    const chunk = content.subarray(place, place + 100_000);
-    const isLast = place + 100_000 >= content.length;
-    const header = (chunk.length << 3) | (isLast ? 1 : 0);
-    chunks.push(new Uint8Array([header & 255, (header >> 8) & 255, header >> 16]), chunk);
-  }
-  return Buffer.concat(chunks);
-}
+import { makeBlock as makeBlockOfTicks } from "../src/decode/write";
 
 function makeBlock(kind: BlockKind, tick: number, content: Uint8Array, floorPlace = 0): Buffer {
-  const packed = storeAsZstd(content);
-  const header = Buffer.alloc(44);
-  const [low, high] = checksum(packed);
-  [kMagic, kind, tick, tick, floorPlace, 0, content.length, packed.length, low, high].forEach((word, i) =>
-    header.writeUInt32LE(word, 4 * i),
-  );
-  header.writeUInt32LE(checksum(header.subarray(0, 40))[0], 40);
-  return Buffer.concat([header, packed]);
+  return Buffer.from(makeBlockOfTicks(kind, [tick, tick], content, floorPlace));
 }
+
 
 interface State {
   tick: number;

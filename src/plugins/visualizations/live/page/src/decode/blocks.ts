@@ -8,8 +8,8 @@ import { Precision } from "./columns";
 export const kFileHeaderSize = 16;
 export const kFileFooterSize = 16;
 export const kBlockHeaderSize = 44;
-const kVersion = 1;
-const kBlockMagic = 0x4b4c4241;
+export const kVersion = 1;
+export const kBlockMagic = 0x4b4c4241;
 const kMaxBlockBytes = 2 ** 29;
 
 export enum BlockKind {

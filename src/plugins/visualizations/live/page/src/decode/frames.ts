@@ -3,6 +3,7 @@
 import { ByteReader, FormatError } from "./bytes";
 import { Precision, PredictedColumn, SparseReader } from "./columns";
 import { type Shape, readDrawing } from "./drawing";
+import { ByteWriter, joinBytes } from "./write";
 import { type Entity, EntityTable, type EntityType } from "./types";
 
 export enum RayKind {
@@ -61,6 +62,7 @@ export interface Frame {
 }
 
 const kNumbers = 7;
+let lastVersion = 0; // of all decoders, so that the same number means the same entities
 const kMaxRays = 1 << 22;
 const kMaxPixels = 1 << 14;
 const kMaxValues = 1 << 24;
@@ -147,6 +149,15 @@ export function readFloor(content: Uint8Array): Floor {
     throw new FormatError("the size of its floor is wrong");
   }
   return { width, height, pixels };
+}
+
+/** The content of a block that readFloor() reads. */
+export function writeFloor(floor: Floor): Uint8Array {
+  const head = new ByteWriter();
+  head.number(floor.width);
+  head.number(floor.height);
+  head.number(floor.pixels.length);
+  return joinBytes([head.result, floor.pixels]);
 }
 
 function readFloorChange(before: Floor, input: ByteReader): Floor {
@@ -309,7 +320,7 @@ export class FrameDecoder {
     if (!isSame) {
       frame.types = this.table.types;
       frame.entities = this.table.entities;
-      ++frame.entitiesVersion;
+      frame.entitiesVersion = ++lastVersion;
     }
   }
 

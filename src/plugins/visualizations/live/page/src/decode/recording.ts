@@ -90,6 +90,11 @@ export class Recording {
     return new Recording(this.source, this.info, this.blocks, this.damage);
   }
 
+  /** All bytes of it. */
+  readAll(): Promise<Uint8Array> {
+    return this.source.read(0, this.source.size);
+  }
+
   /** Ticks from which reading needs least: the first one of each block. */
   get keyTicks(): number[] {
     return this.blocks.map((block) => block.firstTick);

@@ -9,11 +9,21 @@ import {
   unpackBlock,
 } from "./blocks";
 import { ByteReader, FormatError } from "./bytes";
-import { type Frame, FrameDecoder, readFloor } from "./frames";
+import { type Floor, type Frame, FrameDecoder, readFloor } from "./frames";
 
 export class StreamDecoder {
   info: RecordingInfo | null = null;
+  /** The message with the information, as it came. */
+  infoBlock = new Uint8Array(0);
+  /** Of the last state: whether it needs none before it, and the floor before it. */
+  isKey = false;
+  floorBefore: Floor | null = null;
   private decoder: FrameDecoder | null = null;
+
+  /** The last state; null before the first one. */
+  get frame(): Frame | null {
+    return this.decoder?.frame ?? null;
+  }
 
   /** Takes a message. Returns the last state in it, or null if it has none. */
   decode(message: Uint8Array): Frame | null {
@@ -24,6 +34,7 @@ export class StreamDecoder {
     const content = unpackBlock(header, message.subarray(kBlockHeaderSize));
     if (header.kind === BlockKind.Info) {
       this.info = readInfo(content);
+      this.infoBlock = message.slice();
       this.decoder = new FrameDecoder(this.info.precision);
       return null;
     }
@@ -36,6 +47,8 @@ export class StreamDecoder {
       if (header.floorPlace === 0) {
         this.decoder.setFloor(null);
       }
+      this.floorBefore = this.decoder.frame.floor;
+      this.isKey = isKeyFrame(content);
       const input = new ByteReader(content);
       while (!input.isAtEnd) {
         this.decoder.decode(input);
@@ -44,4 +57,10 @@ export class StreamDecoder {
     }
     return null;
   }
+}
+
+function isKeyFrame(content: Uint8Array): boolean {
+  const body = new ByteReader(new ByteReader(content).readTextBytes());
+  body.readNumber(); // its tick
+  return body.readByte() !== 0;
 }
