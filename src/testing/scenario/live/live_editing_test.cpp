@@ -282,4 +282,45 @@ TEST_CASE("live view: parameters of loop functions are changed", "[live]") {
   world.Finish();
 }
 
+TEST_CASE("live view: a viewer sees where a robot perceives messages and lights", "[live]") {
+  SExperiment experiment;
+  experiment.Controllers =
+      "<lua_controller id='c'><actuators><leds implementation='default' medium='leds' />"
+      "<range_and_bearing implementation='default' /></actuators><sensors>"
+      "<range_and_bearing implementation='medium' medium='rab' />"
+      "<colored_blob_omnidirectional_camera implementation='rot_z_only' medium='leds' />"
+      "</sensors><params script='robot.lua' /></lua_controller>";
+  const CTemporaryFolder folder;
+  const std::string script =
+      folder.Write("robot.lua",
+                   "function init() robot.leds.set_single_color(13, 'red')\n"
+                   "robot.colored_blob_omnidirectional_camera.enable() end\n"
+                   "function step() robot.range_and_bearing.set_data(1, 7) end\n");
+  experiment.Controllers.replace(experiment.Controllers.find("robot.lua"), 9, script);
+  experiment.Engines = "<dynamics2d id='dyn2d' />";
+  experiment.Media = "<led id='leds' /><range_and_bearing id='rab' />";
+  for (const std::string number : {"0", "1"}) {
+    experiment.Arena += "<foot-bot id='fb" + number + "' omnidirectional_camera_aperture='80'>" +
+                        "<body position='0," + number +
+                        ",0' /><controller config='c' /></foot-bot>";
+  }
+  CLiveWorld world(kWaits, Loading(experiment.ToXml()));
+  auto viewer = Join(world);
+  viewer->ReceiveUntil([&] { return viewer->CountFrames() > 0; });
+  StepTicks(*viewer, 3);
+  CHECK(IsOk(viewer->Do("pin", {{"entity", "fb0"}})));
+  const TJson marks = viewer->WaitFor("values")["marks"];
+  REQUIRE(marks.size() == 2);
+  for (const TJson& mark : marks) {
+    // the other robot is 1 m to the left
+    CHECK(mark["range"].get<Real>() == Approx(1.0).margin(0.01));
+    CHECK(mark["bearing"].get<Real>() == Approx(std::acos(0.0)).margin(0.01));
+  }
+  CHECK(marks[0]["kind"] == "blob");
+  CHECK(marks[0]["color"] == TJson({255, 0, 0}));
+  CHECK(marks[1]["kind"] == "message");
+  CHECK(IsOk(viewer->Do("end")));
+  world.Finish();
+}
+
 }  // namespace live_editing_test

@@ -10,6 +10,7 @@
 #include <argos3/core/utility/logging/log_control.h>
 #include <argos3/plugins/simulator/outputs/recording/run_info.h>
 #include <argos3/plugins/simulator/visualizations/live/run/command_arguments.h>
+#include <argos3/plugins/simulator/visualizations/live/run/device_marks.h>
 #include <argos3/plugins/simulator/visualizations/live/run/entity_values.h>
 #include <argos3/plugins/simulator/visualizations/live/run/page.h>
 
@@ -274,17 +275,21 @@ void CLiveRun::SendValues() {
       continue;
     }
     TJson tree;
+    TJson marks = TJson::array();
     try {
+      marks = ReadDeviceMarks(entity->GetRootEntity());
       tree = ReadValues(entity->GetRootEntity(), kMaxValueBytes);
     } catch (...) {
       // what viewers look at does not end the run
       tree = {{"error", WithoutMark(DescribeCurrentException())}};
     }
-    m_link.PutEvent(
-        {0,
-         ToText({{"values",
-                  {{"entity", id}, {"tick", m_cSpace.GetSimulationClock()}, {"tree", tree}}}}),
-         id});
+    m_link.PutEvent({0,
+                     ToText({{"values",
+                              {{"entity", id},
+                               {"tick", m_cSpace.GetSimulationClock()},
+                               {"tree", tree},
+                               {"marks", marks}}}}),
+                     id});
   }
 }
 

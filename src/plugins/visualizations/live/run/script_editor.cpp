@@ -9,6 +9,7 @@
 #include <argos3/core/wrappers/lua/lua_script.h>
 
 #include <cctype>
+#include <string_view>
 
 namespace argos {
 
@@ -35,7 +36,16 @@ UInt32 FindLine(const std::string& message, const std::string& file) {
   return 0;
 }
 
-TJson DescribeError(const std::string& message, const std::string& file) {
+std::string WithoutMarks(std::string message) {
+  constexpr std::string_view kMark = "[FATAL] ";
+  for (size_t at = message.find(kMark); at != std::string::npos; at = message.find(kMark, at)) {
+    message.erase(at, kMark.size());
+  }
+  return message;
+}
+
+TJson DescribeError(const std::string& text, const std::string& file) {
+  const std::string message = WithoutMarks(text);
   TJson answer = {{"error", message}};
   if (const UInt32 line = FindLine(message, file); line > 0) {
     answer["line"] = line;
