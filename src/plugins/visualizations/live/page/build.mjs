@@ -23,7 +23,8 @@ const result = await build({
   logLevel: "warning",
 });
 const textOf = (name) => result.outputFiles.find((file) => file.path.endsWith(name)).text;
-const licences = ["three", "uplot", "fzstd"]
+// what CodeMirror needs has the same authors and licence
+const licences = ["three", "uplot", "fzstd", "@codemirror/view", "@lezer/common"]
   .map((name) => {
     const text = readFileSync(join(modules, "node_modules", name, "LICENSE"), "utf8");
     return `This page contains ${name}:\n\n${text.trim()}`;

@@ -2,7 +2,7 @@
 
 import type { Frame } from "./decode/frames";
 import type { Recording } from "./decode/recording";
-import type { Abilities, RunState, Session, SessionListener } from "./session";
+import type { Abilities, Answer, RunState, Session, SessionListener } from "./session";
 
 const kIsRecording = "A recording can be watched, but not changed";
 
@@ -13,6 +13,8 @@ export class RecordingPlayer implements Session {
   readonly control = 0;
   readonly connection = "none";
   readonly typesToAdd = [];
+  readonly isPast = false;
+  readonly times = "all";
   state: RunState = "loading";
   position: number;
   speed = 1;
@@ -62,6 +64,8 @@ export class RecordingPlayer implements Session {
       end: kIsRecording,
       move: kIsRecording,
       drive: kIsRecording,
+      edit: kIsRecording,
+      tune: kIsRecording,
     };
   }
 
@@ -188,6 +192,13 @@ export class RecordingPlayer implements Session {
     this.state = "ended";
   }
 
+  saveRecording(): Promise<Uint8Array | null> {
+    return this.recording.readAll();
+  }
+  request(): Promise<Answer> {
+    return Promise.resolve({ error: kIsRecording });
+  }
+  toLive(): void {}
   reset(): void {}
   end(): void {}
   askControl(): void {}

@@ -16,6 +16,10 @@ export interface Abilities {
   end: string | null;
   move: string | null;
   drive: string | null;
+  /** Scripts of robots. */
+  edit: string | null;
+  /** Parameters that the run declares. */
+  tune: string | null;
 }
 
 export interface LogLine {
@@ -26,6 +30,36 @@ export interface LogLine {
 
 export type Tree = { [name: string]: Tree | number | string | boolean | null | TreeList };
 export type TreeList = (Tree | number | string | boolean | null)[];
+
+/** A thing that a sensor of a robot has perceived, in the robot's frame: m and rad. */
+export interface Mark {
+  kind: "blob" | "message";
+  sensor: string;
+  range: number;
+  bearing: number;
+  elevation: number;
+  color?: [number, number, number];
+}
+
+export interface Parameter {
+  name: string;
+  value: number;
+  min: number;
+  max: number;
+  unit: string;
+}
+
+/** What the run answers to a request. */
+export interface Answer {
+  error?: string;
+  line?: number;
+  file?: string;
+  text?: string;
+  robots?: number;
+  failed?: number;
+  changed?: boolean;
+  parameters?: Parameter[];
+}
 
 export interface Viewer {
   id: number;
@@ -42,7 +76,7 @@ export interface SessionListener {
   setBlend(blend: number): void;
   changed(): void;
   addLog(lines: LogLine[]): void;
-  values(entity: string, tick: number, tree: Tree): void;
+  values(entity: string, tick: number, tree: Tree, marks: Mark[]): void;
   notify(text: string, kind: "info" | "error"): void;
 }
 
@@ -66,11 +100,21 @@ export interface Session {
   readonly control: number;
   readonly connection: "none" | "connected" | "lost";
   readonly typesToAdd: string[];
+  /** A state before the present one is shown. */
+  readonly isPast: boolean;
+  /** Whether other times can be shown: all of a recording, or what was received of a run. */
+  readonly times: "none" | "received" | "all";
 
   play(): void;
   pause(): void;
   step(count: number): void;
   seek(tick: number): void;
+  /** Shows the present again. */
+  toLive(): void;
+  /** Null: there is nothing yet. */
+  saveRecording(): Promise<Uint8Array | null>;
+  /** For scripts and parameters. */
+  request(name: string, more: object): Promise<Answer>;
   setSpeed(factor: number): void;
   reset(newSeed: boolean): void;
   end(): void;

@@ -3,9 +3,12 @@
 import type { RecordingInfo } from "../decode/blocks";
 import type { Frame } from "../decode/frames";
 import { StreamDecoder } from "../decode/stream";
+import { History } from "./history";
 import type {
   Abilities,
+  Answer,
   LogLine,
+  Mark,
   RunState,
   Session,
   SessionListener,
@@ -43,18 +46,17 @@ interface ServerMessage {
   welcome?: Welcome;
   status?: Status;
   log?: LogLine[];
-  values?: { entity: string; tick: number; tree: Tree };
+  values?: { entity: string; tick: number; tree: Tree; marks?: Mark[] };
   error?: string | undefined;
   re?: number;
   ok?: boolean;
 }
 
+const kPast = "This is the past: go back to the present first (End)";
+
 export class LiveClient implements Session {
   readonly kind = "live";
   state: RunState = "loading";
-  position = 0;
-  firstTick = 0;
-  lastTick = 0;
   speed = 1;
   realTimeFactor: number | null = null;
   viewers: Viewer[] = [];
@@ -71,6 +73,10 @@ export class LiveClient implements Session {
   private isClosed = false;
   private lastCommand = 0;
   private readonly waiting = new Map<number, string>();
+  private readonly requests = new Map<number, (answer: Answer) => void>();
+  private readonly history = new History();
+  private tick = 0; // of the last state that has come
+  private past: number | null = null; // the tick that is shown instead
   private pinned: string[] = [];
   private isFirstFrame = true;
   private can: NonNullable<Welcome["can"]> = {};
@@ -97,9 +103,20 @@ export class LiveClient implements Session {
     return this.decoder.info;
   }
 
-  /** Whether the author of the run allows to edit scripts. */
-  get mayEdit(): boolean {
-    return this.can.edit === true && this.hasControl;
+  get position(): number {
+    return this.past ?? this.tick;
+  }
+  get isPast(): boolean {
+    return this.past !== null;
+  }
+  get times(): Session["times"] {
+    return this.can.seek === true ? "all" : this.history.size > 1 ? "received" : "none";
+  }
+  get firstTick(): number {
+    return this.times === "received" ? this.history.firstTick : 0;
+  }
+  get lastTick(): number {
+    return this.times === "received" ? this.tick : Math.max(this.tick, this.maxTick, 1);
   }
 
   private get hasControl(): boolean {
@@ -117,17 +134,25 @@ export class LiveClient implements Session {
           : "Another viewer has control: ask for it";
     const atEnd = noControl ?? (this.state === "ended" ? "The run has ended: reset it first" : null);
     const isReplay = this.can.change === false ? "This is a replay, which cannot be changed" : null;
-    const seek = this.can.seek === true ? noControl : "A run cannot go back";
+    const received = this.times === "none" ? "Nothing else was received yet" : null;
+    const seek = this.can.seek === true ? noControl : received;
+    const isPast = this.isPast ? kPast : null;
+    const noEdit =
+      this.can.edit === true
+        ? null
+        : 'The author of this run does not allow it: <live edit="true"> in the experiment file does';
     return {
-      play: atEnd,
-      step: atEnd,
-      stepBack: seek,
+      play: isPast ?? atEnd,
+      step: isPast !== null ? null : atEnd,
+      stepBack: this.can.seek === true || this.position > this.firstTick ? seek : "This is the first state",
       seek,
       speed: noControl,
       reset: noControl,
       end: noControl,
-      move: noControl ?? isReplay,
-      drive: this.can.drive === true ? (atEnd ?? isReplay) : "This run does not take it",
+      move: isPast ?? noControl ?? isReplay,
+      drive: this.can.drive === true ? (isPast ?? atEnd ?? isReplay) : "This run does not take it",
+      edit: isReplay ?? noEdit ?? noControl,
+      tune: isReplay ?? noControl,
     };
   }
 
@@ -154,6 +179,8 @@ export class LiveClient implements Session {
   private lost(): void {
     this.socket = null;
     this.waiting.clear();
+    this.requests.forEach((answer) => answer({ error: "The connection to the run was lost" }));
+    this.requests.clear();
     this.isSeeking = false;
     this.nextSeek = null;
     this.viewers = [];
@@ -190,18 +217,37 @@ export class LiveClient implements Session {
       const key = JSON.stringify([experimentFile, date, seed]);
       if (key !== this.opened) {
         this.opened = key;
+        this.past = null;
+        this.history.start(this.decoder.info, this.decoder.infoBlock);
         this.listener.opened(this.decoder.info);
       }
     }
     if (frame !== null) {
       this.sendText({ ack: frame.tick });
-      this.showFrame(frame);
+      this.keep(frame, bytes);
+      if (this.past === null) {
+        this.showFrame(frame);
+      } else {
+        this.tick = frame.tick;
+        this.listener.changed();
+      }
+    }
+  }
+
+  private keep(frame: Frame, bytes: Uint8Array): void {
+    // a replay is sent again whenever a viewer wants another time
+    if (this.can.seek !== true) {
+      this.history.add(frame.tick, bytes, this.decoder.isKey, this.decoder.floorBefore);
+    }
+    if (this.past !== null && (frame.tick < this.tick || this.past < this.history.firstTick)) {
+      this.past = null; // it was reset, or the state is not kept any more
+      this.isFirstFrame = true;
     }
   }
 
   private showFrame(frame: Frame): void {
     const now = performance.now();
-    const isBack = frame.tick < this.position;
+    const isBack = frame.tick < this.tick;
     this.arrivals.push(now);
     if (this.arrivals.length > 12) {
       this.arrivals.shift();
@@ -213,8 +259,7 @@ export class LiveClient implements Session {
     const isJump = this.isFirstFrame || isBack;
     this.isFirstFrame = false;
     this.frameAt = now;
-    this.position = frame.tick;
-    this.lastTick = Math.max(frame.tick, this.maxTick, 1);
+    this.tick = frame.tick;
     this.listener.showFrame(frame, isJump);
     if (isJump) {
       this.listener.setBlend(1);
@@ -226,6 +271,12 @@ export class LiveClient implements Session {
     if (message.re !== undefined) {
       const what = this.waiting.get(message.re) ?? "";
       this.waiting.delete(message.re);
+      const request = this.requests.get(message.re);
+      if (request !== undefined) {
+        this.requests.delete(message.re);
+        request(message as Answer);
+        return;
+      }
       if (what === "seek") {
         this.isSeeking = false;
         const next = this.nextSeek;
@@ -254,8 +305,8 @@ export class LiveClient implements Session {
       this.listener.addLog(message.log);
     }
     if (message.values !== undefined) {
-      const { entity, tick, tree } = message.values;
-      this.listener.values(entity, tick, tree);
+      const { entity, tick, tree, marks } = message.values;
+      this.listener.values(entity, tick, tree, marks ?? []);
     }
   }
 
@@ -311,6 +362,19 @@ export class LiveClient implements Session {
     }
   }
 
+  request(name: string, more: object): Promise<Answer> {
+    if (this.connection !== "connected") {
+      return Promise.resolve({ error: "There is no connection to the run" });
+    }
+    const id = ++this.lastCommand;
+    this.sendText({ id, do: name, ...more });
+    return new Promise((resolve) => this.requests.set(id, resolve));
+  }
+
+  saveRecording(): Promise<Uint8Array | null> {
+    return Promise.resolve(this.history.toRecording());
+  }
+
   private command(name: string, more: object = {}): void {
     const id = ++this.lastCommand;
     if (!kMoveCommands.has(name) || this.waiting.size < 8) {
@@ -326,14 +390,41 @@ export class LiveClient implements Session {
     this.command("pause");
   }
   step(count: number): void {
-    if (count < 0) {
+    if (this.times === "received" && (count < 0 || this.isPast)) {
+      this.showPast(this.history.neighbour(this.position, count));
+    } else if (count < 0) {
       this.seek(this.position + count);
     } else {
       this.command("step", { n: count });
     }
   }
+  // what was received; the run goes on meanwhile
+  private showPast(tick: number): void {
+    const frame = tick >= this.tick ? null : this.history.read(tick);
+    if (frame === null) {
+      this.toLive();
+      return;
+    }
+    this.past = frame.tick;
+    this.listener.showFrame(frame, true);
+    this.listener.setBlend(1);
+    this.listener.changed();
+  }
+
+  toLive(): void {
+    const { frame } = this.decoder;
+    if (this.past !== null && frame !== null) {
+      this.past = null;
+      this.listener.showFrame(frame, true);
+      this.listener.setBlend(1);
+    }
+    this.listener.changed();
+  }
+
   seek(tick: number): void {
-    if (!this.isSeeking) {
+    if (this.times === "received") {
+      this.showPast(tick);
+    } else if (!this.isSeeking) {
       this.isSeeking = true;
       this.command("seek", { tick: Math.max(0, Math.round(tick)) });
     } else {
@@ -396,7 +487,7 @@ export class LiveClient implements Session {
   }
 
   update(now: number): void {
-    if (this.frameAt > 0) {
+    if (this.frameAt > 0 && this.past === null) {
       this.listener.setBlend((now - this.frameAt) / this.period);
     }
   }

@@ -7,11 +7,14 @@ import { arenaAround, readArena } from "../experiment";
 import { LiveClient } from "../live/client";
 import { RecordingPlayer } from "../player";
 import { Scan } from "../scan";
-import type { LogLine, Session, SessionListener, Tree } from "../session";
+import type { LogLine, Mark, Session, SessionListener, Tree } from "../session";
 import { type CameraMode } from "../view/camera";
+import { addDevices } from "../view/devices";
 import { kDarkLook, kLightLook } from "../view/looks";
+import type { Dot, Line } from "../view/marks";
 import { yawOf } from "../view/math";
 import { View, type ViewOptions } from "../view/view";
+import { makeWorld } from "../world";
 import { DriveKeys } from "./drive";
 import { button, h, icon, menu, setEnabled, setText } from "./dom";
 import { formatNumber, plural } from "./format";
@@ -19,10 +22,12 @@ import { Inspector } from "./inspector";
 import { LogPanel } from "./log";
 import { Plot, Series } from "./plots";
 import { PointerControl } from "./pointer";
+import { Film, download, makePage } from "./save";
+import { ScriptPanel } from "./script";
 import { Transport } from "./transport";
 
 type Theme = "auto" | "light" | "dark";
-type TabName = "inspect" | "metrics" | "log" | "info";
+type TabName = "inspect" | "metrics" | "script" | "log" | "info";
 
 const kUiPeriod = 120; // ms
 const kSlowPeriod = 60; // ms from picture to picture
@@ -33,6 +38,7 @@ const kOptionNames: [keyof ViewOptions, string, string][] = [
   ["trails", "Trails", "R"],
   ["headings", "Headings", "H"],
   ["rays", "Rays of sensors", "S"],
+  ["devices", "What the selected robots perceive", "D"],
   ["drawing", "What user code draws", "U"],
   ["axes", "Axes", "A"],
   ["scaleBar", "Scale bar", "B"],
@@ -47,9 +53,11 @@ const kKeys: [string, string][] = [
   ["T", "From above"],
   ["O", "From the side, whole arena"],
   ["F / E", "Follow the selected robot / look ahead from it"],
-  ["I R H S U A B G", "Ids, trails, headings, rays, drawings, axes, scale bar, grid"],
+  ["I R H S D U A B G", "Ids, trails, headings, rays, devices, drawings, axes, scale bar, grid"],
+  ["[ / ]", "Turn the selected robot or thing by 15°"],
   ["Esc", "Unselect"],
   ["Drag", "Turn the camera; with Shift or the right button: move it"],
+  ["Drag what is selected", "Move it; with Ctrl or Alt: turn it"],
   ["Wheel", "Zoom"],
 ];
 
@@ -77,6 +85,8 @@ export class App implements SessionListener {
   private tab: TabName = "inspect";
   private readonly transport = new Transport();
   private readonly log = new LogPanel();
+  private readonly script: ScriptPanel;
+  private readonly film = new Film();
   private readonly inspector: Inspector;
   private readonly metricPlots = new Map<string, Plot>();
   private readonly metricArea = h("div", { class: "plots" });
@@ -136,6 +146,11 @@ export class App implements SessionListener {
         this.session?.drive(id, left, right);
       }
     });
+    this.script = new ScriptPanel({
+      session: () => this.session,
+      selectedId: () => this.selectedId(),
+      notify: (text, kind) => this.notify(text, kind),
+    });
     this.inspector = new Inspector({
       view: () => this.view,
       session: () => this.session,
@@ -143,6 +158,13 @@ export class App implements SessionListener {
       isFollowed: (id, mode) => this.isFollowed(id, mode),
       seekTime: () => this.seekTime(),
       selectionChanged: (ids) => this.selectionChanged(ids),
+      logLinesOf: (id) => this.log.linesOf(id),
+      showLogOf: (id) => {
+        this.log.setFilter(id);
+        this.showTab("log");
+      },
+      turn: (id, yaw) => this.turnTo(id, yaw),
+      notify: (text, kind) => this.notify(text, kind),
     });
     this.root.append(this.makeLayout(), this.fileInput, this.help);
     try {
@@ -157,6 +179,7 @@ export class App implements SessionListener {
       picked: (entity, withShift) => this.picked(entity, withShift),
       canDrag: (entity) => this.canDrag(entity),
       dragged: (entity, place, isDone) => this.dragged(entity, place, isDone),
+      turned: (entity, yaw, isDone) => this.turned(entity, yaw, isDone),
       moved: () => {
         if (this.view.followed >= 0 && this.view.camera.mode !== "eyes") {
           this.stopFollowing();
@@ -268,6 +291,8 @@ export class App implements SessionListener {
   opened(info: RecordingInfo): void {
     this.frame = null;
     this.inspector.clear();
+    this.script.clear();
+    this.sensed.clear();
     this.metricPlots.forEach((plot) => plot.destroy());
     this.metricPlots.clear();
     this.metricArea.replaceChildren();
@@ -311,6 +336,10 @@ export class App implements SessionListener {
     }
     this.frame = frame;
     const time = this.timeOf(frame.tick);
+    if (this.session?.isPast === true) {
+      this.showPast(frame, time);
+      return;
+    }
     if (time < this.lastTime && this.session?.kind === "live") {
       this.inspector.cutAfter(time);
       this.metricPlots.forEach((plot) => plot.series.cutAfter(time));
@@ -324,6 +353,15 @@ export class App implements SessionListener {
     this.mapSelection();
     this.collectMetrics(frame, time);
     this.inspector.update(frame, time);
+    this.updateMetricPlots();
+    this.root.dataset.tick = String(frame.tick);
+  }
+
+  // plots keep what is later
+  private showPast(frame: Frame, time: number): void {
+    this.view.jump(frame);
+    this.mapSelection();
+    this.inspector.update(frame, time, true);
     this.updateMetricPlots();
     this.root.dataset.tick = String(frame.tick);
   }
@@ -344,6 +382,7 @@ export class App implements SessionListener {
         : JSON.stringify([
             ...[session.state, session.connection, session.speed, session.control],
             ...[session.viewers, session.abilities, session.typesToAdd],
+            ...[session.isPast, session.times],
           ]);
     this.needsUi = true;
     if (key !== this.uiKey) {
@@ -361,10 +400,15 @@ export class App implements SessionListener {
     if (session === null) {
       return;
     }
-    const isRun = session.kind === "live";
-    this.root.classList.toggle("is-live", isRun && session.abilities.seek === "A run cannot go back");
+    this.root.classList.toggle("is-past", session.isPast);
+    this.root.dataset.times = session.times;
     const names = { loading: "Loading", playing: "Playing", paused: "Paused", ended: "Ended" };
-    const text = session.connection === "lost" ? "Connection lost" : names[session.state];
+    const text =
+      session.connection === "lost"
+        ? "Connection lost"
+        : session.isPast
+          ? `The past · ${names[session.state].toLowerCase()}`
+          : names[session.state];
     setText(this.stateChip, text);
     this.stateChip.dataset.state = session.connection === "lost" ? "lost" : session.state;
     const factor = session.realTimeFactor;
@@ -372,14 +416,42 @@ export class App implements SessionListener {
     this.updateBanner(session);
     this.updatePeople(session);
     this.updateLiveTools(session);
+    this.script.update();
+    this.inspector.updateAbilities();
   }
 
   addLog(lines: LogLine[]): void {
     this.log.add(lines);
+    this.script.addLog(lines);
   }
 
-  values(entity: string, _tick: number, tree: Tree): void {
+  private readonly sensed = new Map<string, { marks: Mark[]; tree: Tree }>();
+
+  values(entity: string, _tick: number, tree: Tree, marks: Mark[]): void {
+    this.sensed.set(entity, { marks, tree });
     this.inspector.setTree(entity, tree);
+    this.updateDevices();
+  }
+
+  // of what is selected, at present
+  private updateDevices(): void {
+    const lines: Line[] = [];
+    const dots: Dot[] = [];
+    if (this.view.options.devices && this.session?.isPast === false) {
+      for (const id of this.inspector.pinned) {
+        const sensed = this.sensed.get(id);
+        const number = this.view.find(id);
+        if (sensed !== undefined && number >= 0) {
+          const owner = {
+            pose: this.view.entity(number)!.firstPose,
+            radius: this.view.radiusOf(number),
+            top: this.view.topOf(number),
+          };
+          addDevices(owner, sensed.marks, sensed.tree, lines, dots);
+        }
+      }
+    }
+    this.view.setDevices(lines, dots);
   }
 
   notify(text: string, kind: "info" | "error"): void {
@@ -532,6 +604,11 @@ export class App implements SessionListener {
       this.stopFollowing();
     }
     this.updateModes();
+    for (const id of [...this.sensed.keys()].filter((id) => !ids.includes(id))) {
+      this.sensed.delete(id);
+    }
+    this.updateDevices();
+    this.script.update();
     if (this.session !== null) {
       this.updateLiveTools(this.session);
     }
@@ -548,6 +625,7 @@ export class App implements SessionListener {
     if (this.followId !== null && this.view.followed < 0) {
       this.stopFollowing();
     }
+    this.updateDevices();
   }
 
   private follow(id: string | null, mode: "orbit" | "eyes"): void {
@@ -634,6 +712,7 @@ export class App implements SessionListener {
     this.view.options[name] = value;
     this.optionBoxes.get(name)!.checked = value;
     this.view.optionsChanged();
+    this.updateDevices();
   }
 
   /**********************/
@@ -660,6 +739,33 @@ export class App implements SessionListener {
     }
     this.lastMove = now;
     this.session?.move(id, place, yawOf(this.view.poseOf(entity).orientation));
+  }
+
+  private turned(entity: number, yaw: number, isDone: boolean): void {
+    const id = this.view.entity(entity)?.id;
+    const now = performance.now();
+    if (id !== undefined && (isDone || now - this.lastMove >= 60)) {
+      this.lastMove = now;
+      this.turnTo(id, yaw);
+    }
+  }
+
+  private turnTo(id: string, yaw: number): void {
+    const number = this.view.find(id);
+    if (number >= 0) {
+      this.session?.move(id, this.view.poseOf(number).position, yaw);
+    }
+  }
+
+  private turnSelected(degrees: number): void {
+    const id = this.selectedId();
+    const reason = this.session?.abilities.move ?? null;
+    if (id === null || reason !== null || this.view.find(id) < 0) {
+      this.notify(reason ?? "Select a robot first: click it", "info");
+      return;
+    }
+    const yaw = yawOf(this.view.poseOf(this.view.find(id)).orientation);
+    this.turnTo(id, yaw + (degrees * Math.PI) / 180);
   }
 
   private updateBanner(session: Session): void {
@@ -772,7 +878,8 @@ export class App implements SessionListener {
     const isTyping =
       (target instanceof HTMLInputElement && target.type !== "range" && target.type !== "checkbox") ||
       target instanceof HTMLSelectElement ||
-      target instanceof HTMLTextAreaElement;
+      target instanceof HTMLTextAreaElement ||
+      target.isContentEditable;
     if (isTyping || event.ctrlKey || event.metaKey || event.altKey || this.help.open) {
       return;
     }
@@ -825,6 +932,13 @@ export class App implements SessionListener {
         if (session !== null && session.abilities.seek === null) {
           session.seek(key === "Home" ? session.firstTick : session.lastTick);
         }
+        if (key === "End") {
+          session?.toLive();
+        }
+        return true;
+      case "[":
+      case "]":
+        this.turnSelected(key === "[" ? 15 : -15);
         return true;
       case "+":
       case "=":
@@ -913,6 +1027,7 @@ export class App implements SessionListener {
       this.factor,
       h("div", { class: "space" }),
       this.people,
+      this.filmButton,
       button({
         icon: "open",
         text: "Open",
@@ -920,13 +1035,7 @@ export class App implements SessionListener {
         className: "quiet",
         onClick: () => this.fileInput.click(),
       }),
-      button({
-        icon: "camera",
-        text: "Save picture",
-        title: "Save the picture as a file",
-        className: "quiet",
-        onClick: () => void this.savePicture(),
-      }),
+      this.makeSaveMenu(),
       this.themeButton,
       button({
         icon: "help",
@@ -997,6 +1106,7 @@ export class App implements SessionListener {
     const panels: [TabName, string, HTMLElement][] = [
       ["inspect", "Inspect", this.inspector.element],
       ["metrics", "Metrics", h("div", {}, this.metricHint, this.metricArea)],
+      ["script", "Script", this.script.element],
       ["log", "Log", this.log.element],
       ["info", "About", this.infoList],
     ];
@@ -1043,6 +1153,8 @@ export class App implements SessionListener {
       tab.tabIndex = other === name ? 0 : -1;
       panel.hidden = other !== name;
     }
+    this.script.show(name === "script");
+    this.root.classList.toggle("has-editor", name === "script");
     this.updateMetricPlots();
   }
 
@@ -1082,23 +1194,118 @@ export class App implements SessionListener {
     });
   }
 
+  /**********************/
+  // saving
+  /**********************/
+
+  private readonly filmButton = button({
+    icon: "stop",
+    text: "Stop the film",
+    title: "Save the film as a file",
+    className: "danger",
+    onClick: () => {
+      this.film.stop();
+      this.filmButton.hidden = true;
+    },
+  });
+
+  private makeSaveMenu(): HTMLElement {
+    this.filmButton.hidden = true;
+    const item = (text: string, title: string, onClick: () => void): HTMLElement =>
+      button({
+        text,
+        title,
+        onClick: () => {
+          document.dispatchEvent(new CustomEvent("closemenus"));
+          if (this.frame === null) {
+            this.notify("There is nothing to save yet", "error");
+          } else {
+            onClick();
+          }
+        },
+      });
+    const items = h(
+      "div",
+      {},
+      item("Picture", "Save the picture, PNG", () => void this.savePicture()),
+      item("Film", "Make a film of the picture from now on, WebM", () => this.startFilm()),
+      item("Recording", "Save what this page has received, for argos3 --replay", () => void this.saveRecording()),
+      item("Page", "Save this page with the recording in it, HTML: it opens without a server", () => void this.savePage()),
+      item("Experiment", "Save the experiment with everything where it is now", () => this.saveWorld()),
+    );
+    const opener = button({
+      icon: "camera",
+      text: "Save",
+      title: "Save a picture, a film, the recording, a page, the experiment",
+      className: "quiet",
+      onClick: () => undefined,
+    });
+    return menu(opener, items);
+  }
+
+  private baseName(): string {
+    return (this.title.textContent ?? "").replace(/\.argos$/, "");
+  }
+
   private async savePicture(): Promise<void> {
-    if (this.frame === null) {
-      this.notify("There is no picture yet", "error");
-      return;
-    }
     const picture = this.view.capture(true);
     const blob = await new Promise<Blob | null>((resolve) => picture.toBlob(resolve, "image/png"));
     if (blob === null) {
       this.notify("The browser cannot write the picture", "error");
       return;
     }
-    const link = h("a", {
-      href: URL.createObjectURL(blob),
-      download: `${(this.title.textContent ?? "").replace(/\.argos$/, "")}_${this.frame.tick}.png`,
-    });
-    link.click();
-    setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
+    download([blob], "image/png", `${this.baseName()}_${this.frame!.tick}.png`);
+  }
+
+  private startFilm(): void {
+    const problem = this.film.start(
+      this.canvas,
+      () => this.baseName(),
+      (text) => this.notify(text, "info"),
+    );
+    if (problem !== null) {
+      this.notify(problem, "error");
+    }
+    this.filmButton.hidden = problem !== null;
+  }
+
+  private async recordingBytes(): Promise<Uint8Array<ArrayBuffer> | null> {
+    const bytes = (await this.session?.saveRecording()) ?? null;
+    if (bytes === null) {
+      this.notify("There is nothing to save yet; a replay is a file already", "error");
+    }
+    return bytes as Uint8Array<ArrayBuffer> | null;
+  }
+
+  private async saveRecording(): Promise<void> {
+    const bytes = await this.recordingBytes();
+    if (bytes !== null) {
+      download([bytes], "application/octet-stream", `${this.baseName()}.rec`);
+    }
+  }
+
+  private async savePage(): Promise<void> {
+    const bytes = await this.recordingBytes();
+    if (bytes !== null) {
+      download([makePage(bytes, document.title)], "text/html", `${this.baseName()}.html`);
+    }
+  }
+
+  private saveWorld(): void {
+    const { frame } = this;
+    const info = this.session?.info ?? null;
+    if (frame === null || info === null) {
+      return;
+    }
+    try {
+      const { text, missing } = makeWorld(info, frame);
+      download([text], "application/xml", `${this.baseName()}_${frame.tick}.argos`);
+      if (missing.length > 0) {
+        this.notify(`Without what the experiment's code has made: ${missing.slice(0, 5).join(", ")}`, "info");
+      }
+    } catch (error) {
+      this.notify(`The experiment cannot be saved: ${(error as Error).message}`, "error");
+    }
   }
 
   private nextTheme(): void {

@@ -7,6 +7,7 @@ import { yawOf } from "../view/math";
 import type { View } from "../view/view";
 import { button, h, setEnabled, setText } from "./dom";
 import { formatNumber } from "./format";
+import { ParameterSliders } from "./parameters";
 import { Plot, Series } from "./plots";
 
 const kMaxListed = 300;
@@ -31,6 +32,12 @@ class Card {
   private readonly follow: HTMLButtonElement;
   private readonly eyes: HTMLButtonElement;
   private readonly remove: HTMLButtonElement;
+  private readonly heading: HTMLInputElement;
+  private readonly headingRow: HTMLElement;
+  private readonly logLines = h("pre", { class: "own-log" });
+  private readonly logArea: HTMLElement;
+  private readonly parameters: ParameterSliders;
+  private readonly presentOnly = h("p", { class: "empty", hidden: true }, "Readings of its devices are known of the present only.");
   private tree: Tree | null = null;
 
   constructor(
@@ -61,6 +68,24 @@ class Card {
       className: "danger run-only",
       onClick: () => host.session()?.remove(this.id),
     });
+    this.heading = h("input", {
+      type: "number",
+      step: 15,
+      "aria-label": `Heading of ${id} in degrees`,
+      title: "Heading, degrees",
+      onchange: () => host.turn(this.id, (Number(this.heading.value) * Math.PI) / 180),
+    });
+    this.heading.dataset.title = "Heading, degrees";
+    this.headingRow = h("label", { class: "row heading" }, h("span", {}, "Heading (°)"), this.heading);
+    this.logArea = h(
+      "details",
+      { class: "log-of", hidden: true, open: true },
+      h("summary", {}, h("span", { class: "title" }, "Log")),
+      this.logLines,
+      button({ text: "All its lines", title: `Show the lines of ${id} in the log`, className: "quiet", onClick: () => host.showLogOf(this.id) }),
+    );
+    this.parameters = new ParameterSliders(host.session, id, host.notify);
+    void this.parameters.load();
     this.element = h(
       "section",
       { class: "card", "aria-label": id },
@@ -77,9 +102,13 @@ class Card {
         }),
       ),
       h("div", { class: "row actions" }, this.follow, this.eyes, this.remove),
+      this.headingRow,
       this.gone,
       this.leds,
+      this.parameters.element,
+      this.logArea,
       this.plotArea,
+      this.presentOnly,
       this.body,
     );
   }
@@ -96,10 +125,18 @@ class Card {
     this.eyes.setAttribute("aria-pressed", String(host.isFollowed(this.id, "eyes")));
     setEnabled(this.remove, host.session()?.abilities.move ?? null);
     this.remove.hidden = host.session()?.kind !== "live";
+    this.headingRow.hidden = this.remove.hidden || number < 0;
+    setEnabled(this.heading, host.session()?.abilities.move ?? null);
+    this.presentOnly.hidden = !this.inspector.isPast;
+    this.showLog();
     if (number < 0) {
       return;
     }
     const values = this.collect(frame, number);
+    const heading = values.get("Pose/heading")?.value;
+    if (typeof heading === "number" && document.activeElement !== this.heading) {
+      this.heading.value = heading.toFixed(1);
+    }
     for (const [path, { value, unit }] of values) {
       this.show(path, value, unit, time);
     }
@@ -107,6 +144,17 @@ class Card {
     for (const plot of this.plots.values()) {
       plot.update(time);
     }
+  }
+
+  /** What may be done has changed. */
+  updateAbilities(): void {
+    this.parameters.setReason(this.inspector.host.session()?.abilities.tune ?? null);
+  }
+
+  private showLog(): void {
+    const lines = this.inspector.host.logLinesOf(this.id);
+    this.logArea.hidden = lines.length === 0;
+    setText(this.logLines, lines.join("\n"));
   }
 
   restyle(): void {
@@ -139,7 +187,7 @@ class Card {
       }
     }
     this.showLEDs(frame, entity.firstWord, entity.type.numLEDs);
-    if (this.tree !== null) {
+    if (this.tree !== null && !this.inspector.isPast) {
       flatten(this.tree, "", values);
     }
     return values;
@@ -340,6 +388,12 @@ export interface InspectorHost {
   isFollowed(id: string, mode: "orbit" | "eyes"): boolean;
   seekTime(): ((time: number) => void) | null;
   selectionChanged(ids: string[]): void;
+  /** The last lines of the log that name an entity. */
+  logLinesOf(id: string): string[];
+  showLogOf(id: string): void;
+  /** To a heading, rad. */
+  turn(id: string, yaw: number): void;
+  notify(text: string, kind: "info" | "error"): void;
 }
 
 export class Inspector {
@@ -358,6 +412,10 @@ export class Inspector {
   private readonly hint = h("p", { class: "empty" });
   /** Of the state that is shown, s. */
   time = 0;
+  /** That state is one before the present. */
+  isPast = false;
+  private parameters: ParameterSliders | null = null;
+  private readonly parameterArea = h("div", {});
   private frame: Frame | null = null;
   private listVersion = -1;
   private readonly allSeries = new Map<string, Series>();
@@ -368,6 +426,7 @@ export class Inspector {
     this.element = h(
       "div",
       { class: "inspector" },
+      this.parameterArea,
       this.hint,
       this.cardArea,
       h("div", { class: "row find" }, this.search),
@@ -378,6 +437,8 @@ export class Inspector {
 
   /** A new session. */
   clear(): void {
+    this.parameters = null;
+    this.parameterArea.replaceChildren();
     this.cards.forEach((card) => card.destroy());
     this.cards.clear();
     this.cardArea.replaceChildren();
@@ -448,9 +509,21 @@ export class Inspector {
     return this.speeds.get(id) ?? null;
   }
 
-  update(frame: Frame, time: number): void {
+  /** What may be done has changed: perhaps there is a new connection. */
+  updateAbilities(): void {
+    if (this.parameters === null && this.host.session()?.connection === "connected") {
+      this.parameters = new ParameterSliders(this.host.session, null, this.host.notify);
+      this.parameterArea.replaceChildren(this.parameters.element);
+      void this.parameters.load();
+    }
+    this.parameters?.setReason(this.host.session()?.abilities.tune ?? null);
+    this.cards.forEach((card) => card.updateAbilities());
+  }
+
+  update(frame: Frame, time: number, isPast = false): void {
     this.frame = frame;
     this.time = time;
+    this.isPast = isPast;
     const view = this.host.view();
     for (const id of this.pinned) {
       const number = view.find(id);

@@ -36,6 +36,19 @@ export class LogPanel {
     this.clear("");
   }
 
+  /** The last lines that contain an id, as a word of its own; the latest one is the last. */
+  linesOf(id: string, count = 5): string[] {
+    const word = new RegExp(`(^|[^\\w.-])${id.replace(/[.*+?^${}()|[\]\\]/g, "\\$&")}($|[^\\w-])`);
+    const lines: string[] = [];
+    for (let item = this.list.lastElementChild; item !== null && lines.length < count; item = item.previousElementSibling) {
+      const text = item.querySelector(".text")?.textContent ?? "";
+      if (word.test(text)) {
+        lines.unshift(`${item.querySelector(".at")?.textContent ?? ""}  ${text}`);
+      }
+    }
+    return lines;
+  }
+
   /** Shows only lines that contain a text. */
   setFilter(text: string): void {
     this.filter.value = text;

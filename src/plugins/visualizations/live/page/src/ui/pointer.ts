@@ -10,6 +10,8 @@ export interface PointerHost {
   canDrag(entity: number): boolean;
   /** While it is dragged and, with isDone, when it is let go. */
   dragged(entity: number, place: Vector, isDone: boolean): void;
+  /** The same for turning it; yaw in the world, rad. */
+  turned(entity: number, yaw: number, isDone: boolean): void;
   moved(): void;
 }
 
@@ -20,6 +22,7 @@ export class PointerControl {
   private start: { x: number; y: number; time: number } | null = null;
   private isClick = false;
   private dragEntity = -1;
+  private isTurning = false;
   private pinch = 0;
 
   constructor(
@@ -62,6 +65,7 @@ export class PointerControl {
       const entity = this.view.pick(event.offsetX, event.offsetY);
       if (entity >= 0 && this.host.canDrag(entity)) {
         this.dragEntity = entity;
+        this.isTurning = event.ctrlKey || event.altKey || event.metaKey;
       }
     }
   }
@@ -120,7 +124,13 @@ export class PointerControl {
   private drag(event: PointerEvent, isDone: boolean): void {
     const height = this.view.poseOf(this.dragEntity).position[2];
     const place = this.view.camera.groundPoint(event.offsetX, event.offsetY, height);
-    if (place !== null) {
+    if (place !== null && this.isTurning) {
+      const { position } = this.view.poseOf(this.dragEntity);
+      const [x, y] = [place[0] - position[0], place[1] - position[1]];
+      if (Math.hypot(x, y) > 1e-6) {
+        this.host.turned(this.dragEntity, Math.atan2(y, x), isDone);
+      }
+    } else if (place !== null) {
       this.host.dragged(this.dragEntity, place, isDone);
     }
   }

@@ -81,6 +81,13 @@ export class Transport {
     "aria-label": "Time",
     oninput: () => this.session?.seek(Number(this.slider.value)),
   });
+  private readonly live = button({
+    text: "Present",
+    title: "Back to the present",
+    key: "End",
+    className: "primary",
+    onClick: () => this.session?.toLive(),
+  });
   private readonly now = h("output", { class: "now", title: "Time in the experiment" });
   private readonly total = h("span", { class: "total" });
   private readonly runOnly: HTMLElement;
@@ -92,7 +99,7 @@ export class Transport {
     this.element = h(
       "footer",
       { class: "transport", "aria-label": "Time" },
-      h("div", { class: "time-row" }, this.now, this.slider, this.total),
+      h("div", { class: "time-row" }, this.now, this.slider, this.total, this.live),
       h(
         "div",
         { class: "buttons" },
@@ -152,12 +159,13 @@ export class Transport {
     setEnabled(this.reset, abilities === undefined ? none : abilities.reset);
     setEnabled(this.newSeed, abilities === undefined ? none : abilities.reset);
     setEnabled(this.end, abilities === undefined ? none : abilities.end);
+    this.live.hidden = session?.isPast !== true;
     this.runOnly.hidden = session === null || session.kind === "recording";
     const tickLength = session?.info?.tickLength ?? 0.1;
     const position = session?.position ?? 0;
     this.slider.min = String(session?.firstTick ?? 0);
     this.slider.max = String(session?.lastTick ?? 1);
-    if (document.activeElement !== this.slider || isPlaying) {
+    if (document.activeElement !== this.slider || isPlaying || session?.times === "received") {
       this.slider.value = String(Math.round(position));
     }
     const span = Math.max(1, Number(this.slider.max) - Number(this.slider.min));
@@ -167,7 +175,7 @@ export class Transport {
     setText(this.now, session === null ? "0.0 s" : formatTime(position * tickLength));
     setText(
       this.total,
-      session === null ? "" : session.abilities.seek === "A run cannot go back"
+      session === null ? "" : session.times === "none"
           ? `tick ${Math.round(position)}`
           : formatTime(session.lastTick * tickLength),
     );

@@ -37,6 +37,7 @@ import { kGroundFragment, kGroundVertex, kPlainGroundFragment } from "./shaders"
 /** What is shown besides the entities. */
 export interface ViewOptions {
   rays: boolean;
+  devices: boolean;
   drawing: boolean;
   ids: boolean;
   trails: boolean;
@@ -66,6 +67,7 @@ export class View {
   readonly rendererName: string;
   options: ViewOptions = {
     rays: true,
+    devices: true,
     drawing: true,
     ids: false,
     trails: false,
@@ -86,6 +88,8 @@ export class View {
   private readonly entityDrawer: EntityDrawer;
   private readonly userDrawing: UserDrawing;
   private readonly rayLines: LineSet;
+  private readonly deviceLines: LineSet;
+  private readonly deviceDots: DotSet;
   private readonly extraLines: LineSet;
   private readonly trailLines: LineSet;
   private readonly hits: DotSet;
@@ -147,6 +151,8 @@ export class View {
     );
     this.userDrawing = new UserDrawing(this.uniforms);
     this.rayLines = new LineSet(this.uniforms);
+    this.deviceLines = new LineSet(this.uniforms, 9);
+    this.deviceDots = new DotSet(this.uniforms);
     this.extraLines = new LineSet(this.uniforms, 10, false);
     this.trailLines = new LineSet(this.uniforms, 6);
     this.hits = new DotSet(this.uniforms);
@@ -162,6 +168,7 @@ export class View {
     this.ground = this.makeGround();
     this.scene.add(this.ground, this.entityDrawer.scene, this.userDrawing.scene);
     this.scene.add(this.rayLines.batch.mesh, this.extraLines.batch.mesh);
+    this.scene.add(this.deviceLines.batch.mesh, this.deviceDots.batch.mesh);
     this.scene.add(this.trailLines.batch.mesh, this.hits.batch.mesh, this.rings.batch.mesh);
     this.setLook(kLightLook);
   }
@@ -643,6 +650,15 @@ export class View {
       numbers.push(i * step);
     }
     return numbers;
+  }
+
+  /** What sensors perceive, in the frames of their robots. */
+  setDevices(lines: Line[], dots: Dot[]): void {
+    if (lines.length > 0 || this.deviceLines.batch.length > 0) {
+      this.deviceLines.set(lines);
+      this.deviceDots.set(dots);
+      ++this.changes;
+    }
   }
 
   private updateRings(): void {
