@@ -1,17 +1,15 @@
 import assert from "node:assert/strict";
-import { type ChildProcess, spawn } from "node:child_process";
 import { after, before, test } from "node:test";
 
 import type { Browser } from "playwright-core";
 
 import { Tab, launch, missingBrowser } from "./browser";
-import { argos3, experiment, folder, run } from "./runs";
+import { endPrograms, run, startRun } from "./runs";
 
 const kTimeout = 40_000; // ms, of a test
 const skip =
   missingBrowser() ?? (run("--help").includes("--live") ? false : "this argos3 has no --live");
 let browser: Browser;
-const programs: ChildProcess[] = [];
 
 before(async () => {
   if (skip === false) {
@@ -19,34 +17,9 @@ before(async () => {
   }
 });
 after(async () => {
-  programs.forEach((program) => program.kill("SIGKILL"));
+  endPrograms();
   await browser?.close();
 });
-
-interface Run {
-  url: string;
-  /** Resolves with the exit status. */
-  ended: Promise<number | null>;
-}
-
-function startRun(name: string): Promise<Run> {
-  const program = spawn(argos3, [experiment(name), "--live"], { cwd: folder });
-  programs.push(program);
-  const ended = new Promise<number | null>((resolve) => program.on("exit", resolve));
-  return new Promise((resolve, reject) => {
-    let text = "";
-    const read = (data: Buffer): void => {
-      text += String(data);
-      const url = /Live view: (http:\S+)/.exec(text)?.[1];
-      if (url !== undefined) {
-        resolve({ url, ended });
-      }
-    };
-    program.stdout.on("data", read);
-    program.stderr.on("data", read);
-    program.on("exit", () => reject(new Error(`argos3 has ended: ${text}`)));
-  });
-}
 
 async function numEntities(tab: Tab): Promise<number> {
   return tab.page.evaluate(

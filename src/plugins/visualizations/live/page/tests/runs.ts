@@ -1,6 +1,6 @@
 // Recordings for the tests, made by argos3 (environment variable ARGOS3).
 
-import { execFileSync } from "node:child_process";
+import { type ChildProcess, execFileSync, spawn } from "node:child_process";
 import { existsSync, mkdirSync, mkdtempSync, readFileSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
@@ -43,4 +43,38 @@ export function record(name: string, seconds: number, ...args: string[]): string
   const source = existsSync(name) ? name : experiment(name);
   run("-zc", source, "--quiet", "--record", path, "--length", String(seconds), ...args);
   return path;
+}
+
+const programs: ChildProcess[] = [];
+
+interface LiveRun {
+  url: string;
+  /** Resolves with the exit status. */
+  ended: Promise<number | null>;
+}
+
+/** Runs an experiment of the tree, or a file, with a live view. */
+export function startRun(name: string, ...args: string[]): Promise<LiveRun> {
+  const source = existsSync(name) ? name : experiment(name);
+  const program = spawn(argos3, [source, "--live", ...args], { cwd: folder });
+  programs.push(program);
+  const ended = new Promise<number | null>((resolve) => program.on("exit", resolve));
+  return new Promise((resolve, reject) => {
+    let text = "";
+    const read = (data: Buffer): void => {
+      text += String(data);
+      const url = /Live view: (http:\S+)/.exec(text)?.[1];
+      if (url !== undefined) {
+        resolve({ url, ended });
+      }
+    };
+    program.stdout.on("data", read);
+    program.stderr.on("data", read);
+    program.on("exit", () => reject(new Error(`argos3 has ended: ${text}`)));
+  });
+}
+
+/** Ends what startRun() has started. */
+export function endPrograms(): void {
+  programs.forEach((program) => program.kill("SIGKILL"));
 }
