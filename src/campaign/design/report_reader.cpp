@@ -31,14 +31,16 @@ const std::map<std::string, SFigureKind>& ListFigureKinds() {
   static const std::map<std::string, SFigureKind> kKinds = {
       {"boxplot",
        {{{"y", EAxis::Metric, true}, {"x", EAxis::Factor, true}, {"group", EAxis::Factor, false}},
-        {}}},
+        {"scale"}}},
       {"series",
-       {{{"y", EAxis::Series, true}, {"group", EAxis::Factor, false}}, {"band", "ended"}}},
-      {"difference", {{{"y", EAxis::Series, true}, {"group", EAxis::Factor, true}}, {}}},
-      {"means", {kPoints, {"xscale", "bars", "reference", "reference_label"}}},
+       {{{"y", EAxis::Series, true}, {"group", EAxis::Factor, false}},
+        {"scale", "xscale", "band", "ended"}}},
+      {"difference", {{{"y", EAxis::Series, true}, {"group", EAxis::Factor, true}}, {"xscale"}}},
+      {"means", {kPoints, {"scale", "xscale", "bars", "reference", "reference_label"}}},
       {"scaling", {kPoints, {}}},
       {"heatmap",
-       {{{"z", EAxis::Metric, true}, {"x", EAxis::Factor, true}, {"y", EAxis::Factor, true}}, {}}}};
+       {{{"z", EAxis::Metric, true}, {"x", EAxis::Factor, true}, {"y", EAxis::Factor, true}},
+        {"scale"}}}};
   return kKinds;
 }
 
@@ -115,8 +117,8 @@ void CheckLook(TConfigurationNode& node, const std::string& name) {
 
 void ReadFigure(TConfigurationNode& node, const SFigureKind& kind, SCampaign& campaign) {
   // reads what every figure has: its data and its look
-  static const std::vector<std::string> kLooks = {"where",  "title", "file",  "xlabel", "ylabel",
-                                                  "zlabel", "scale", "width", "height"};
+  static const std::vector<std::string> kLooks = {"where",  "title",  "file",  "xlabel",
+                                                  "ylabel", "zlabel", "width", "height"};
   CheckAxes(node, kind.Axes, campaign);
   CheckSelection(node, campaign);
   SFigure figure;

@@ -190,21 +190,20 @@ std::string FindMetricProblem(const SCampaign& campaign, const std::string& name
                           "\" series=\"true\"/> to <collect>"
                     : "";
   }
+  // of a series the last value is kept, too
   std::vector<std::string> known;
-  bool isOfOtherKind = false;
+  bool isNumber = false;
   for (const SCollectedMetric& metric : campaign.Metrics) {
-    if (metric.Name == name && metric.IsSeries == isSeries) {
+    if (metric.Name == name && (metric.IsSeries || !isSeries)) {
       return "";
     }
-    isOfOtherKind = isOfOtherKind || metric.Name == name;
-    if (metric.IsSeries == isSeries) {
+    isNumber = isNumber || metric.Name == name;
+    if (metric.IsSeries || !isSeries) {
       known.push_back(metric.Name);
     }
   }
-  if (isOfOtherKind) {
-    return '"' + name +
-           (isSeries ? "\" is collected as one number of a run, not as a series"
-                     : "\" is collected as a series, not as one number of a run");
+  if (isNumber) {
+    return '"' + name + "\" is collected as one number of a run, not as a series";
   }
   return std::string(isSeries ? "the series \"" : "the metric \"") + name +
          "\" is not collected: <collect> does not name it" + DidYouMean(name, known);

@@ -42,8 +42,17 @@ int MakeReport(const SReportOptions& options) {
       THROW_ARGOSEXCEPTION("--plot needs -o FILE.svg, FILE.png or FILE.pdf");
     }
     const SFigureRequest& figure = options.Figure;
-    if (figure.Kind != "means" && (figure.IsXLogarithmic || figure.Reference)) {
-      THROW_ARGOSEXCEPTION("--xlog and --reference belong to --plot means");
+    if (figure.Kind != "means" && figure.Reference) {
+      THROW_ARGOSEXCEPTION("--reference belongs to --plot means");
+    }
+    if (figure.IsXLogarithmic && figure.Kind != "means" && figure.Kind != "series" &&
+        figure.Kind != "difference") {
+      THROW_ARGOSEXCEPTION("--xlog belongs to --plot means, series and difference");
+    }
+    if (figure.IsLogarithmic && figure.Kind == "difference") {
+      THROW_ARGOSEXCEPTION(
+          "--log: a difference may be negative, and a logarithmic axis shows no "
+          "such value");
     }
     if (figure.Kind != "series" &&
         (figure.ShowsInterval || figure.EndedRuns != EEndedRuns::Survivors)) {
@@ -110,7 +119,8 @@ void AddReportCommand(CLI::App& app, TCampaignCommand& chosen) {
           "hold keeps their last value, drop leaves out the times after the first end")
       ->type_name("RULE")
       ->check(CLI::IsMember({"survivors", "hold", "drop"}));
-  command.add_flag("--xlog", figure.IsXLogarithmic, "logarithmic axis of x, of means");
+  command.add_flag("--xlog", figure.IsXLogarithmic,
+                   "logarithmic axis of x, of means, or of time, of series and difference");
   command.add_option("--reference", figure.Reference, "height of a dashed line, of means")
       ->type_name("NUMBER");
   command.add_flag("--log", figure.IsLogarithmic, "logarithmic axis of the metric");

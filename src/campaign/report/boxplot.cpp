@@ -159,7 +159,8 @@ std::string MakeScript(const CReportData& data, const SFigureRequest& request, s
       MakeTics("x", tics);
   script += fmt::format("set boxwidth {}\nset xrange [-0.6:{}]\n", FormatForGnuplot(width),
                         FormatForGnuplot(static_cast<Real>(tics.size()) - 0.4));
-  script += request.IsLogarithmic ? "set offsets 0, 0, graph 0.05, graph 0.05\nset logscale y\n"
+  script += request.IsLogarithmic ? MakeLogarithmicAxis("y", range.Low / kLogarithmicMargin,
+                                                        range.High * kLogarithmicMargin)
                                   : MakeValueAxis(range.Low, range.High);
   for (size_t group = 0; group < groups.GetCount(); ++group) {
     script += (group == 0 ? "plot " : ", \\\n  ") + MakePlot(groups, group, hasPoints);

@@ -84,10 +84,12 @@ SFigureDraft MakeDifferenceFigure(const CReportData& data, const SFigureRequest&
       "# {}: {}\n# {}, lower bound, Hodges and Lehmann's estimate, upper bound, number of pairs\n",
       MakeLine(request.Y), MakeLine(title), timeLabel);
   std::vector<size_t> counts;
+  std::vector<Real> times;
   for (const auto& [time, values] : ComputeDifferences(data, request.Y, factor, ticksPerSecond)) {
-    if (values.size() < kMinPairs) {
+    if (values.size() < kMinPairs || (request.IsXLogarithmic && time <= 0.0)) {
       continue;
     }
+    times.push_back(time);
     SRankTestOptions options;
     options.Level = kReportLevel;
     // at no value, so that differences of 0 are not dropped; the interval does not depend on it
@@ -108,6 +110,7 @@ SFigureDraft MakeDifferenceFigure(const CReportData& data, const SFigureRequest&
       MakeStyle(request.Title, request.XLabel.empty() ? timeLabel : request.XLabel,
                 request.YLabel.empty() ? MakeMetricLabel(data, request.Y, true, "") + ", difference"
                                        : request.YLabel) +
+      (request.IsXLogarithmic ? MakeLogarithmicAxis("x", times.front(), times.back()) : "") +
       "set offsets 0, 0, graph 0.05, graph 0.05\n" +
       fmt::format(
           "plot {0} using 1:2:4 with filledcurves fillstyle transparent solid 0.2 noborder "

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -20,16 +21,51 @@ constexpr std::array<const char*, kMaxColors> kColors = {"#332288", "#CC6677", "
 // letters of labels of an axis that fit side by side into 640 pixels
 constexpr size_t kLettersOfAxis = 60;
 
-// as people write it: 0.01, 5000, 10^4, 2·10^4
-std::string FormatPower(Real number) {
+// from 0.01 to below 10^4 numbers are written as they are
+bool IsPlainNumber(Real number) {
   constexpr Real kMin = 0.01, kMax = 1e4;
   constexpr Real kRounding = 1e-9;  // of logarithms
-  if (number > kMin * (1.0 - kRounding) && number < kMax * (1.0 - kRounding)) {
-    return fmt::format("{:.4g}", number);
-  }
+  return number > kMin * (1.0 - kRounding) && number < kMax * (1.0 - kRounding);
+}
+
+// 10^4, 2·10^4
+std::string FormatPower(Real number) {
+  constexpr Real kRounding = 1e-9;  // of logarithms
   const Real exponent = std::floor(std::log10(number) + kRounding);
   const std::string digits = fmt::format("{:.4g}", number / std::pow(10.0, exponent));
   return fmt::format("{}10^{{{:.0f}}}", digits == "1" ? "" : digits + "\u00B7", exponent);
+}
+
+// positive numbers as labels; powers of ten if any is large or small
+std::string MakeNumberTics(const std::string& axis, const std::vector<Real>& numbers) {
+  const bool arePlain = std::all_of(numbers.begin(), numbers.end(), IsPlainNumber);
+  std::string list;
+  for (const Real number : numbers) {
+    const std::string label = arePlain ? fmt::format("{:.4g}", number) : FormatPower(number);
+    list += (list.empty() ? "'" : ", '") + label + "' " + FormatForGnuplot(number);
+  }
+  return fmt::format("set {}tics ({})\n", axis, list);
+}
+
+// 1, 2, 5, 10, ... times a power of ten, from the last one up to low to the first one from high on
+std::vector<Real> ListRoundNumbers(Real low, Real high) {
+  constexpr Real kTolerance = 1e-9;  // of numbers that are round themselves
+  std::vector<Real> numbers;
+  const auto first = static_cast<int>(std::floor(std::log10(low)));
+  const auto last = static_cast<int>(std::ceil(std::log10(high)));
+  for (int exponent = first; exponent <= last; ++exponent) {
+    for (const Real digit : {1.0, 2.0, 5.0}) {
+      const Real number = digit * std::pow(10.0, exponent);
+      if (number <= low * (1.0 + kTolerance)) {
+        numbers.clear();
+      }
+      numbers.push_back(number);
+      if (number >= high * (1.0 - kTolerance)) {
+        return numbers;
+      }
+    }
+  }
+  return numbers;
 }
 
 }  // namespace
@@ -76,12 +112,30 @@ std::string MakeTics(const std::string& axis,
                      list);
 }
 
-std::string MakeNumberTics(const std::string& axis, const std::vector<Real>& numbers) {
-  std::string list;
-  for (const Real number : numbers) {
-    list += (list.empty() ? "'" : ", '") + FormatPower(number) + "' " + FormatForGnuplot(number);
+std::string MakeLogarithmicAxis(const std::string& axis, Real low, Real high) {
+  constexpr Real kManyDecades = 100.0;
+  if (high <= low) {
+    low /= kLogarithmicMargin;
+    high *= kLogarithmicMargin;
   }
-  return fmt::format("set {}tics ({})\n", axis, list);
+  const bool hasManyDecades = high >= kManyDecades * low;
+  const std::vector<Real> numbers = ListRoundNumbers(low, high);
+  std::vector<Real> tics;
+  for (const Real number : numbers) {
+    const bool isPower = std::abs(std::remainder(std::log10(number), 1.0)) < 1e-9;
+    if (number >= low && number <= high && (isPower || !hasManyDecades)) {
+      tics.push_back(number);
+    }
+  }
+  if (tics.size() < 2) {
+    // a narrow range is widened, so that there is something to read
+    low = numbers.front();
+    high = numbers.back();
+    tics = numbers;
+  }
+  return fmt::format("set logscale {0}\nset {0}range [{1}:{2}]\n", axis, FormatForGnuplot(low),
+                     FormatForGnuplot(high)) +
+         MakeNumberTics(axis, tics);
 }
 
 std::string MakeTerminal(const std::string& format, UInt32 width, UInt32 height, bool isOpaque) {

@@ -28,8 +28,16 @@ std::string MakeStyle(const std::string& title, const std::string& xLabel,
 std::string MakeTics(const std::string& axis,
                      const std::vector<std::pair<Real, std::string>>& placesAndLabels);
 
-/** Positive numbers as labels of an axis, "x" or "y"; large and small ones are powers of ten. */
-std::string MakeNumberTics(const std::string& axis, const std::vector<Real>& numbers);
+/** Space between values and the ends of a logarithmic axis, as a factor. */
+constexpr Real kLogarithmicMargin = 1.2;
+
+/**
+ * A logarithmic axis from @p low to @p high, both positive. Tics are at 1, 2, 5, 10, ..., or, of
+ * more than two decades, at powers of ten. A range in which there are not two is widened. If a tic
+ * is below 0.01 or from 10^4 on, all are written as powers.
+ * @param axis  "x", "y", or "cb", the scale of colours.
+ */
+std::string MakeLogarithmicAxis(const std::string& axis, Real low, Real high);
 
 /**
  * The commands that draw the figure a second time, for each format.

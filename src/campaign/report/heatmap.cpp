@@ -91,15 +91,16 @@ std::string MakeScript(const CReportData& data, const SFigureRequest& request, c
   script +=
       "unset grid\nset border 0\nset palette defined (0 '#00204c', 0.25 '#414d6b', 0.5 '#7c7b78', "
       "0.75 '#bcae6c', 1 '#ffe945')\n";
-  script += request.IsLogarithmic ? "set logscale cb\n" : "";
   // a palette needs a range that is not empty
   const Real margin =
       cells.Least == cells.Greatest ? std::max(std::abs(cells.Least) / 10.0, Real{1e-9}) : 0.0;
-  script +=
-      fmt::format("set cbrange [{}:{}]\nset xrange [-0.5:{}]\nset yrange [-0.5:{}]\n",
-                  FormatForGnuplot(cells.Least - margin), FormatForGnuplot(cells.Greatest + margin),
-                  FormatForGnuplot(static_cast<Real>(cells.Means.size()) - 0.5),
-                  FormatForGnuplot(static_cast<Real>(cells.Means.front().size()) - 0.5));
+  script += request.IsLogarithmic
+                ? MakeLogarithmicAxis("cb", cells.Least, cells.Greatest)
+                : fmt::format("set cbrange [{}:{}]\n", FormatForGnuplot(cells.Least - margin),
+                              FormatForGnuplot(cells.Greatest + margin));
+  script += fmt::format("set xrange [-0.5:{}]\nset yrange [-0.5:{}]\n",
+                        FormatForGnuplot(static_cast<Real>(cells.Means.size()) - 0.5),
+                        FormatForGnuplot(static_cast<Real>(cells.Means.front().size()) - 0.5));
   script += fmt::format(
       "plot {} using 1:2:(0.49):(0.49):3 with boxxyerror fillstyle solid 1.0 noborder linecolor "
       "palette notitle",

@@ -19,8 +19,6 @@ namespace argos {
 
 namespace {
 
-constexpr Real kMargin = 1.2;  // of ranges of logarithmic axes
-
 // where x comes from
 class CPointAxis {
  public:
@@ -114,53 +112,6 @@ void KeepPositive(const std::string& metric, SMeans& means) {
     THROW_ARGOSEXCEPTION("no mean of \""
                          << metric << "\" is positive, and a logarithmic axis shows no other");
   }
-}
-
-// 1, 2, 5, 10, ... times a power of ten, from the last one up to low to the first one from high on
-std::vector<Real> ListRoundNumbers(Real low, Real high) {
-  constexpr Real kTolerance = 1e-9;  // of numbers that are round themselves
-  std::vector<Real> numbers;
-  const auto first = static_cast<int>(std::floor(std::log10(low)));
-  const auto last = static_cast<int>(std::ceil(std::log10(high)));
-  for (int exponent = first; exponent <= last; ++exponent) {
-    for (const Real digit : {1.0, 2.0, 5.0}) {
-      const Real number = digit * std::pow(10.0, exponent);
-      if (number <= low * (1.0 + kTolerance)) {
-        numbers.clear();
-      }
-      numbers.push_back(number);
-      if (number >= high * (1.0 - kTolerance)) {
-        return numbers;
-      }
-    }
-  }
-  return numbers;
-}
-
-// ranges that end near the points; tics at 1, 2, 5, 10, ... or, of more than two decades, powers of
-// ten
-std::string MakeLogarithmicAxis(const std::string& axis, Real low, Real high) {
-  constexpr Real kManyDecades = 100.0;
-  low /= kMargin;
-  high *= kMargin;
-  const bool hasManyDecades = high >= kManyDecades * low;
-  const std::vector<Real> numbers = ListRoundNumbers(low, high);
-  std::vector<Real> tics;
-  for (const Real number : numbers) {
-    const bool isPower = std::abs(std::remainder(std::log10(number), 1.0)) < 1e-9;
-    if (number >= low && number <= high && (isPower || !hasManyDecades)) {
-      tics.push_back(number);
-    }
-  }
-  if (tics.size() < 2) {
-    // a narrow range is widened, so that there is something to read
-    low = numbers.front();
-    high = numbers.back();
-    tics = numbers;
-  }
-  return fmt::format("set logscale {0}\nset {0}range [{1}:{2}]\n", axis, FormatForGnuplot(low),
-                     FormatForGnuplot(high)) +
-         MakeNumberTics(axis, tics);
 }
 
 std::string MakeLinearAxis(Real low, Real high) {
@@ -262,10 +213,13 @@ std::string SMeans::MakeFrame(const CReportData& data, const SFigureRequest& req
   return MakeStyle(request.Title, request.XLabel.empty() ? xLabel : request.XLabel,
                    MakeMetricLabel(data, request.Y, false, request.YLabel)) +
          (request.IsXLogarithmic
-              ? MakeLogarithmicAxis("x", levels.begin()->first, levels.rbegin()->first)
+              ? MakeLogarithmicAxis("x", levels.begin()->first / kLogarithmicMargin,
+                                    levels.rbegin()->first * kLogarithmicMargin)
               : MakeLinearAxis(levels.begin()->first, levels.rbegin()->first)) +
          (hasLevels ? MakeTics("x", {levels.begin(), levels.end()}) : "") +
-         (request.IsLogarithmic ? MakeLogarithmicAxis("y", low, high) : MakeValueAxis(low, high));
+         (request.IsLogarithmic
+              ? MakeLogarithmicAxis("y", low / kLogarithmicMargin, high * kLogarithmicMargin)
+              : MakeValueAxis(low, high));
 }
 
 std::string SMeans::DescribePointCounts() const {

@@ -8,8 +8,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 namespace argos {
 
 namespace {
@@ -23,10 +21,11 @@ std::vector<SSeriesGroup> CollectGroups(const CReportData& data, const SFigureRe
     for (size_t i = 0; i < run.Series.Ticks.size(); ++i) {
       const Real tick = run.Series.Ticks[i];
       const Real value = run.Series.Values[i];
-      values.emplace_back(ticksPerSecond > 0.0 ? tick / ticksPerSecond : tick, value);
-      if (request.IsLogarithmic && !std::isnan(value)) {
-        RequirePositive(request.Y, value);
+      // logarithmic time has no place for the start
+      if (request.IsXLogarithmic && tick <= 0.0) {
+        continue;
       }
+      values.emplace_back(ticksPerSecond > 0.0 ? tick / ticksPerSecond : tick, value);
     }
   }
   std::vector<SSeriesGroup> collected;
@@ -44,7 +43,8 @@ SFigureDraft MakeSeriesFigure(const CReportData& data, const SFigureRequest& req
   const Real ticksPerSecond = FindTicksPerSecond(data.GetCampaign());
   const std::string timeLabel = MakeTimeLabel(ticksPerSecond);
   const SSeriesLines lines = MakeSeriesLines(CollectGroups(data, request, groups, ticksPerSecond),
-                                             {request.ShowsInterval, request.EndedRuns, false});
+                                             {request.ShowsInterval, request.EndedRuns, false,
+                                              request.IsLogarithmic, request.IsXLogarithmic});
   if (lines.Counts.empty()) {
     THROW_ARGOSEXCEPTION("no run that is done has values of the series \"" << request.Y << '"');
   }
@@ -56,19 +56,17 @@ SFigureDraft MakeSeriesFigure(const CReportData& data, const SFigureRequest& req
                   request.ShowsInterval ? "lower bound of the t interval, mean, upper bound"
                                         : "lower quartile, median, upper quartile") +
       lines.Data;
-  draft.Script =
-      MakeStyle(request.Title, request.XLabel.empty() ? timeLabel : request.XLabel,
-                MakeMetricLabel(data, request.Y, true, request.YLabel)) +
-      (request.IsLogarithmic ? "set logscale y\n" : MakeValueAxis(lines.Low, lines.High)) +
-      lines.Plot;
+  draft.Script = MakeStyle(request.Title, request.XLabel.empty() ? timeLabel : request.XLabel,
+                           MakeMetricLabel(data, request.Y, true, request.YLabel)) +
+                 lines.Axes + lines.Plot;
   draft.Caption = fmt::format(
       "{} over time: {} (band) of {}{}.{}{}", MakeLabel(request.Y, ""),
       request.ShowsInterval
           ? "mean (line) and its " + FormatLevel(kReportLevel) + " t interval at each time"
           : "median (line) and quartiles",
       DescribeCounts(lines.Counts),
-      request.Group.empty() ? "" : " for each level of " + request.Group, lines.Ending,
-      DescribePooled(data, {request.Group}));
+      request.Group.empty() ? "" : " for each level of " + request.Group,
+      lines.Ending + lines.LeftOut, DescribePooled(data, {request.Group}));
   return draft;
 }
 

@@ -1,11 +1,13 @@
 #include <argos3/campaign/report/series_lines.h>
 
+#include <argos3/campaign/report/figure_parts.h>
 #include <argos3/campaign/report/figures.h>
 #include <argos3/campaign/report/gnuplot_text.h>
 #include <argos3/campaign/report/report_text.h>
 #include <argos3/campaign/report/summary_tables.h>
 #include <argos3/campaign/statistics/mean_interval.h>
 #include <argos3/campaign/statistics/moments.h>
+#include <argos3/core/utility/errors/argos_exception.h>
 
 #include <fmt/format.h>
 
@@ -45,14 +47,44 @@ SSeriesBands ComputeIntervals(const std::vector<std::vector<Real>>& runs) {
   return bands;
 }
 
+// a logarithmic axis has no place for a bound that is not positive: such bands end below the others
+Real LimitBound(Real lower, Real middle) {
+  constexpr Real kBelowMiddle = 0.2;
+  return lower > 0.0 ? lower : kBelowMiddle * middle;
+}
+
 /** A group with its bands. */
 struct SBand {
   SSeriesGroup Group;
   SSeriesBands Bands;
   bool HasEnded = false;  // runs that end before others
+  size_t NumLeftOut = 0;  // times
 
   size_t GetLastCount() const { return Bands.Counts.empty() ? 0 : Bands.Counts.back(); }
 };
+
+// leaves out times whose middle a logarithmic axis cannot show
+void KeepPositive(SBand& band) {
+  SSeriesBands& bands = band.Bands;
+  size_t kept = 0;
+  for (size_t i = 0; i < bands.Median.size(); ++i) {
+    if (!(bands.Median[i] > 0.0)) {
+      band.NumLeftOut += bands.Counts[i] > 0 ? 1 : 0;
+      continue;
+    }
+    band.Group.Times[kept] = band.Group.Times[i];
+    bands.Lower[kept] = LimitBound(bands.Lower[i], bands.Median[i]);
+    bands.Median[kept] = bands.Median[i];
+    bands.Upper[kept] = bands.Upper[i];
+    bands.Counts[kept] = bands.Counts[i];
+    ++kept;
+  }
+  band.Group.Times.resize(kept);
+  for (std::vector<Real>* values : {&bands.Lower, &bands.Median, &bands.Upper}) {
+    values->resize(kept);
+  }
+  bands.Counts.resize(kept);
+}
 
 SBand ComputeBand(SSeriesGroup group, const SSeriesStyle& style) {
   SBand band;
@@ -66,26 +98,56 @@ SBand ComputeBand(SSeriesGroup group, const SSeriesStyle& style) {
         style.ShowsInterval ? ComputeIntervals(group.Runs) : ComputeSeriesBands(group.Runs);
   }
   band.Group = std::move(group);
+  if (style.IsLogarithmic) {
+    KeepPositive(band);
+  }
   return band;
 }
 
-void AppendBlock(const SBand& band, SSeriesLines& lines) {
+std::string MakeRow(const SBand& band, size_t i) {
+  const SSeriesBands& bands = band.Bands;
+  std::string row = FormatForGnuplot(band.Group.Times[i]);
+  for (const Real number : {bands.Lower[i], bands.Median[i], bands.Upper[i]}) {
+    row += ' ' + FormatForGnuplot(number);
+  }
+  return row + fmt::format(" {}\n", bands.Counts[i]);
+}
+
+// of a line over logarithmic time: so many that they are at equal distances, with the first and the
+// last one
+std::vector<size_t> ChoosePoints(const std::vector<Real>& times, size_t count) {
+  std::vector<size_t> points;
+  for (size_t i = 0; i < count; ++i) {
+    const Real step = std::log(times[count - 1] / times[0]) / static_cast<Real>(kMaxPoints);
+    if (i == 0 || i + 1 == count || std::log(times[i] / times[points.back()]) >= step) {
+      points.push_back(i);
+    }
+  }
+  return points;
+}
+
+void AppendBlock(const SBand& band, const SSeriesStyle& style, SSeriesLines& lines) {
   // an interval may reach below 0 though no value does; fmin() and fmax() ignore NaN
   for (const std::vector<Real>& run : band.Group.Runs) {
     for (const Real value : run) {
       lines.Low = std::fmin(lines.Low, value);
     }
   }
+  constexpr const char* kEmptyBlock = "NaN NaN NaN NaN 0\n\n\n";
   const SSeriesBands& bands = band.Bands;
   for (size_t i = 0; i < bands.Median.size(); ++i) {
     lines.High = std::fmax(lines.High, bands.Upper[i]);
-    lines.Data += FormatForGnuplot(band.Group.Times[i]);
-    for (const Real number : {bands.Lower[i], bands.Median[i], bands.Upper[i]}) {
-      lines.Data += ' ' + FormatForGnuplot(number);
-    }
-    lines.Data += fmt::format(" {}\n", bands.Counts[i]);
+    lines.Data += MakeRow(band, i);
   }
-  lines.Data += bands.Median.empty() ? "NaN NaN NaN NaN 0\n\n\n" : "\n\n";
+  lines.Data += bands.Median.empty() ? kEmptyBlock : "\n\n";
+  if (!style.IsTimeLogarithmic) {
+    return;
+  }
+  lines.Data += "# the points that are drawn\n";
+  for (const size_t i : ChoosePoints(band.Group.Times, bands.Median.size())) {
+    lines.Data += MakeRow(band, i);
+  }
+  lines.Data += bands.Median.empty() ? kEmptyBlock : "\n\n";
 }
 
 // "10 runs" or "10 runs, 2 at the end"
@@ -112,14 +174,16 @@ std::string FindCommonRuns(const std::vector<SBand>& bands) {
   return isCommon ? text : "";
 }
 
-std::string MakeBandPlot(const std::vector<SBand>& all, bool showsCounts) {
+std::string MakeBandPlot(const std::vector<SBand>& all, bool showsCounts, bool isTimeLogarithmic) {
   std::string bands;
   std::string lines;
   for (size_t index = 0; index < all.size(); ++index) {
     const SBand& band = all[index];
     const size_t count = band.Bands.Median.size();
-    const std::string source = fmt::format("{} index {} every {}", kDataName, index,
-                                           (count + kMaxPoints - 1) / kMaxPoints + (count == 0));
+    const std::string source =
+        isTimeLogarithmic ? fmt::format("{} index {}", kDataName, 2 * index + 1)
+                          : fmt::format("{} index {} every {}", kDataName, index,
+                                        (count + kMaxPoints - 1) / kMaxPoints + (count == 0));
     const char* const color = GetColor(index);
     if (band.Group.Runs.size() > 1) {
       bands += fmt::format(
@@ -142,6 +206,25 @@ std::string MakeBandPlot(const std::vector<SBand>& all, bool showsCounts) {
   return "plot " + bands + lines + '\n';
 }
 
+// the band's least bound and the first and last time, for the ranges of logarithmic axes
+std::string MakeSeriesAxes(const std::vector<SBand>& bands, const SSeriesStyle& style,
+                           const SSeriesLines& lines) {
+  Real low = lines.High;
+  Real first = kNoValue;
+  Real last = kNoValue;
+  for (const SBand& band : bands) {
+    for (size_t i = 0; i < band.Bands.Median.size(); ++i) {
+      low = std::fmin(low, band.Bands.Lower[i]);
+      first = std::fmin(first, band.Group.Times[i]);
+      last = std::fmax(last, band.Group.Times[i]);
+    }
+  }
+  return (style.IsLogarithmic && low > 0.0
+              ? MakeLogarithmicAxis("y", low / kLogarithmicMargin, lines.High * kLogarithmicMargin)
+              : MakeValueAxis(lines.Low, lines.High)) +
+         (style.IsTimeLogarithmic && first > 0.0 ? MakeLogarithmicAxis("x", first, last) : "");
+}
+
 std::string DescribeEnding(const std::vector<SBand>& bands, EEndedRuns rule) {
   if (std::none_of(bands.begin(), bands.end(), [](const SBand& band) { return band.HasEnded; })) {
     return "";
@@ -154,6 +237,24 @@ std::string DescribeEnding(const std::vector<SBand>& bands, EEndedRuns rule) {
   }
   return " Runs that ended before others do not count after their end; dashed: fewer than all "
          "runs.";
+}
+
+std::string DescribeLeftOut(const std::vector<SBand>& bands, const SSeriesStyle& style) {
+  size_t numTimes = 0;
+  bool isEmpty = true;
+  for (const SBand& band : bands) {
+    numTimes += band.NumLeftOut;
+    isEmpty = isEmpty && band.Bands.Median.empty();
+  }
+  const char* const middle = style.ShowsInterval ? "mean" : "median";
+  if (numTimes > 0 && isEmpty) {
+    THROW_ARGOSEXCEPTION("at no time the " << middle
+                                           << " is positive, and a logarithmic axis shows no other "
+                                              "values");
+  }
+  return numTimes == 0
+             ? ""
+             : fmt::format(" {} with a {} of 0 or less left out.", Count(numTimes, "time"), middle);
 }
 
 }  // namespace
@@ -181,7 +282,7 @@ SSeriesGroup MakeSeriesGroup(const std::string& title, const std::vector<TTimedV
 }
 
 SSeriesLines MakeSeriesLines(std::vector<SSeriesGroup> groups, const SSeriesStyle& style) {
-  SSeriesLines lines{"", "", kNoValue, kNoValue, {}, "", ""};
+  SSeriesLines lines;
   std::vector<SBand> bands;
   for (SSeriesGroup& group : groups) {
     bands.push_back(ComputeBand(std::move(group), style));
@@ -190,14 +291,16 @@ SSeriesLines MakeSeriesLines(std::vector<SSeriesGroup> groups, const SSeriesStyl
         "# " +
         MakeLine(band.Group.Title + (band.Group.Title.empty() ? "" : ": ") + DescribeRuns(band)) +
         '\n';
-    AppendBlock(band, lines);
+    AppendBlock(band, style, lines);
     if (!band.Group.Runs.empty()) {
       lines.Counts.push_back(band.Group.Runs.size());
     }
   }
   lines.CommonRuns = style.JoinsCounts ? FindCommonRuns(bands) : "";
-  lines.Plot = MakeBandPlot(bands, lines.CommonRuns.empty());
+  lines.Plot = MakeBandPlot(bands, lines.CommonRuns.empty(), style.IsTimeLogarithmic);
+  lines.Axes = MakeSeriesAxes(bands, style, lines);
   lines.Ending = DescribeEnding(bands, style.Ended);
+  lines.LeftOut = DescribeLeftOut(bands, style);
   return lines;
 }
 

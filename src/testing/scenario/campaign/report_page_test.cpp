@@ -184,6 +184,29 @@ TEST_CASE("report: a browser shows the page at the widths of a desktop and a pho
   }
 }
 
+TEST_CASE("report: a boxplot shows the last values of a series", "[campaign][report]") {
+  const CTestFolder folder;
+  folder.Write("experiment.argos", MakeCampaignExperiment("throw", 3));
+  folder.Write("c.xml", R"(<argos-campaign experiment='experiment.argos'>
+  <factors><factor name='gain' path='loop_functions/@gain' values='1, 2' /></factors>
+  <runs seeds='1' />
+  <collect><metric name='level' series='true' /></collect>
+  <figures><boxplot y='level' x='gain' /></figures>
+</argos-campaign>)");
+  REQUIRE(folder.RunProgram("argos3-campaign", {"run", "c.xml", "--quiet"}).Status == 0);
+  REQUIRE(folder.RunProgram("argos3-campaign", {"report", "c.xml"}).Status == 0);
+  REQUIRE(folder.RunProgram("argos3-campaign", {"export", "c.xml", "--csv", "t"}).Status == 0);
+  // run, factor, seed, tick and value: of the last tick of the first run
+  const std::string series = folder.Read("t/series_level.csv");
+  const size_t second = series.find("\n2,");
+  REQUIRE(second != std::string::npos);
+  const size_t comma = series.rfind(',', second);
+  const std::string last =
+      fmt::format("{:.10g}", std::stod(series.substr(comma + 1, second - comma - 1)));
+  CHECK_THAT(folder.Read("c.report/figures/boxplot_level_gain.dat"),
+             Catch::Contains("\n0 " + last + ' ' + last + ' ' + last));
+}
+
 TEST_CASE("report: options that a figure does not have are errors", "[campaign][report]") {
   const CTestFolder folder;
   folder.Write("experiment.argos", MakeCampaignExperiment("throw", 3));
@@ -203,12 +226,16 @@ TEST_CASE("report: options that a figure does not have are errors", "[campaign][
     return run(arguments);
   };
   for (const std::vector<std::string>& options :
-       {std::vector<std::string>{"--xlog"}, {"--reference", "0"}, {"--xlog", "--reference", "1"}}) {
+       {std::vector<std::string>{"--reference", "0"}, {"--xlog", "--reference", "1"}}) {
     CAPTURE(options);
     const SProgramRun refused = runWith(options);
     CHECK(refused.Status != 0);
-    CHECK_THAT(refused.Err, Catch::Contains("--xlog and --reference belong to --plot means"));
+    CHECK_THAT(refused.Err, Catch::Contains("--reference belongs to --plot means"));
   }
+  CHECK_THAT(runWith({"--xlog"}).Err,
+             Catch::Contains("--xlog belongs to --plot means, series and difference"));
+  CHECK_THAT(run({"--plot", "difference", "-o", "f.svg", "--log"}).Err,
+             Catch::Contains("a difference may be negative"));
   for (const std::vector<std::string>& options :
        {std::vector<std::string>{"--band", "interval"}, {"--ended", "hold"}, {"--ended", "drop"}}) {
     CAPTURE(options);

@@ -377,9 +377,12 @@ TEST_CASE("campaign file: wrong elements", "[campaign][design]") {
        "the metric \"b\" is not collected: <collect> does not name it"},
       {"<collect><metric name='a'/></collect><figures><series y='a'/></figures>",
        "\"a\" is collected as one number of a run, not as a series"},
+      {"<collect><metric name='able' series='true'/></collect>"
+       "<tests><compare metric='abl' factor='robots'/></tests>",
+       "the metric \"abl\" is not collected: <collect> does not name it; did you mean \"able\"?"},
       {"<collect><metric name='a' series='true'/></collect>"
-       "<tests><compare metric='a' factor='robots'/></tests>",
-       "\"a\" is collected as a series, not as one number of a run"},
+       "<figures><difference y='a' group='robots' scale='log'/></figures>",
+       "attribute \"scale\" is not used by anything"},
       {"<tests><compare metric='a' factor='x'/></tests>", "there is no factor \"x\""},
       {"<slurm tasks='0'/>", "at least 1, found 0"},
       {"<slurm tasks='2' partitions='x'/>", "did you mean \"partition\"?"},
@@ -387,6 +390,16 @@ TEST_CASE("campaign file: wrong elements", "[campaign][design]") {
   }));
   CAPTURE(element);
   CHECK_THAT(ErrorWith(element), Contains(message) && Contains("test.xml:"));
+}
+
+TEST_CASE("campaign file: figures, tests and stopping rules take the last value of a series",
+          "[campaign][design]") {
+  // the value is stored with each run, as CMetricCollection does
+  const std::string collect = "<collect><metric name='a' series='true'/></collect>";
+  CHECK(ErrorWith(collect + "<figures><boxplot y='a' x='robots'/><means y='a' x='robots'/>"
+                            "<series y='a' scale='log' xscale='log'/></figures>"
+                            "<tests><compare metric='a' factor='robots'/></tests>") == "");
+  CHECK(ReadCampaignError("<runs until='a' relative='0.1'/>" + collect) == "");
 }
 
 TEST_CASE("campaign file: the metric of the stopping rule is collected", "[campaign][design]") {

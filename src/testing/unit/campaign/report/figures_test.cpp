@@ -11,6 +11,7 @@
 
 #include <stdlib.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <set>
 
@@ -292,9 +293,76 @@ TEST_CASE("figures: large and small tics of logarithmic axes are powers of ten",
   SFigureRequest request = MakeRequest("means", "time", "robots");
   request.IsXLogarithmic = request.IsLogarithmic = true;
   CHECK_THAT(MakeFigure(campaign.Open(), request).Script,
-             Contains("'1' 1, '10' 10, '100' 100, '1000' 1000, '10^{4}' 10000, '10^{5}' 100000, "
-                      "'10^{6}' 1000000)") &&
+             Contains("'10^{0}' 1, '10^{1}' 10, '10^{2}' 100, '10^{3}' 1000, '10^{4}' 10000, "
+                      "'10^{5}' 100000, '10^{6}' 1000000)") &&
                  Contains("'10^{-4}' 0.0001, '2\u00B710^{-4}' 0.0002"));
+}
+
+TEST_CASE("figures: a series has logarithmic axes of values and of time", "[campaign][report]") {
+  CSyntheticCampaign campaign({{"robots", {"5", "10"}}});
+  // squares of the time, 10 ticks a second; in the first one the median is 0
+  SMetricSeries series{"spread", "m", {0, 1}, {0, 0}};
+  for (UInt32 tick = 10; tick <= 100000; ++tick) {
+    series.Ticks.push_back(tick);
+    series.Values.push_back(tick / 10.0 * tick / 10.0);
+  }
+  campaign.AddSeries(0, 1, series);
+  SFigureRequest request = MakeRequest("series", "spread", "");
+  request.IsLogarithmic = request.IsXLogarithmic = true;
+  const SFigureDraft draft = MakeFigure(campaign.Open(), request);
+  CHECK_THAT(draft.Script,
+             Contains("set logscale x\nset xrange [1:10000]\nset xtics ('10^{0}' 1, '10^{1}' 10, "
+                      "'10^{2}' 100, '10^{3}' 1000, '10^{4}' 10000)") &&
+                 Contains("set logscale y\nset yrange [0.8333333333:120000000]\n"));
+  // the second block has the points that are drawn: 150 of each of the four decades
+  const size_t drawn = draft.Data.find("# the points that are drawn\n1 1 1 1 1\n");
+  REQUIRE(drawn != std::string::npos);
+  const auto count =
+      std::count(draft.Data.begin() + static_cast<long>(drawn), draft.Data.end(), '\n');
+  CHECK(count > 400);
+  CHECK(count <= 604);
+  CHECK_THAT(draft.Data.substr(drawn), Contains("\n10000 100000000 100000000 100000000 1\n"));
+  CHECK_THAT(draft.Script, Contains("data_file index 1 using") && !Contains("every"));
+  // at 0 s there is no place on the axis of time, so that only one value is left out
+  CHECK_THAT(draft.Caption, Contains("1 time with a median of 0 or less left out."));
+
+  request.IsXLogarithmic = false;
+  CHECK_THAT(MakeFigure(campaign.Open(), request).Caption,
+             Contains("2 times with a median of 0 or less left out."));
+}
+
+TEST_CASE("figures: bands stay positive on a logarithmic axis", "[campaign][report]") {
+  CSyntheticCampaign campaign({{"robots", {"5", "10"}}});
+  campaign.AddSeries(0, 1, {"spread", "m", {1, 2}, {1, 0}});
+  campaign.AddSeries(0, 2, {"spread", "m", {1, 2}, {3, 0}});
+  SFigureRequest request = MakeRequest("series", "spread", "");
+  request.IsLogarithmic = request.ShowsInterval = true;
+  // the 95 % t interval of 1 and 3 is 2 - 12.7 to 2 + 12.7; a fifth of the mean takes its place
+  CHECK_THAT(MakeFigure(campaign.Open(), request).Data, Contains("\n0.1 0.4 2 14.706"));
+  request.Where = "robots == 10";
+  CHECK_THROWS_WITH(MakeFigure(campaign.Open(), request), Contains("no run that is done"));
+  campaign.AddSeries(1, 1, {"debt", "", {1}, {-1}});
+  SFigureRequest debt = MakeRequest("series", "debt", "");
+  debt.IsLogarithmic = true;
+  CHECK_THROWS_WITH(MakeFigure(campaign.Open(), debt),
+                    Contains("at no time the median is positive"));
+}
+
+TEST_CASE("figures: boxes and cells on logarithmic scales have tics at round numbers",
+          "[campaign][report]") {
+  CSyntheticCampaign campaign({{"robots", {"5", "10"}}, {"speed", {"1"}}});
+  campaign.AddRuns(0, "food", {1, 1});
+  campaign.AddRuns(1, "food", {1000});
+  SFigureRequest box = MakeRequest("boxplot", "food", "robots");
+  box.IsLogarithmic = true;
+  CHECK_THAT(MakeFigure(campaign.Open(), box).Script,
+             Contains("set logscale y\nset yrange [0.8333333333:1200]\nset ytics ('1' 1, '10' 10, "
+                      "'100' 100, '1000' 1000)\n"));
+  SFigureRequest map = MakeRequest("heatmap", "speed", "robots");
+  map.Z = "food";
+  map.IsLogarithmic = true;
+  CHECK_THAT(MakeFigure(campaign.Open(), map).Script,
+             Contains("set logscale cb\nset cbrange [1:1000]\nset cbtics ('1' 1, "));
 }
 
 TEST_CASE("figures: a heatmap has the mean of each cell", "[campaign][report]") {
