@@ -19,7 +19,7 @@ namespace {
 
 constexpr char kUsage[] =
     R"(Usage: argos3-plot trajectories FILE -o PICTURE [--robots ID,ID,...] [--run N] [--from S] [--to S]
-       argos3-plot metrics NAME[,NAME...] FILE... -o PICTURE [--label TEXT] [--from S] [--to S] [--ended RULE]
+       argos3-plot metrics NAME[,NAME...] FILE... -o PICTURE [--label TEXT] [--log] [--xlog] [--from S] [--to S] [--ended RULE]
 
 trajectories  the paths of the robots over the arena, with its walls and objects where they were at the
               start, from a table with the columns x and y. Circles are the ends, dots the starts.
@@ -30,10 +30,12 @@ FILE     .csv or .csv.gz, as <table>, <metrics> and --csv of argos3 write it
 PICTURE  its ending chooses the format: .svg, .png or .pdf
 
   -o, --output PICTURE  the file to write
-  --robots ID,...       only these robots
-  --run N               only this run of an experiment that was reset; the default is 0
+  --robots ID,...       of trajectories: only these robots
+  --run N               of trajectories: only this run of an experiment that was reset; the default is 0
   --from S, --to S      only these simulated seconds
-  --label TEXT          of the vertical axis; the default is the name and the unit of the first column
+  --label TEXT          of metrics: of the vertical axis; the default is the name and the unit of the first column
+  --log                 of metrics: logarithmic axis of the values; medians of 0 or less are left out
+  --xlog                of metrics: logarithmic axis of time; the state at 0 s is left out
   --ended RULE          runs that end before others: survivors (default) do not count them any more,
                         hold keeps their last value, drop leaves out the times after the first end
   -h, --help            print this text
@@ -43,6 +45,7 @@ Example, ten seeds:
   for seed in {1..10}; do argos3 -zc foraging.argos --seed $seed --csv out/$seed; done
   argos3-plot trajectories out/1/robots.csv -o paths.png
   argos3-plot metrics food out/*/metrics.csv -o food.svg
+  argos3-plot metrics squared_displacement out/*/metrics.csv --log --xlog -o diffusion.svg
 
 It needs gnuplot.
 )";
@@ -72,38 +75,52 @@ std::vector<std::string> SplitList(const std::string& text) {
   return words;
 }
 
-typedef std::map<std::string, std::function<void(const std::string&)>> TPlotSetters;
+struct SPlotSetter {
+  const char* Kind; /**< to which the option belongs; empty: to both */
+  std::function<void(const std::string&)> Set;
+  bool HasValue = true;
+};
+
+typedef std::map<std::string, SPlotSetter> TPlotSetters;
 
 TPlotSetters ListSetters(SPlotOptions& options) {
   STrajectoryRequest& trajectories = options.Trajectories;
   SMetricRequest& metrics = options.Metrics;
   const auto setOutput = [&options](const std::string& text) { options.Output = text; };
-  return {{"-o", setOutput},
-          {"--output", setOutput},
-          {"--robots", [&](const std::string& text) { trajectories.Robots = SplitList(text); }},
-          {"--run",
-           [&](const std::string& text) {
-             if (ParseNumber(text, trajectories.Run) != ENumberParsing::Ok) {
-               THROW_ARGOSEXCEPTION("--run must be a whole number, found \"" << text << '"');
-             }
-           }},
-          {"--from",
-           [&](const std::string& text) {
-             trajectories.Span.From = metrics.Span.From = ParseSeconds("--from", text);
-           }},
-          {"--to",
-           [&](const std::string& text) {
-             trajectories.Span.To = metrics.Span.To = ParseSeconds("--to", text);
-           }},
-          {"--label", [&](const std::string& text) { metrics.Label = text; }},
-          {"--ended", [&](const std::string& text) { metrics.Ended = ParseEndedRuns(text); }}};
+  const auto setRobots = [&](const std::string& text) { trajectories.Robots = SplitList(text); };
+  const auto setRun = [&](const std::string& text) {
+    if (ParseNumber(text, trajectories.Run) != ENumberParsing::Ok) {
+      THROW_ARGOSEXCEPTION("--run must be a whole number, found \"" << text << '"');
+    }
+  };
+  const auto setFrom = [&](const std::string& text) {
+    trajectories.Span.From = metrics.Span.From = ParseSeconds("--from", text);
+  };
+  const auto setTo = [&](const std::string& text) {
+    trajectories.Span.To = metrics.Span.To = ParseSeconds("--to", text);
+  };
+  const auto setLabel = [&](const std::string& text) { metrics.Label = text; };
+  const auto setEnded = [&](const std::string& text) { metrics.Ended = ParseEndedRuns(text); };
+  const auto setLog = [&](const std::string&) { metrics.IsLogarithmic = true; };
+  const auto setTimeLog = [&](const std::string&) { metrics.IsTimeLogarithmic = true; };
+  return {{"-o", {"", setOutput}},
+          {"--output", {"", setOutput}},
+          {"--from", {"", setFrom}},
+          {"--to", {"", setTo}},
+          {"--robots", {"trajectories", setRobots}},
+          {"--run", {"trajectories", setRun}},
+          {"--label", {"metrics", setLabel}},
+          {"--ended", {"metrics", setEnded}},
+          {"--log", {"metrics", setLog, false}},
+          {"--xlog", {"metrics", setTimeLog, false}}};
 }
 
 SPlotOptions ParseArguments(const std::vector<std::string>& arguments) {
   SPlotOptions options;
   const TPlotSetters setters = ListSetters(options);
+  std::map<std::string, std::string> kinds;  // of the options that are given
   std::vector<std::string> names;
-  for (const auto& [name, set] : setters) {
+  for (const auto& [name, setter] : setters) {
     names.push_back(name);
   }
   for (size_t i = 0; i < arguments.size(); ++i) {
@@ -120,10 +137,16 @@ SPlotOptions ParseArguments(const std::vector<std::string>& arguments) {
         THROW_ARGOSEXCEPTION("unknown option " << argument << DidYouMean(argument, names)
                                                << kSeeHelp);
       }
-      if (++i == arguments.size()) {
+      if (setter->second.HasValue && ++i == arguments.size()) {
         THROW_ARGOSEXCEPTION(argument << " needs a value");
       }
-      setter->second(arguments[i]);
+      setter->second.Set(arguments[i]);
+      kinds[argument] = setter->second.Kind;
+    }
+  }
+  for (const auto& [option, kind] : kinds) {
+    if (!kind.empty() && !options.Kind.empty() && kind != options.Kind) {
+      THROW_ARGOSEXCEPTION(option << " belongs to " << kind << kSeeHelp);
     }
   }
   return options;
@@ -186,6 +209,9 @@ void Plot(const std::vector<std::string>& arguments) {
                                  ? MakeMetricFigure(options.Metrics)
                                  : MakeTrajectoryFigure(options.Trajectories, look);
   DrawFigure(draft, look, options.Output);
+  if (!draft.Caption.empty()) {
+    std::fprintf(stderr, "argos3-plot:%s\n", draft.Caption.c_str());
+  }
 }
 
 // the lines of an exception without marks, for the user of a small program

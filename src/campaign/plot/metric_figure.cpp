@@ -38,7 +38,7 @@ void ReadMetricRuns(const std::string& path, const SMetricRequest& request,
   std::vector<std::map<std::string, TTimedValues>> runs(metrics.size());
   while (table.ReadRow()) {
     const Real seconds = table.GetNumber(time);
-    if (!request.Span.Contains(seconds)) {
+    if (!request.Span.Contains(seconds) || (request.IsTimeLogarithmic && seconds <= 0.0)) {
       continue;
     }
     for (size_t i = 0; i < metrics.size(); ++i) {
@@ -83,15 +83,17 @@ SFigureDraft MakeMetricFigure(const SMetricRequest& request) {
     const bool hasKey = metrics.size() > 1 || !request.Label.empty();
     groups.push_back(MakeSeriesGroup(hasKey ? name : "", metrics[i].Runs));
   }
-  const SSeriesLines lines = MakeSeriesLines(std::move(groups), {false, request.Ended, true});
+  const SSeriesLines lines = MakeSeriesLines(
+      std::move(groups),
+      {false, request.Ended, true, request.IsLogarithmic, request.IsTimeLogarithmic});
   const std::string title =
       !isSeveral
           ? ""
           : "median and quartiles" + (lines.CommonRuns.empty() ? "" : " of " + lines.CommonRuns);
   SFigureDraft draft;
   draft.Data = "# time, lower quartile, median, upper quartile, number of runs\n" + lines.Data;
-  draft.Script =
-      MakeStyle(title, "time, s", label) + MakeValueAxis(lines.Low, lines.High) + lines.Plot;
+  draft.Script = MakeStyle(title, "time, s", label) + lines.Axes + lines.Plot;
+  draft.Caption = lines.LeftOut;
   return draft;
 }
 

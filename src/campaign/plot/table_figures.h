@@ -41,13 +41,16 @@ struct SMetricRequest {
   SPlotSpan Span;
   std::string Label; /**< of the vertical axis; empty: name and unit of the first metric */
   EEndedRuns Ended = EEndedRuns::Survivors;
+  bool IsLogarithmic = false; /**< the axis of values: times whose median is not positive are
+                                   left out */
+  bool IsTimeLogarithmic = false; /**< the axis of time; the state at 0 s is left out */
 };
 
 /**
  * Columns of tables against time: the median over all files and runs, and a band between the
- * quartiles.
+ * quartiles. The caption says what is left out; it may be empty.
  * @throws CARGoSException if a table is none, has a row for each robot, or has no such column; if
- *   no table has a value.
+ *   no table has a value, or none that a logarithmic axis can show.
  */
 SFigureDraft MakeMetricFigure(const SMetricRequest& request);
 

@@ -12,6 +12,7 @@
 #include <sys/wait.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
@@ -189,7 +190,12 @@ TEST_CASE("plots: mistakes are errors that say what would be right", "[outputs][
        {"metrics x robots.csv -o p.png", "a row for each robot"},
        {"metrics food 1.csv --from x -o p.png", "--from must be a number"},
        {"metrics food 1.csv --frm 1 -o p.png", "unknown option --frm; did you mean \"--from\"?"},
-       {"metrics food 1.csv --ended x -o p.png", "none of survivors, hold and drop"}}));
+       {"metrics food 1.csv --ended x -o p.png", "none of survivors, hold and drop"},
+       {"metrics food 1.csv --robots a -o p.png", "--robots belongs to trajectories"},
+       {"metrics food 1.csv --run 1 -o p.png", "--run belongs to trajectories"},
+       {"trajectories robots.csv --log -o p.png", "--log belongs to metrics"},
+       {"trajectories robots.csv --label x -o p.png", "--label belongs to metrics"},
+       {"metrics food 1.csv -o p.png --to", "--to needs a value"}}));
   CAPTURE(arguments);
   const SProgramRun run = Plot(folder, arguments);
   CHECK(run.Status == 1);
@@ -234,6 +240,40 @@ TEST_CASE("plots: the axes fill the picture, and a course goes from its first to
   const double first = axes.Bottom - line.Bottom;
   const double last = axes.Bottom - line.Top;
   CHECK_THAT(last / first, WithinAbs(10.0, 1.0));
+}
+
+TEST_CASE("plots: a power of time is a straight line on logarithmic axes", "[outputs][plots]") {
+  if (!HasGnuplot()) {
+    return;
+  }
+  const CTestFolder folder;
+  // the square of the time, from 1 s to 100 s; 0 at 0 s, and at 0.5 s
+  std::string table =
+      "# argos3 3.0.0-1 table\nrun,tick,time,robots,square\n0,0,0,2,0\n0,1,0.5,2,0\n";
+  for (int tick = 2; tick <= 200; ++tick) {
+    const std::string time = std::to_string(tick / 2.0);
+    table +=
+        "0," + std::to_string(tick) + ',' + time + ",2," + std::to_string(tick * tick / 4.0) + '\n';
+  }
+  folder.Write("1.csv", table);
+  const SProgramRun run = Plot(folder, "metrics square 1.csv --log --xlog -o p.png");
+  REQUIRE(run.Status == 0);
+  CHECK_THAT(run.Err, Contains("argos3-plot: 1 time with a median of 0 or less left out."));
+  const CPicture picture(folder.Path("p.png"));
+  const SPixelBox axes = picture.FindAxes();
+  CHECK(axes.GetWidth() > 0.8 * picture.GetWidth());
+  CHECK(axes.GetHeight() > 0.7 * picture.GetHeight());
+  const SPixelBox line = picture.FindBox(kFirstColor, axes);
+  // from end to end of the axis of time; that of values goes on by a factor of 1.2 on both sides
+  const double decade = axes.GetHeight() / std::log10(1e4 * 1.2 * 1.2);
+  CHECK_THAT(line.Left, WithinAbs(axes.Left, 4.0));
+  CHECK_THAT(line.Right, WithinAbs(axes.Right, 4.0));
+  CHECK_THAT(line.Bottom, WithinAbs(axes.Bottom - decade * std::log10(1.2), 4.0));
+  CHECK_THAT(line.Top, WithinAbs(axes.Top + decade * std::log10(1.2), 4.0));
+  // half-way, at 10 s, the value is 100
+  const double middle = (axes.Left + axes.Right) / 2.0;
+  const SPixelBox half = picture.FindBox(kFirstColor, {middle, axes.Top, middle, axes.Bottom});
+  CHECK_THAT((half.Top + half.Bottom) / 2.0, WithinAbs((line.Top + line.Bottom) / 2.0, 4.0));
 }
 
 TEST_CASE("plots: paths are where the robots were", "[outputs][plots]") {
