@@ -67,8 +67,8 @@ std::vector<SFieldName> ReadFieldNames(const std::string& location, const std::s
 }
 
 CEntityRows::CEntityRows(std::string location, std::vector<SFieldName> fields,
-                         std::vector<std::string> types)
-    : m_location(std::move(location)), m_types(std::move(types)) {
+                         std::vector<std::string> types, std::vector<std::string> ids)
+    : m_location(std::move(location)), m_types(std::move(types)), m_ids(std::move(ids)) {
   std::set<std::string> names;
   for (SFieldName& field : fields) {
     if (!names.insert(field.Name).second) {
@@ -92,7 +92,7 @@ CEntityRows::CEntityRows(std::string location, std::vector<SFieldName> fields,
   }
 }
 
-std::vector<CEntity*> CEntityRows::ListEntities(CSpace& space) const {
+std::vector<CEntity*> CEntityRows::ListEntitiesOfTypes(CSpace& space) const {
   std::vector<CEntity*> entities;
   if (m_types.empty()) {
     for (CControllableEntity* robot : space.GetControllableEntities()) {
@@ -108,12 +108,44 @@ std::vector<CEntity*> CEntityRows::ListEntities(CSpace& space) const {
   return entities;
 }
 
+std::vector<CEntity*> CEntityRows::ListEntities(CSpace& space) const {
+  std::vector<CEntity*> entities = ListEntitiesOfTypes(space);
+  if (!m_ids.empty()) {
+    std::erase_if(entities, [this](const CEntity* entity) {
+      return std::find(m_ids.begin(), m_ids.end(), entity->GetId()) == m_ids.end();
+    });
+  }
+  return entities;
+}
+
+void CEntityRows::CheckIds(CSpace& space) const {
+  std::vector<std::string> known;
+  for (const CEntity* entity : ListEntitiesOfTypes(space)) {
+    known.push_back(entity->GetId());
+  }
+  constexpr std::size_t kMaxListed = 20;
+  for (const std::string& id : m_ids) {
+    if (std::find(known.begin(), known.end(), id) != known.end()) {
+      continue;
+    }
+    const std::string near = DidYouMean(id, known);
+    const bool isList = near.starts_with("; known");
+    THROW_ARGOSEXCEPTION(m_location << ": \"robots\": there is no "
+                                    << (m_types.empty() ? "robot" : "such entity") << " \"" << id
+                                    << "\" at the start"
+                                    << (isList && known.size() > kMaxListed ? "" : near));
+  }
+}
+
 void CEntityRows::Resolve(CSpace& space) {
   for (const std::string& type : m_types) {
     if (!space.HasEntityType(type)) {
       THROW_ARGOSEXCEPTION(m_location << ": \"of\": there are no entities <" << type << ">"
                                       << DidYouMean(type, space.GetEntityTypes()));
     }
+  }
+  if (!m_ids.empty()) {
+    CheckIds(space);
   }
   Update(space);
 }

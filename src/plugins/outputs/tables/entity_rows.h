@@ -34,14 +34,16 @@ class CEntityRows {
    * @param location  of the element, for messages: "file:line: <table>".
    * @param fields    not empty.
    * @param types     of entities, such as "foot-bot"; empty: all robots.
+   * @param ids       of the entities among them that have rows; empty: all.
    * @throws CARGoSException if two fields are equal, or if two of them are lists.
    */
-  CEntityRows(std::string location, std::vector<SFieldName> fields, std::vector<std::string> types);
+  CEntityRows(std::string location, std::vector<SFieldName> fields, std::vector<std::string> types,
+              std::vector<std::string> ids = {});
 
   /**
    * Resolves the fields of the entities there are.
-   * @throws CARGoSException with the nearest names if no entity has a field; if two fields have a
-   *   column of the same name.
+   * @throws CARGoSException with the nearest names if no entity has a field, a type or an id; if
+   * two fields have a column of the same name.
    */
   void Resolve(CSpace& space);
   /** Follows entities that were added and removed. @throws CARGoSException as Resolve(). */
@@ -93,6 +95,8 @@ class CEntityRows {
 
   bool HaveEntitiesChanged(CSpace& space);
   std::vector<CEntity*> ListEntities(CSpace& space) const;
+  std::vector<CEntity*> ListEntitiesOfTypes(CSpace& space) const;
+  void CheckIds(CSpace& space) const;
   SEntityRows Bind(CEntity& entity);
   SCell BindCell(SPart& part, CEntity& entity);
   void AddColumns(SPart& part, const SBoundField& bound);
@@ -104,6 +108,7 @@ class CEntityRows {
 
   std::string m_location;
   std::vector<std::string> m_types;
+  std::vector<std::string> m_ids;
   std::vector<SPart> m_parts;
   SPart* m_list = nullptr;  // the field that is a list; null: none is
   std::size_t m_listIndex = 0;

@@ -14,9 +14,12 @@ class CTableOutput : public CTableBase {
     CTableBase::Init(tree);
     std::string fields = "pose";
     std::string types;
+    std::string ids;
     GetNodeAttributeOrDefault(tree, "fields", fields, fields);
     GetNodeAttributeOrDefault(tree, "of", types, types);
-    m_rows.emplace(GetLocation(), ReadFieldNames(GetLocation(), fields), SplitAtCommas(types));
+    GetNodeAttributeOrDefault(tree, "robots", ids, ids);
+    m_rows.emplace(GetLocation(), ReadFieldNames(GetLocation(), fields), SplitAtCommas(types),
+                   SplitAtCommas(ids));
     m_rows->Resolve(CurrentSpace());
   }
 
@@ -57,11 +60,12 @@ REQUIRED XML
 OPTIONAL XML
 
   <table file="poses.csv" every="10" fields="pose,wheels,readings:proximity" of="foot-bot,e-puck"
-         digits="6" />
+         robots="fb0,fb3" digits="6" />
 
   every   whole number >= 1, default 1: rows of the ticks 0, every, 2 every, ...
   fields  list, default "pose".
   of      list of tags: the entities that have rows; also boxes and lights. Default: all robots.
+  robots  list of ids: only these have rows. They are in the arena at the start. Default: all.
   digits  from 1 to 17: significant digits of numbers in texts. Default: as many as needed to read the
           same number back.
 

@@ -203,9 +203,12 @@ TEST_CASE("tables: the head says from which run they are", "[outputs][tables]") 
 TEST_CASE("tables: robots have rows while they exist", "[outputs][tables]") {
   const CTestFolder folder;
   STableWorld table;
-  table.Outputs = {{"table", {{"file", folder.Path("t.csv")}}},
-                   {"table", {{"file", folder.Path("t.h5")}}},
-                   {"table", {{"file", folder.Path("of.csv")}, {"of", "e-puck,box"}}}};
+  table.Outputs = {
+      {"table", {{"file", folder.Path("t.csv")}}},
+      {"table", {{"file", folder.Path("t.h5")}}},
+      {"table", {{"file", folder.Path("of.csv")}, {"of", "e-puck,box"}}},
+      {"table", {{"file", folder.Path("b.csv")}, {"robots", "b"}}},
+      {"table", {{"file", folder.Path("a.csv")}, {"of", "e-puck"}, {"robots", "b, a"}}}};
   {
     CRunningWorld world(table);
     world.Get().Step(1);
@@ -220,6 +223,10 @@ TEST_CASE("tables: robots have rows while they exist", "[outputs][tables]") {
       "a", "b", "a", "b", "b", "a_robot_with_an_id_that_is_longer_than_others"};
   CHECK(ReadCSV(folder.Read("t.csv")).Columns.at("robot") == expected);
   CHECK(ReadCSV(folder.Read("of.csv")).Columns.at("robot") == expected);
+  CHECK(ReadCSV(folder.Read("b.csv")).Columns.at("robot") ==
+        std::vector<std::string>{"b", "b", "b"});
+  CHECK(ReadCSV(folder.Read("a.csv")).Columns.at("robot") ==
+        std::vector<std::string>{"a", "b", "a", "b", "b"});
   const auto ids = ReadHDF5Texts(folder.Path("t.h5"), "robots");
   std::vector<std::string> robots;
   for (const double robot : ReadHDF5Numbers(folder.Path("t.h5"), "robot")) {
@@ -323,6 +330,7 @@ TEST_CASE("tables: wrong attributes are errors", "[outputs][tables]") {
        {"fields", " , ", "lists no field"},
        {"fields", "lua:x", "no robot has the field \"lua:x\""},
        {"of", "epuck", "did you mean \"e-puck\" or \"pipuck\"?"},
+       {"robots", "a, no", "\"robots\": there is no robot \"no\" at the start"},
        {"every", "0", "at least 1"},
        {"digits", "18", "from 1 to 17"},
        {"file", "t.xls", ".csv.gz"},
