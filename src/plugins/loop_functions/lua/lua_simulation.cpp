@@ -277,6 +277,7 @@ void CLuaSimulation::AddFunctions(lua_State* state) {
   AddMethod<&CLuaSimulation::Remove>(state, "remove", *this);
   AddMethod<&CLuaSimulation::Disable>(state, "disable", *this);
   AddMethod<&CLuaSimulation::Enable>(state, "enable", *this);
+  AddMethod<&CLuaSimulation::IsEnabled>(state, "is_enabled", *this);
   AddMethod<&CLuaSimulation::GetBattery>(state, "battery", *this);
   AddMethod<&CLuaSimulation::SetBattery>(state, "set_battery", *this);
   AddMethod<&CLuaSimulation::SetLEDColor>(state, "set_led_color", *this);
@@ -427,6 +428,11 @@ void CLuaSimulation::Disable(const std::string& id) {
 
 void CLuaSimulation::Enable(const std::string& id) {
   SetRobotEnabled(GetRobot(GetRoot(id)), true);
+}
+
+bool CLuaSimulation::IsEnabled(const std::string& id) {
+  const CControllableEntity& robot = GetRobot(GetRoot(id));
+  return robot.IsEnabled() && !robot.IsStopped();
 }
 
 Real CLuaSimulation::GetBattery(const std::string& id) {

@@ -52,6 +52,7 @@ class CLuaSimulation {
   void Remove(const std::string& id);
   void Disable(const std::string& id);
   void Enable(const std::string& id);
+  bool IsEnabled(const std::string& id);
   Real GetBattery(const std::string& id);
   void SetBattery(const std::string& id, Real charge);
   void SetLEDColor(CLuaArguments& arguments);

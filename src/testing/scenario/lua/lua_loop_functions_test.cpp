@@ -308,6 +308,8 @@ TEST_CASE(
     "[lua][loop_functions]") {
   SLuaExperiment experiment = With(
       "function pre_step()\n"
+      "  assert(simulation.is_enabled('fb') == (simulation.clock() <= 11 or simulation.clock() > "
+      "21))\n"
       "  if simulation.clock() == 11 then simulation.disable('fb') end\n"
       "  if simulation.clock() == 21 then simulation.enable('fb') end\n"
       "end",
