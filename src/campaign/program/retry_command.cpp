@@ -2,6 +2,8 @@
 #include <argos3/campaign/program/command_options.h>
 #include <argos3/campaign/program/commands.h>
 #include <argos3/campaign/scheduling/run_plan.h>
+#include <argos3/campaign/store/failed_runs.h>
+#include <argos3/core/utility/text/lists.h>
 
 #include <CLI/CLI.hpp>
 
@@ -89,10 +91,11 @@ std::vector<SPlannedRun> ListRuns(const SCampaign& campaign, const CResultStore&
 }
 
 int Retry(const SRetryOptions& options) {
+  const std::vector<std::string> names =
+      options.Statuses.empty() ? ListDefaultStatuses(!options.Where.empty()) : options.Statuses;
   std::vector<ERunStatus> statuses;
-  for (const std::string& status :
-       options.Statuses.empty() ? ListDefaultStatuses(!options.Where.empty()) : options.Statuses) {
-    statuses.push_back(ToRunStatus(status));
+  for (const std::string& name : names) {
+    statuses.push_back(ToRunStatus(name));
   }
   const SCampaign campaign = ReadCampaign(options.Execution.File);
   ThrowUnlessHasResults(campaign);
@@ -105,6 +108,13 @@ int Retry(const SRetryOptions& options) {
   }
   std::vector<SPlannedRun> runs = ListRuns(campaign, store, statuses, condition.get());
   const size_t others = store.ListRuns().size() - runs.size();
+  if (runs.empty()) {
+    const std::string which =
+        options.Where.empty() ? "" : " for which \"" + options.Where + "\" is true";
+    fmt::print("no stored run has the status {}{}: nothing is repeated\n", JoinItems(names), which);
+    const std::string failures = DescribeFailedRuns(campaign, store);
+    return failures.empty() ? CAMPAIGN_DONE : CAMPAIGN_RUNS_FAILED;
+  }
   fmt::print("{} run{} repeated\n", runs.size(), runs.size() == 1 ? " is" : "s are");
   CRunListPlan plan(std::move(runs), campaign.Combinations.size());
   return ExecutePlan(campaign, store, plan, others, options.Execution);

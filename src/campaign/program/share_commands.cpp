@@ -25,6 +25,7 @@ struct SShareOptions {
   std::string Share;
   std::string Part;
   std::string Submission;
+  bool RepeatsFailedRuns = false;
 };
 
 struct SMergeOptions {
@@ -42,7 +43,8 @@ int RunShare(const SShareOptions& options) {
   std::vector<SKnownRun> known;
   {
     const CResultStore results(campaign.ResultsFile, CResultStore::EMode::ReadOnly);
-    known = ListKnownRuns(selected, results);
+    known = ListKnownRuns(selected, results,
+                          options.RepeatsFailedRuns ? EFailedRuns::Repeated : EFailedRuns::Known);
   }
   CResultStore part(options.Part, CResultStore::EMode::WriteShared);
   PrintWarnings(part.Register(campaign, false));
@@ -112,6 +114,7 @@ void AddShareCommand(CLI::App& app, TCampaignCommand& chosen) {
   command.add_option("--part", options->Part, "database of the share")->required();
   command.add_option("--submission", options->Submission, "digest of the submitted campaign")
       ->required();
+  command.add_flag("--retry", options->RepeatsFailedRuns, "repeat stored runs that have failed");
   command.callback([options, &chosen] { chosen = [options] { return RunShare(*options); }; });
 }
 

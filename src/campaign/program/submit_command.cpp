@@ -22,16 +22,18 @@ struct SSubmitOptions {
   std::string File;
   bool IsDryRun = false;
   bool AcceptsChange = false;
+  EFailedRuns Failed = EFailedRuns::Known;
 };
 
 // changes nothing, and needs no Slurm
-int PrintScripts(const SCampaign& campaign) {
+int PrintScripts(const SCampaign& campaign, EFailedRuns failed) {
   std::vector<SKnownRun> known;
   if (HasResults(campaign)) {
     const CResultStore store(campaign.ResultsFile, CResultStore::EMode::ReadOnly);
-    known = ListKnownRuns(campaign, store);
+    known = ListKnownRuns(campaign, store, failed);
   }
-  const SSubmission submission = PrepareSubmission(campaign, known, campaign.Slurm.Resubmissions);
+  const SSubmission submission =
+      PrepareSubmission(campaign, known, campaign.Slurm.Resubmissions, failed);
   if (submission.Tasks.empty()) {
     fmt::print("all runs are stored: nothing would be submitted\n");
     return CAMPAIGN_DONE;
@@ -49,7 +51,7 @@ int Submit(const SSubmitOptions& options) {
     PrintWarnings(warning);
   }
   if (options.IsDryRun) {
-    return PrintScripts(campaign);
+    return PrintScripts(campaign, options.Failed);
   }
   ThrowUnlessHasSlurm();
   ThrowIfQueued(campaign);
@@ -62,7 +64,8 @@ int Submit(const SSubmitOptions& options) {
                          << merged.Problems.front() << "\nRemove it to have its runs repeated");
   }
   const SSubmission submission =
-      PrepareSubmission(campaign, ListKnownRuns(campaign, store), campaign.Slurm.Resubmissions);
+      PrepareSubmission(campaign, ListKnownRuns(campaign, store, options.Failed),
+                        campaign.Slurm.Resubmissions, options.Failed);
   if (submission.Tasks.empty()) {
     fmt::print("all runs are stored: nothing is submitted\n");
     return CAMPAIGN_DONE;
@@ -86,6 +89,9 @@ void AddSubmitCommand(CLI::App& app, TCampaignCommand& chosen) {
   command.add_flag("--dry-run", options->IsDryRun, "print the job scripts, and submit nothing");
   command.add_flag("--accept-change", options->AcceptsChange,
                    "the experiment has changed: begin a new generation of runs");
+  command.add_flag_callback(
+      "--retry", [options] { options->Failed = EFailedRuns::Repeated; },
+      "repeat stored runs that have failed, too; their results replace the stored ones");
   command.callback([options, &chosen] { chosen = [options] { return Submit(*options); }; });
 }
 

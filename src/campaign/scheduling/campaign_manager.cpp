@@ -58,7 +58,12 @@ bool IsGood(ERunStatus status) {
 
 }  // namespace
 
-std::vector<SKnownRun> ListKnownRuns(const SCampaign& campaign, const CResultStore& store) {
+bool IsRepeated(ERunStatus status) {
+  return status != ERunStatus::Done && status != ERunStatus::RobotsStopped;
+}
+
+std::vector<SKnownRun> ListKnownRuns(const SCampaign& campaign, const CResultStore& store,
+                                     EFailedRuns failed) {
   const std::map<std::string, size_t> indices = IndexCombinations(campaign);
   std::map<UInt32, size_t> indexOf;  // by id in the store
   for (const SStoredCombination& stored : store.ListCombinations()) {
@@ -76,7 +81,8 @@ std::vector<SKnownRun> ListKnownRuns(const SCampaign& campaign, const CResultSto
   std::vector<SKnownRun> known;
   for (const SStoredRun& run : store.ListRuns()) {
     const auto index = indexOf.find(run.Combination);
-    if (index != indexOf.end()) {
+    const bool isKnown = failed == EFailedRuns::Known || !IsRepeated(run.Result.Status);
+    if (index != indexOf.end() && isKnown) {
       const auto value = values.find({run.Combination, run.Seed});
       known.push_back(
           {index->second, run.Seed,

@@ -27,8 +27,15 @@ struct SCampaignEnd {
   int Signal = 0; /**< that has stopped it; 0: none */
 };
 
+/** Whether runs that have failed need not be executed again. */
+enum class EFailedRuns { Known, Repeated };
+
+/** True for what `retry` repeats: all but done, and robots_stopped. */
+bool IsRepeated(ERunStatus status);
+
 /** @return the known runs of a campaign: in the store, of the newest generation. */
-std::vector<SKnownRun> ListKnownRuns(const SCampaign& campaign, const CResultStore& store);
+std::vector<SKnownRun> ListKnownRuns(const SCampaign& campaign, const CResultStore& store,
+                                     EFailedRuns failed = EFailedRuns::Known);
 
 /** @return the setup of a campaign's runs. */
 SRunSetup MakeRunSetup(const SCampaign& campaign);

@@ -146,10 +146,10 @@ std::string MakeRunsScript(const SCampaign& campaign, const SScriptOptions& opti
   AddUserOptions(script, campaign);
   script += fmt::format(
       "exec {} run-share {} --share \"$SLURM_ARRAY_TASK_ID/{}\" --part "
-      "{}/\"$SLURM_ARRAY_TASK_ID\".sqlite --submission {} --jobs {}\n",
+      "{}/\"$SLURM_ARRAY_TASK_ID\".sqlite --submission {} --jobs {}{}\n",
       QuoteForShell(options.Program), QuoteForShell(fs::absolute(campaign.File).string()),
       campaign.Slurm.Tasks, QuoteForShell(paths.Parts), ComputeSubmissionDigest(campaign),
-      campaign.Slurm.Jobs);
+      campaign.Slurm.Jobs, options.RepeatsFailedRuns ? " --retry" : "");
   return script;
 }
 

@@ -15,6 +15,7 @@ struct SScriptOptions {
   UInt32 Resubmissions = 0; /**< that may follow */
   std::string Program; /**< path of argos3-campaign */
   std::string WorkingFolder; /**< of the jobs */
+  bool RepeatsFailedRuns = false; /**< of those that are stored */
   std::vector<UInt32> Tasks; /**< numbers of the shares that have runs, ascending */
 };
 

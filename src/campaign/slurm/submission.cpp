@@ -44,7 +44,7 @@ UInt64 CountOpenRuns(const SCampaign& campaign, const SRunShare& share,
 }  // namespace
 
 SSubmission PrepareSubmission(const SCampaign& campaign, const std::vector<SKnownRun>& known,
-                              UInt32 resubmissions) {
+                              UInt32 resubmissions, EFailedRuns failed) {
   SSubmission submission;
   SScriptOptions options;
   for (const SSubmittedJobs& earlier : ReadJobs(SSubmissionPaths(campaign))) {
@@ -59,6 +59,7 @@ SSubmission PrepareSubmission(const SCampaign& campaign, const std::vector<SKnow
   }
   options.Number = submission.Number;
   options.Resubmissions = resubmissions;
+  options.RepeatsFailedRuns = failed == EFailedRuns::Repeated;
   options.Program = fs::read_symlink("/proc/self/exe").string();
   options.WorkingFolder = fs::current_path().string();
   options.Tasks = submission.Tasks;

@@ -2,6 +2,7 @@
 #define ARGOS3_CAMPAIGN_SLURM_SUBMISSION_H
 
 #include <argos3/campaign/design/campaign.h>
+#include <argos3/campaign/scheduling/campaign_manager.h>
 #include <argos3/campaign/scheduling/run_plan.h>
 #include <argos3/campaign/slurm/submission_files.h>
 
@@ -22,9 +23,11 @@ struct SSubmission {
  * Prepares a submission of what is missing.
  * @param known          runs that are stored.
  * @param resubmissions  how often the merging job may submit what is still missing.
+ * @param failed         Repeated: the tasks execute stored runs that have failed again; then
+ *   @p known lacks these.
  */
 SSubmission PrepareSubmission(const SCampaign& campaign, const std::vector<SKnownRun>& known,
-                              UInt32 resubmissions);
+                              UInt32 resubmissions, EFailedRuns failed = EFailedRuns::Known);
 
 /**
  * Writes the scripts, and queues both jobs. Their numbers are in NAME.slurm/jobs.

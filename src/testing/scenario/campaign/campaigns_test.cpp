@@ -159,7 +159,8 @@ TEST_CASE("campaign: retry repeats the runs for which a condition of factors and
                          [](const SStoredRun& run) { return run.Attempt == 2; });
   };
   const std::vector<std::string> table = ReadTable(folder.Path("results.sqlite"));
-  CHECK_THAT(retry("dispersion > 1000").Out, Contains("0 runs are repeated"));
+  CHECK_THAT(retry("dispersion > 1000").Out,
+             Contains("for which \"dispersion > 1000\" is true: nothing is repeated"));
   CHECK(countSecond() == 0);
   CHECK_THAT(retry("speed == 10 and seed <= 2 and dispersion > 0").Out,
              Contains("4 runs are repeated"));
@@ -172,6 +173,22 @@ TEST_CASE("campaign: retry repeats the runs for which a condition of factors and
   const SProgramRun noCondition = retry("dispersion");
   CHECK(noCondition.Status == 1);
   CHECK_THAT(noCondition.Err, Contains("expected a condition"));
+}
+
+TEST_CASE("campaign: retry says that there is nothing to repeat", "[campaign][program]") {
+  const CTestFolder folder;
+  folder.Write("experiment.argos", MakeCampaignExperiment("throw", 2));
+  folder.Write("c.xml",
+               "<argos-campaign experiment='experiment.argos' results='results.sqlite'>\n"
+               "  <runs seeds='2' />\n</argos-campaign>\n");
+  REQUIRE(folder.RunProgram("argos3-campaign", {"run", "c.xml"}).Status == 3);
+  const SProgramRun retry =
+      folder.RunProgram("argos3-campaign", {"retry", "c.xml", "--status", "crashed,timeout"});
+  // the one that has failed remains
+  CHECK(retry.Status == 3);
+  CHECK_THAT(retry.Out,
+             Contains("no stored run has the status crashed, timeout: nothing is repeated\n"));
+  CHECK(retry.Err == "");
 }
 
 TEST_CASE("campaign: a worker that dies is replaced, and its run is named", "[campaign][program]") {

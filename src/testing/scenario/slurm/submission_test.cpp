@@ -246,6 +246,30 @@ TEST_CASE("slurm: submit --dry-run prints the scripts and changes nothing", "[ca
   }
 }
 
+TEST_CASE("slurm: submit --retry repeats stored runs that have failed", "[campaign][slurm]") {
+  const CTestFolder folder;
+  // fails with the seed 2
+  folder.Write("experiment.argos", MakeCampaignExperiment("throw", 2));
+  folder.Write("c.xml", MakeCampaign("<slurm tasks='2' />", "seeds='4'"));
+  REQUIRE(folder.RunProgram("argos3-campaign", {"run", "c.xml"}).Status == 3);
+  const SProgramRun without =
+      folder.RunProgram("argos3-campaign", {"submit", "c.xml", "--dry-run"});
+  CHECK_THAT(without.Out, Contains("nothing would be submitted"));
+  const SProgramRun scripts =
+      folder.RunProgram("argos3-campaign", {"submit", "c.xml", "--dry-run", "--retry"});
+  CHECK_THAT(scripts.Out, Contains("#SBATCH --array=1-2\n") && Contains("--jobs 1 --retry\n"));
+  const std::string option = "--submission ";
+  const std::string digest = scripts.Out.substr(scripts.Out.find(option) + option.size(), 16);
+  std::vector<std::string> arguments = {"run-share", "c.xml",       "--share",      "1/2",
+                                        "--part",    "part.sqlite", "--submission", digest};
+  CHECK(folder.RunProgram("argos3-campaign", arguments).Status == 0);
+  CHECK(ReadTable(folder.Path("part.sqlite")).empty());
+  arguments.push_back("--retry");
+  CHECK(folder.RunProgram("argos3-campaign", arguments).Status == 3);
+  // of the four combinations
+  CHECK(ReadTable(folder.Path("part.sqlite")).size() == 2);
+}
+
 TEST_CASE("slurm: without its commands, submit says what to install", "[campaign][slurm]") {
   const CTestFolder folder;
   folder.Write("experiment.argos", MakeCampaignExperiment());
