@@ -34,10 +34,13 @@ constexpr Real kSolidTolerance = 1e-4;
 constexpr Real kSolidStep = 0.25;
 /** Greatest number of sweeps of CPushSolver over an island. */
 constexpr UInt32 kPushSweeps = 3000;
+/** Greatest number of corrections of an island's contacts by its motion. */
+constexpr UInt32 kPushCorrections = 40;
 /** Change in a sweep at which forces count as found, as a share of the greatest motion. */
 constexpr Real kPushTolerance = 1e-6;
 /** Change of a motion at which it counts as steady, as a share of the greatest motion. */
 constexpr Real kPushSteady = 1e-4;
+constexpr Real kCorrectedSteady = 2e-3;
 /**
  * Share of the strongest drive that would accelerate a body to the greatest motion. A smaller share
  * needs more sweeps until the forces are found, a larger one until the motion is steady.

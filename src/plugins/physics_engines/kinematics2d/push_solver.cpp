@@ -15,6 +15,8 @@ constexpr Real kMinForce = 1e-3;
 // held, as shares of the greatest motion
 constexpr Real kSameTarget = 0.01;
 constexpr Real kHeld = 1e-3;
+// share of its mass that a body keeps when its contacts are corrected: the motion is known by then
+constexpr Real kMassOfCorrected = 0.3;
 
 STwist ToTwist(const Real* values) {
   return {values[kAxisX], values[kAxisY], values[kAxisTurn]};
@@ -141,8 +143,7 @@ const CPushSolver::SContact& CPushSolver::GetContact(UInt32 contact) const {
 
 void CPushSolver::SetContact(UInt32 contact, const SContact& replacement) {
   CheckContact(contact);
-  m_contacts[contact] = {replacement, true, m_contacts[contact].Force,
-                         m_contacts[contact].KnownForce};
+  static_cast<SContact&>(m_contacts[contact]) = replacement;
 }
 
 void CPushSolver::SortByIslands() {
@@ -158,61 +159,41 @@ void CPushSolver::SortByIslands() {
   std::sort(m_contactOrder.begin(), m_contactOrder.end());
 }
 
-void CPushSolver::Solve() {
-  Recall();
-  SortByIslands();
-  const auto takeIsland = [](const std::vector<SMember>& order, size_t first, UInt32 island) {
-    size_t end = first;
-    while (end < order.size() && order[end].Island == island) {
-      ++end;
+// @param body,contact  the first ones of the island; then those behind it.
+CPushSolver::SIsland CPushSolver::TakeIsland(size_t& body, size_t& contact) const {
+  const UInt32 number = m_bodyOrder[body].Island;
+  const auto take = [number](const std::vector<SMember>& order, size_t& next) {
+    const size_t first = next;
+    while (next < order.size() && order[next].Island == number) {
+      ++next;
     }
-    return std::span(order).subspan(first, end - first);
+    return std::span(order).subspan(first, next - first);
   };
-  size_t contact = 0;
-  for (size_t body = 0; body < m_bodyOrder.size();) {
-    const UInt32 number = m_bodyOrder[body].Island;
-    const SIsland island = {takeIsland(m_bodyOrder, body, number),
-                            takeIsland(m_contactOrder, contact, number), 0.0};
-    body += island.Bodies.size();
-    contact += island.Contacts.size();
-    const bool isDue =
-        std::any_of(island.Contacts.begin(), island.Contacts.end(),
-                    [this](const SMember& member) { return m_contacts[member.Number].IsDue; });
-    if (isDue) {
-      SolveIsland(island);
-    }
-  }
+  const auto bodies = take(m_bodyOrder, body);
+  return {bodies, take(m_contactOrder, contact), 0.0};
 }
 
-void CPushSolver::SolveIsland(SIsland island) {
-  Prepare(island);
-  if (!(island.Need > 0.0)) {
-    return;
-  }
+// @return the number of sweeps.
+UInt32 CPushSolver::Iterate(const SIsland& island, UInt32 mostSweeps) {
   CContactIsland<Real> solver(m_islandBodies, m_islandContacts);
-  UInt32 sweeps = 0;
-  for (;;) {
-    sweeps += solver.Solve(kPushTolerance * island.Need, kPushSweeps - sweeps);
-    for (size_t i = 0; i < island.Bodies.size(); ++i) {
-      const SIslandBody<Real>& moved = m_islandBodies[i];
-      SBody& body = m_bodies[island.Bodies[i].Number];
-      body.Twist = ToTwist(moved.Velocity.Now);
-      body.Used = ToTwist(moved.Impulse.Now);
-    }
-    for (size_t i = 0; i < island.Contacts.size(); ++i) {
-      m_contacts[island.Contacts[i].Number].Force = m_islandContacts[i].Impulse.Now[kAxisNormal];
-    }
-    if (sweeps >= kPushSweeps || IsSteady(island)) {
-      return;
-    }
-    StartFromResult(island);
+  const UInt32 sweeps = solver.Solve(kPushTolerance * island.Need, mostSweeps);
+  for (size_t i = 0; i < island.Bodies.size(); ++i) {
+    const SIslandBody<Real>& moved = m_islandBodies[i];
+    SBody& body = m_bodies[island.Bodies[i].Number];
+    body.Twist = ToTwist(moved.Velocity.Now);
+    body.Used = ToTwist(moved.Impulse.Now);
   }
+  for (size_t i = 0; i < island.Contacts.size(); ++i) {
+    m_contacts[island.Contacts[i].Number].Force = m_islandContacts[i].Impulse.Now[kAxisNormal];
+  }
+  return sweeps;
 }
 
 // The mass of a body is free to choose. It is so large that a small share of the strongest drive,
 // at each of its contacts, would accelerate the body from rest to the greatest need: then few
 // sweeps are necessary also where many robots touch one object.
-void CPushSolver::Prepare(SIsland& island) {
+// @return false if nothing pushes.
+bool CPushSolver::Prepare(SIsland& island) {
   Real drive = 0.0;
   Real friction = kMinForce;
   for (const SMember& member : island.Bodies) {
@@ -220,30 +201,27 @@ void CPushSolver::Prepare(SIsland& island) {
     const bool isDriven = body.Target.X != 0.0 || body.Target.Y != 0.0 || body.Target.Turn != 0.0;
     Real& strongest = isDriven ? drive : friction;
     strongest = std::max(strongest, body.Force);
-    // from the last solution, if there is one
     body.Start = body.Twist;
     body.Give = body.TurnGive = 0.0;
   }
   Real need = 0.0;
   for (const SMember& member : island.Contacts) {
-    SRequirement& contact = m_contacts[member.Number];
-    contact.IsDue = false;
+    const SRequirement& contact = m_contacts[member.Number];
     need = std::max(need, contact.Least - ComputePlannedMotion(contact));
     CountContact(contact.Pushed, contact.LeverPushed);
     if (contact.Pushing != kNone) {
       CountContact(contact.Pushing, contact.LeverPushing);
     }
   }
-  // of a corrected solution it is what it was before
-  SBody& first = m_bodies[island.Bodies.front().Number];
-  const bool isCorrected = first.Need > 0.0;
-  first.Need = island.Need = isCorrected ? first.Need : need;
-  if (island.Need > 0.0) {
-    if (!isCorrected && IsKnown(island)) {
-      StartFromKnown(island);
-    }
-    SetUp(island, island.Need / (kPushSlack * (drive > 0.0 ? drive : friction)));
+  island.Need = need;
+  if (!(need > 0.0)) {
+    return false;
   }
+  if (IsKnown(island)) {
+    StartFromKnown(island);
+  }
+  SetUp(island, need / (kPushSlack * (drive > 0.0 ? drive : friction)));
+  return true;
 }
 
 // @return true if it is as in the last solution, in which nothing was pushed on.
@@ -313,8 +291,12 @@ void CPushSolver::SetUp(const SIsland& island, Real give) {
       moved.Inertia = 1.0 / body.TurnGive;
     }
   }
-  const auto obstacle = static_cast<UInt32>(m_islandBodies.size());
   m_islandBodies.emplace_back();
+  SetUpContacts(island);
+}
+
+void CPushSolver::SetUpContacts(const SIsland& island) {
+  const auto obstacle = static_cast<UInt32>(m_islandBodies.size() - 1);
   m_islandContacts.clear();
   for (const SMember& member : island.Contacts) {
     const SRequirement& contact = m_contacts[member.Number];
@@ -323,18 +305,15 @@ void CPushSolver::SetUp(const SIsland& island, Real give) {
     touch.NX = contact.NormalX;
     touch.NY = contact.NormalY;
     touch.Approach = -contact.Least;
-    touch.A = obstacle;
-    if (contact.Pushing != kNone) {
-      const SBody& pushing = m_bodies[contact.Pushing];
-      touch.A = pushing.Place;
-      touch.NormalLeverA = contact.LeverPushing;
-      touch.InverseMass =
-          pushing.Give + contact.LeverPushing * contact.LeverPushing * pushing.TurnGive;
-    }
-    const SBody& pushed = m_bodies[contact.Pushed];
-    touch.B = pushed.Place;
+    touch.A = contact.Pushing != kNone ? m_bodies[contact.Pushing].Place : obstacle;
+    touch.B = m_bodies[contact.Pushed].Place;
+    touch.NormalLeverA = contact.LeverPushing;
     touch.NormalLeverB = contact.LeverPushed;
-    touch.InverseMass += pushed.Give + contact.LeverPushed * contact.LeverPushed * pushed.TurnGive;
+    const auto add = [&touch](const SIslandBody<Real>& body, Real lever) {
+      touch.InverseMass += body.InverseMass + lever * lever * body.InverseInertia;
+    };
+    add(m_islandBodies[touch.A], touch.NormalLeverA);
+    add(m_islandBodies[touch.B], touch.NormalLeverB);
     touch.Mass = 1.0 / touch.InverseMass;
   }
 }
@@ -346,14 +325,50 @@ void CPushSolver::CountContact(UInt32 body, Real lever) {
   m_bodies[body].TurnGive += lever * lever;
 }
 
-bool CPushSolver::IsSteady(const SIsland& island) const {
+bool CPushSolver::IsSteady(const SIsland& island, Real share) const {
   return std::all_of(island.Bodies.begin(), island.Bodies.end(), [&](const SMember& member) {
     const SBody& body = m_bodies[member.Number];
     const Real change =
         std::hypot(body.Twist.X - body.Start.X, body.Twist.Y - body.Start.Y) +
         std::abs(body.Twist.Turn - body.Start.Turn) * std::sqrt(body.SquaredGyration);
-    return change <= kPushSteady * island.Need;
+    return change <= share * island.Need;
   });
+}
+
+// All forces stay. Where a lever becomes shorter as a body turns, the torque of the contact holds
+// the body against turning on: without that, the motion would change to and fro between turning and
+// sliding, where it should be something of both.
+void CPushSolver::ReplaceContacts(const SIsland& island) {
+  for (const SMember& member : island.Bodies) {
+    m_bodies[member.Number].Bend = 0.0;
+  }
+  for (const SMember& member : island.Contacts) {
+    const SRequirement& contact = m_contacts[member.Number];
+    m_bodies[contact.Pushed].Bend += contact.Force * std::max(0.0, -contact.BendPushed);
+    if (contact.Pushing != kNone) {
+      m_bodies[contact.Pushing].Bend += contact.Force * std::max(0.0, contact.BendPushing);
+    }
+  }
+  for (const SMember& member : island.Bodies) {
+    SBody& body = m_bodies[member.Number];
+    SIslandBody<Real>& moved = m_islandBodies[body.Place];
+    moved.Mass = kMassOfCorrected / body.Give;
+    moved.InverseMass = 1.0 / moved.Mass;
+    if (body.TurnGive > 0.0) {
+      moved.Inertia = kMassOfCorrected / body.TurnGive + body.Bend;
+      moved.InverseInertia = 1.0 / moved.Inertia;
+    }
+    body.Start = body.Twist;
+    moved.Velocity.Set({body.Twist.X + moved.InverseMass * body.Used.X,
+                        body.Twist.Y + moved.InverseMass * body.Used.Y,
+                        body.Twist.Turn + moved.InverseInertia * body.Used.Turn});
+  }
+  SetUpContacts(island);
+  for (SIslandContact<Real>& contact : m_islandContacts) {
+    const Real force = contact.Impulse.Now[kAxisNormal];
+    contact.Impulse.Now[kAxisNormal] = 0.0;
+    ChangeImpulse(m_islandBodies[contact.A], m_islandBodies[contact.B], contact, force, 0.0);
+  }
 }
 
 // All forces stay, so that bodies first go on to change as before.

@@ -3,6 +3,7 @@
 
 #include <argos3/core/utility/configuration/argos_exception.h>
 #include <argos3/core/utility/datatypes/datatypes.h>
+#include <argos3/plugins/simulator/physics_engines/kinematics2d/kinematic_limits.h>
 #include <argos3/plugins/simulator/physics_engines/planar/body_forest.h>
 #include <argos3/plugins/simulator/physics_engines/planar/contact_island.h>
 
@@ -46,6 +47,8 @@ class CPushSolver {
     /** Least motion of the pushed body along the normal, relative to the pushing one, m: the
      * negative gap. */
     Real Least = 0.0;
+    /** Set by corrections: how the levers change while the bodies turn, m/rad. */
+    Real BendPushing = 0.0, BendPushed = 0.0;
   };
 
   /** Removes all bodies and contacts. */
@@ -70,10 +73,23 @@ class CPushSolver {
   /** @return its number. */
   UInt32 AddContact(const SContact& contact);
   const SContact& GetContact(UInt32 contact) const;
-  /** Replaces a contact of the same bodies; their forces are where Solve() starts. */
+  /** Replaces a contact of the same bodies, when Solve() asks for it. */
   void SetContact(UInt32 contact, const SContact& replacement);
-  /** After a change solves what is connected to changed contacts only. */
-  void Solve();
+  /** The force of a contact in the last solution, N. */
+  Real GetForce(UInt32 contact) const {
+    CheckContact(contact);
+    return m_contacts[contact].Force;
+  }
+  void Solve() {
+    Solve([](UInt32) { return false; });
+  }
+  /**
+   * @param correct  called with the number of each contact of bodies whose motion was found, may
+   *                 replace the contact by what it is with that motion, and says if it has: then
+   *                 the motion is searched further from there, until it is steady.
+   */
+  template <typename CORRECT>
+  void Solve(CORRECT&& correct);
   /** After Solve(): the number of the first body that contacts connect with a body. */
   UInt32 GetIsland(UInt32 body) {
     CheckNumber(body);
@@ -86,7 +102,6 @@ class CPushSolver {
 
  private:
   struct SRequirement : SContact {
-    bool IsDue = true;  // has changed since it was solved
     Real Force = 0.0;  // N, of the last solution
     Real KnownForce = -1.0;  // N, of the last tick; negative: it did not exist
   };
@@ -96,8 +111,8 @@ class CPushSolver {
     Real Force, Torque;  // N, N m
     Real SquaredGyration;  // m^2
     UInt32 Place;  // in its island
-    Real Need = 0.0;  // of the island that begins with it: see SIsland
     Real Give, TurnGive;  // m/N, rad/(N m): compliance
+    Real Bend = 0.0;  // N m/rad: how fast the torque of contacts decreases
     STwist Start;  // before forces
     STwist Twist;
     STwist Used;  // force and torque that aim at the target, of the last solution, N, N m
@@ -146,11 +161,14 @@ class CPushSolver {
   bool WasHeld(const SBody& body, Real need) const;
   void ListContacts(std::vector<SKnownContact>& contacts) const;
   void SortByIslands();
-  void SolveIsland(SIsland island);
-  void Prepare(SIsland& island);
+  SIsland TakeIsland(size_t& body, size_t& contact) const;
+  UInt32 Iterate(const SIsland& island, UInt32 mostSweeps);
+  bool Prepare(SIsland& island);
   void CountContact(UInt32 body, Real lever);
   void SetUp(const SIsland& island, Real give);
-  bool IsSteady(const SIsland& island) const;
+  void SetUpContacts(const SIsland& island);
+  void ReplaceContacts(const SIsland& island);
+  bool IsSteady(const SIsland& island, Real share) const;
   void StartFromResult(const SIsland& island);
   Real ComputePlannedMotion(const SContact& contact) const;
 
@@ -166,6 +184,35 @@ class CPushSolver {
   std::vector<SIslandBody<Real>> m_islandBodies;
   std::vector<SIslandContact<Real>> m_islandContacts;
 };
+
+template <typename CORRECT>
+void CPushSolver::Solve(CORRECT&& correct) {
+  Recall();
+  SortByIslands();
+  for (size_t body = 0, contact = 0; body < m_bodyOrder.size();) {
+    SIsland island = TakeIsland(body, contact);
+    UInt32 sweeps = 0;
+    UInt32 corrections = 0;
+    for (bool isDone = !Prepare(island); !isDone;) {
+      sweeps += Iterate(island, kPushSweeps - sweeps);
+      const bool isSteady = IsSteady(island, corrections > 0 ? kCorrectedSteady : kPushSteady);
+      bool isCorrected = false;
+      if (!(isSteady && corrections > 0)) {
+        for (const SMember& member : island.Contacts) {
+          isCorrected |= correct(member.Number);
+        }
+      }
+      isDone =
+          sweeps >= kPushSweeps || corrections >= kPushCorrections || (isSteady && !isCorrected);
+      if (isCorrected) {
+        ++corrections;
+        ReplaceContacts(island);
+      } else {
+        StartFromResult(island);
+      }
+    }
+  }
+}
 
 }  // namespace argos
 

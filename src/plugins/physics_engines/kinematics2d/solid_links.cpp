@@ -10,12 +10,21 @@ namespace argos {
 
 namespace {
 
-// of the solution in a tick
-constexpr int kCorrections = 2;
 // greatest one of the path of a pushed point, in half narrowest sides
 constexpr Real kTurnError = 2e-3;
+// greatest one of a lever of what turns, in half narrowest sides
+constexpr Real kLeverError = 2e-2;
+// over which changes of levers are measured, rad
+constexpr Real kLeastTurn = 1e-3;
 // of which contacts are linear enough to be corrected from there, rad
 constexpr Real kLongestTurn = 0.2;
+
+// How a lever changes while a body turns, m/rad. @param find  the lever for another motion.
+template <typename FIND>
+Real ComputeBend(const STwist& twist, Real lever, FIND&& find) {
+  const Real change = std::copysign(std::max(std::abs(twist.Turn), kLeastTurn), twist.Turn);
+  return (lever - find(STwist{twist.X, twist.Y, twist.Turn - change})) / change;
+}
 
 }  // namespace
 
@@ -42,60 +51,91 @@ void CSolids::AddLink(const CPushSolver::SContact& contact, int point, const SSi
   const bool isPush = contact.Pushing != CPushSolver::kNone && pushing.Footprint == kNone;
   const Real tolerance = (isPush ? kTurnError : 0.25 * kSolidTolerance) *
                          m_solids[m_slotOf[pushed.Footprint]].NarrowestHalf;
-  m_links.push_back({m_solver.AddContact(contact), point, pushing, pushed, gap,
+  m_links.push_back({m_solver.AddContact(contact), point, pushing, pushed,
                      std::min(0.0, gap + contact.Least), tolerance});
 }
 
 // The solver takes rotations as linear. Where that is wrong, contacts get the gap at the end of the
-// motion that it has found, and the normal half-way: the rule of the midpoint, solved by sequential
-// quadratic programming.
+// motion that it has found, the normal half-way, and the levers of the end: sequential quadratic
+// programming. A lever half-way would let a body turn on beyond where its friction holds it.
 void CSolids::Solve() {
-  m_solver.Solve();
-  for (int i = 0; i < kCorrections; ++i) {
-    bool isDue = false;
-    for (SLink& link : m_links) {
-      isDue |= Correct(link);
-    }
-    if (!isDue) {
-      break;
-    }
-    m_solver.Solve();
-  }
+  m_solver.Solve([this](UInt32 contact) {
+    const auto link =
+        std::lower_bound(m_links.begin(), m_links.end(), contact,
+                         [](const SLink& a, UInt32 number) { return a.Contact < number; });
+    return link != m_links.end() && link->Contact == contact && Correct(*link);
+  });
 }
 
-// @return true if the solver has to solve again.
+// @return true if the solver has to go on.
 bool CSolids::Correct(SLink& link) {
-  CPushSolver::SContact contact = m_solver.GetContact(link.Contact);
   const STwist pushing = ComputeTwist(link.Pushing);
   const STwist pushed = ComputeTwist(link.Pushed);
+  // bodies that do not turn move as the contact says, or, if they are round, farther apart
+  if (pushing.Turn == 0.0 && pushed.Turn == 0.0 && !link.IsCorrected) {
+    return false;
+  }
+  CPushSolver::SContact contact = m_solver.GetContact(link.Contact);
   const auto computeMotion = [&] {
     return contact.NormalX * (pushed.X - pushing.X) + contact.NormalY * (pushed.Y - pushing.Y) +
            contact.LeverPushed * pushed.Turn - contact.LeverPushing * pushing.Turn;
   };
-  // bodies that do not turn move as the contact says, or, if they are round, farther apart
-  if (pushing.Turn == 0.0 && pushed.Turn == 0.0) {
-    return false;
-  }
   const Real expected = link.Planned + computeMotion() - contact.Least;
-  const auto findAt = [&](Real share) {
-    SSeparation contacts[2];
-    const int count = FindContacts(ComputePlace(link.Pushing, pushing, share),
-                                   ComputePlace(link.Pushed, pushed, share), contacts);
-    return contacts[std::min(link.Point, count - 1)];
-  };
-  const Real gap = findAt(1.0).Gap;
-  if (std::abs(gap - expected) <= link.Tolerance ||
-      std::min(gap, expected) > link.Planned + link.Tolerance) {
+  const Real force = m_solver.GetForce(link.Contact);
+  if (force == 0.0 && !link.IsCorrected &&
+      expected > link.Planned + ComputeTurnError(link, pushing, pushed)) {
     return false;
   }
-  const SSeparation middle = findAt(0.5);
+  const SSeparation end = FindAt(link, pushing, pushed, 1.0);
+  const Real leverPushing = ComputeLeverAtEnd(link.Pushing, pushing, end);
+  const Real leverPushed = ComputeLeverAtEnd(link.Pushed, pushed, end);
+  const bool isGapOff = std::abs(end.Gap - expected) > link.Tolerance &&
+                        std::min(end.Gap, expected) <= link.Planned + link.Tolerance;
+  const Real tolerance = kLeverError * m_solids[m_slotOf[link.Pushed.Footprint]].NarrowestHalf;
+  const bool isLeverOff =
+      force > 0.0 && (std::abs(leverPushing - contact.LeverPushing) > tolerance ||
+                      std::abs(leverPushed - contact.LeverPushed) > tolerance);
+  if (!isGapOff && !isLeverOff && !link.IsCorrected) {
+    return false;
+  }
+  link.IsCorrected = true;
+  const SSeparation middle = FindAt(link, pushing, pushed, 0.5);
   contact.NormalX = middle.NormalX;
   contact.NormalY = middle.NormalY;
-  contact.LeverPushing = ComputeLeverHalfway(link.Pushing, pushing, middle);
-  contact.LeverPushed = ComputeLeverHalfway(link.Pushed, pushed, middle);
-  contact.Least = link.Planned - gap + computeMotion();
+  const auto findPushed = [&](const STwist& twist) {
+    return ComputeLeverAtEnd(link.Pushed, twist, FindAt(link, pushing, twist, 1.0));
+  };
+  const auto findPushing = [&](const STwist& twist) {
+    return ComputeLeverAtEnd(link.Pushing, twist, FindAt(link, twist, pushed, 1.0));
+  };
+  const bool isTurned = link.Pushing.Footprint != kNone && force > 0.0;
+  contact.BendPushing = isTurned ? ComputeBend(pushing, leverPushing, findPushing) : 0.0;
+  contact.BendPushed = force > 0.0 ? ComputeBend(pushed, leverPushed, findPushed) : 0.0;
+  contact.LeverPushing = leverPushing;
+  contact.LeverPushed = leverPushed;
+  contact.Least = link.Planned - end.Gap + computeMotion();
   m_solver.SetContact(link.Contact, contact);
   return true;
+}
+
+// Where the sides are after a share of their motions.
+SSeparation CSolids::FindAt(const SLink& link, const STwist& pushing, const STwist& pushed,
+                            Real share) const {
+  SSeparation contacts[2];
+  const int count = FindContacts(ComputePlace(link.Pushing, pushing, share),
+                                 ComputePlace(link.Pushed, pushed, share), contacts);
+  return contacts[std::min(link.Point, count - 1)];
+}
+
+// By how much a gap may be less than the contact says, at most, m.
+Real CSolids::ComputeTurnError(const SLink& link, const STwist& pushing,
+                               const STwist& pushed) const {
+  const auto computePath = [this](const SSide& side, const STwist& twist) {
+    return side.Footprint != kNone ? ComputeLength(m_solids[m_slotOf[side.Footprint]], twist)
+                                   : std::hypot(twist.X, twist.Y);
+  };
+  return (computePath(link.Pushing, pushing) + computePath(link.Pushed, pushed)) *
+         (std::abs(pushing.Turn) + std::abs(pushed.Turn));
 }
 
 STwist CSolids::ComputeTwist(const SSide& side) const {
@@ -126,14 +166,15 @@ SFootprint CSolids::ComputePlace(const SSide& side, const STwist& twist, Real sh
   return Transform(m_shapes[side.Footprint], Moved(solid.Pose, twist, share));
 }
 
-Real CSolids::ComputeLeverHalfway(const SSide& side, const STwist& twist,
-                                  const SSeparation& contact) const {
+// @param contact  at the end of the motion.
+Real CSolids::ComputeLeverAtEnd(const SSide& side, const STwist& twist,
+                                const SSeparation& contact) const {
   if (side.Footprint == kNone) {
     return 0.0;
   }
   const SPlanarPose& start = m_solids[m_slotOf[side.Footprint]].Pose;
-  return (contact.PointX - start.X - 0.5 * twist.X) * contact.NormalY -
-         (contact.PointY - start.Y - 0.5 * twist.Y) * contact.NormalX;
+  return (contact.PointX - start.X - twist.X) * contact.NormalY -
+         (contact.PointY - start.Y - twist.Y) * contact.NormalX;
 }
 
 }  // namespace argos

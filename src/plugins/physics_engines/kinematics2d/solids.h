@@ -138,8 +138,9 @@ class CSolids {
     UInt32 Contact;  // number in the solver
     int Point;  // of the two that the sides may have
     SSide Pushing, Pushed;
-    Real Gap, Planned;  // at the start of the tick and planned for its end, m
+    Real Planned;  // gap at the end of the tick, m
     Real Tolerance;  // m
+    bool IsCorrected = false;  // by the motion, in this tick
   };
   static constexpr UInt32 kNone = std::numeric_limits<UInt32>::max();
 
@@ -190,11 +191,13 @@ class CSolids {
                const SSide& pushed, Real gap);
   void Solve();
   bool Correct(SLink& link);
+  SSeparation FindAt(const SLink& link, const STwist& pushing, const STwist& pushed,
+                     Real share) const;
+  Real ComputeTurnError(const SLink& link, const STwist& pushing, const STwist& pushed) const;
   STwist ComputeTwist(const SSide& side) const;
   STwist ComputeTwist(const SSolid& solid) const;
   SFootprint ComputePlace(const SSide& side, const STwist& twist, Real share) const;
-  Real ComputeLeverHalfway(const SSide& side, const STwist& twist,
-                           const SSeparation& contact) const;
+  Real ComputeLeverAtEnd(const SSide& side, const STwist& twist, const SSeparation& contact) const;
   void TakeTwists(const CDiscSwarm& discs);
   void MoveTogether(const CDiscSwarm& discs);
   void MoveIsland(std::span<const SMember> members, const CDiscSwarm& discs);

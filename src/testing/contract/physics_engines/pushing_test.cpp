@@ -311,6 +311,66 @@ TEST_CASE("pushing: an object that turns against another one blocks it in no num
   }
 }
 
+namespace {
+
+// One or two foot-bots push an object beside its middle, which friction lets slide and turn.
+CPushScene MakeLever(int number, Real degrees, bool isMirrored) {
+  CPushScene scene(degrees, isMirrored);
+  switch (number) {
+    case 0:
+      scene.AddBox("a", 0.0, 0.0, 0.2, 0.5, 1.0);
+      scene.AddRobot(kFootBot, "r", -0.2, 0.12, 0.0);
+      break;
+    case 1:
+      scene.AddPrism("a", 0.0, 0.0, RegularPolygon(3, 0.2), 1.0);
+      scene.AddRobot(kFootBot, "r", -0.2, 0.09, 0.0);
+      break;
+    case 2:
+      scene.AddPrism("a", 0.0, 0.0, RegularPolygon(5, 0.2), 0.1, 36.0);
+      scene.AddRobot(kFootBot, "r", -0.26, -0.1, 0.0);
+      break;
+    case 3:
+      scene.AddPrism("a", 0.0, 0.0, RegularPolygon(6, 0.25), 10.0, 30.0);
+      scene.AddRobot(kFootBot, "r", -0.32, 0.11, 0.0);
+      break;
+    default:
+      scene.AddBox("a", 0.0, 0.0, 0.15, 0.6, 0.5, 10.0);
+      scene.AddRobot(kFootBot, "r", -0.21, 0.24, 0.0);
+      scene.AddRobot(kFootBot, "s", -0.18, -0.08, 5.0);
+  }
+  return scene;
+}
+
+// place and turn
+std::pair<CVector3, Real> PushLever(const SEngineType& engine, int number, UInt32 iterations,
+                                    Real degrees, bool isMirrored) {
+  const CPushScene scene = MakeLever(number, degrees, isMirrored);
+  CDriveWorld world(MakePushEngine(engine, iterations, {4.0, 0.3}), scene.GetArena());
+  scene.Shape(world);
+  const Real start = scene.TurnOf(world, "a");
+  world.Step(35);
+  const Real turn = std::remainder(scene.TurnOf(world, "a") - start, 2.0 * std::numbers::pi);
+  return {scene.PlaceOf(world, "a"), isMirrored ? -turn : turn};
+}
+
+}  // namespace
+
+TEST_CASE("pushing: what is pushed beside its middle turns alike in any number of substeps",
+          "[contract][engine]") {
+  const SEngineType engine = GENERATE(from_range(kEnginesThatPush));
+  const int number = GENERATE(0, 1, 2, 3, 4);
+  const auto [exact, exactTurn] = PushLever(engine, number, 50, 0.0, false);
+  CHECK(exact.Length() > 0.08);
+  const UInt32 iterations = GENERATE(0, 1, 2, 5, 10);
+  const bool isCopy = GENERATE(false, true);
+  CAPTURE(engine, number, iterations, isCopy);
+  const auto [place, turn] = PushLever(engine, number, iterations, isCopy ? 63.0 : 0.0, isCopy);
+  CAPTURE(place, exact);
+  // 2 % of the way of the robots
+  CHECK(Distance(place, exact) < 0.007);
+  CHECK_THAT(turn, WithinAbs(exactTurn, 0.035));
+}
+
 TEST_CASE("pushing: a light box at a wall is not shot aside", "[contract][engine]") {
   const SEngineType engine = GENERATE(from_range(kEnginesThatPush));
   const UInt32 iterations = GENERATE(0, 1, 5);
