@@ -91,7 +91,10 @@ const SElement* CCatalogue::FindElement(const SMatch& match) {
   if (match.Kind->Word == "elements") {
     std::vector<SElementMatch> matches;
     Search(GetElements(), {}, match.Plugin->Label, matches);
-    return matches.empty() ? nullptr : matches.front().Element;
+    const auto element =
+        std::find_if(matches.begin(), matches.end(),
+                     [](const SElementMatch& found) { return found.Attribute.empty(); });
+    return element == matches.end() ? nullptr : element->Element;
   }
   if (section.empty()) {
     return nullptr;

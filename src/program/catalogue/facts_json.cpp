@@ -98,11 +98,12 @@ std::string Attributes(const SElement& element, const std::string& path,
   return Enclosed('[', items, ']');
 }
 
+// of the plug-ins that have elements
 std::set<std::string> TagsOf(const std::vector<SPluginKind>& kinds) {
   std::set<std::string> tags;
   for (const SPluginKind& kind : kinds) {
-    for (const SPluginText& plugin : kind.Plugins) {
-      tags.insert(TagOf(plugin.Label));
+    for (size_t i = 0; !kind.Section.empty() && i < kind.Plugins.size(); ++i) {
+      tags.insert(TagOf(kind.Plugins[i].Label));
     }
   }
   return tags;

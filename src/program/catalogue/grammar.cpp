@@ -103,7 +103,8 @@ class CManuals {
         if (kind.Word == "elements" || kind.Word == "loop_functions") {
           m_ofTags.emplace(kind.Word == "elements" ? name.Tag : kind.Word, CManual(plugin.Long));
         } else {
-          m_ofPlugins.emplace(std::pair(kind.Section.empty() ? kind.Word : kind.Section, name),
+          const std::string& part = kind.Of.empty() ? kind.Word : kind.Of;
+          m_ofPlugins.emplace(std::pair(kind.Section.empty() ? part : kind.Section, name),
                               CManual(plugin.Long));
         }
       }
@@ -122,6 +123,8 @@ class CManuals {
           facts.Manual = manual->TextOf(name.Tag, attribute);
         }
       }
+      facts.Manual =
+          facts.Manual.Text.empty() ? FindElsewhere(parent, name.Tag, attribute) : facts.Manual;
       if (attribute == "library" && facts.Manual.Text.empty()) {
         facts.Manual.Text = "path or name of the library that contains the plug-in.";
       }
@@ -145,9 +148,74 @@ class CManuals {
                                        : nullptr;
   }
 
+  // what other manuals say: that of a plug-in with this tag, those with rows of this tag, those
+  // with examples of it, and those of its section
+  SAttributeText FindElsewhere(const std::string& section, const std::string& tag,
+                               const std::string& attribute) const {
+    SAttributeText texts[4];
+    for (const auto& [plugin, manual] : m_ofPlugins) {
+      const bool isShown = manual.HasExampleOf(tag);
+      const bool applies[4] = {plugin.second.Tag == tag, true, isShown, plugin.first == section};
+      for (size_t i = 0; i < 4; ++i) {
+        if (applies[i] && texts[i].Text.empty()) {
+          texts[i] = i == 1 ? manual.TextOfTag(tag, attribute) : manual.TextOf(tag, attribute);
+        }
+      }
+    }
+    for (SAttributeText& text : texts) {
+      if (!text.Text.empty()) {
+        return text;
+      }
+    }
+    return {};
+  }
+
   std::map<std::pair<std::string, SElementName>, CManual> m_ofPlugins;  // by section
   std::map<std::string, CManual> m_ofTags;
 };
+
+std::vector<SElement*> PointersTo(SElement& section) {
+  std::vector<SElement*> children;
+  for (auto& [name, child] : section.Children) {
+    children.push_back(&child);
+  }
+  return children;
+}
+
+// Elements with the same tag inside those of a section, such as <noise>, are read by the same code.
+// always: also what samples contain; otherwise what was only looked for
+void ShareChildren(const std::vector<SElement*>& elements, bool always) {
+  SElement common;
+  for (const SElement* const element : elements) {
+    for (const auto& [name, child] : element->Children) {
+      if (child.IsVisited) {
+        common.Children[name].Merge(child);
+      }
+    }
+  }
+  for (SElement* const element : elements) {
+    for (auto& [name, child] : element->Children) {
+      if ((always || !child.IsVisited) && common.Find(name) != nullptr) {
+        child.Merge(*common.Find(name));
+      }
+    }
+  }
+}
+
+// of attributes that only samples of another implementation have
+void ShareTypes(SElement& section) {
+  for (auto& [name, element] : section.Children) {
+    for (const auto& [other, twin] : section.Children) {
+      for (auto& [attribute, facts] : element.Attributes) {
+        const auto found = twin.Attributes.find(attribute);
+        if (other.Tag == name.Tag && found != twin.Attributes.end() &&
+            facts.Type == EValueType::Unknown) {
+          facts.Type = found->second.Type;
+        }
+      }
+    }
+  }
+}
 
 void CollectOverlays(const SElement& element, SElement& all) {
   for (const auto& [name, child] : element.Children) {
@@ -328,34 +396,7 @@ void CGrammar::RecordAll() {
   }
 }
 
-// what devices have in common, such as <noise>, is read by the same code in each
-void CGrammar::MergeDevices(SElement& root) {
-  std::vector<SElement*> devices;
-  for (auto& [label, controller] : root.Children[{"controllers"}].Children) {
-    for (const char* const section : {"actuators", "sensors"}) {
-      for (auto& [name, device] : controller.Children[{section}].Children) {
-        devices.push_back(&device);
-      }
-    }
-  }
-  SElement common;
-  for (const SElement* const device : devices) {
-    for (const auto& [name, child] : device->Children) {
-      if (child.IsVisited) {
-        common.Children[name].Merge(child);
-      }
-    }
-  }
-  for (SElement* const device : devices) {
-    for (auto& [name, child] : device->Children) {
-      if (!child.IsVisited && common.Find(name) != nullptr) {
-        child.Merge(*common.Find(name));
-      }
-    }
-  }
-}
-
-// robots inside and outside <distribute> are the same; what one robot contains, others can contain
+// robots inside and outside <distribute> are the same; what one entity contains, others can contain
 void CGrammar::MergeEntities(SElement& root) {
   SElement& arena = root.Children[{"arena"}];
   std::map<SElementName, SElement> inside;
@@ -363,42 +404,47 @@ void CGrammar::MergeEntities(SElement& root) {
   for (const auto& [name, entity] : inside) {
     arena.Children[name].Merge(entity);
   }
+  // settings of a robot for an engine
   std::set<SElementName> engines;
-  for (const SPluginKind& kind : m_devices.GetKinds()) {
-    for (const SPluginText& plugin : kind.Plugins) {
-      if (kind.Word == "physics_engines") {
-        engines.insert({plugin.Label});
+  std::vector<SElement*> robots;
+  for (const std::string& label : m_devices.GetRobots()) {
+    robots.push_back(&arena.Children[{label}]);
+    for (const auto& [name, part] : robots.back()->Children) {
+      if (part.IsVisited && root.Children[{"physics_engines"}].Find(name) != nullptr) {
+        engines.insert(name);
       }
     }
   }
   const SElement& controllers = root.Children[{"controllers"}].Children[{"lua_controller"}];
-  SElement parts;
-  for (const std::string& robot : m_devices.GetRobots()) {
-    SElement& controller = arena.Children[{robot}].Children[{"controller"}];
+  for (SElement* const robot : robots) {
+    for (const SElementName& engine : engines) {
+      robot->Children.try_emplace(engine);
+    }
+    SElement& controller = robot->Children[{"controller"}];
     if (controller.Find({"params"}) != nullptr && controllers.Find({"params"}) != nullptr) {
       controller.Children[{"params"}].Merge(*controllers.Find({"params"}));
     }
-    for (const auto& [name, part] : arena.Children[{robot}].Children) {
-      if (part.IsVisited) {
-        parts.Children[name].Merge(part);
-      }
-    }
   }
-  for (const std::string& robot : m_devices.GetRobots()) {
-    SElement& element = arena.Children[{robot}];
-    for (const auto& [name, part] : parts.Children) {
-      if (engines.count(name) > 0 || element.Find(name) != nullptr) {
-        element.Children[name].Merge(part);
-      }
-    }
-  }
+  ShareChildren(robots, true);
+  ShareChildren(PointersTo(arena), false);
 }
 
 SElement CGrammar::MakeRoot() {
   SElement root = m_root;
   MarkRequired(root, {});
   CManuals(m_devices.GetKinds()).Describe(root, {}, "");
-  MergeDevices(root);
+  std::vector<SElement*> devices;
+  for (const char* const section : {"actuators", "sensors"}) {
+    for (SElement* const controller : PointersTo(root.Children[{"controllers"}])) {
+      SElement& list = controller->Children[{section}];
+      ShareTypes(list);
+      for (SElement* const device : PointersTo(list)) {
+        devices.push_back(device);
+      }
+    }
+  }
+  ShareChildren(devices, false);
+  ShareChildren(PointersTo(root.Children[{"physics_engines"}]), false);
   MergeEntities(root);
   SElement& views = root.Children[{"visualization"}];
   for (auto& [name, output] : root.Children[{"outputs"}].Children) {

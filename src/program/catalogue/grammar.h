@@ -63,7 +63,6 @@ class CGrammar {
                      const std::string& value);
   void NoteAlways(TConfigurationNode& element, const TElementPath& path);
   void NoteMissed(const SRequestedElement& element, const TElementPath& path);
-  static void MergeDevices(SElement& root);
   void MergeEntities(SElement& root);
   void MarkRequired(SElement& element, const TElementPath& path) const;
 

@@ -3,6 +3,7 @@
 #include <argos3/core/utility/configuration/configuration_document.h>
 #include <argos3/program/catalogue/text_layout.h>
 
+#include <algorithm>
 #include <regex>
 #include <sstream>
 
@@ -30,6 +31,14 @@ SAttributeText Parsed(const std::string& text) {
     }
   }
   return parsed;
+}
+
+void CollectTags(TConfigurationNode& element, std::set<std::string>& tags) {
+  tags.insert(element.Value());
+  TConfigurationNodeIterator it;
+  for (it = it.begin(&element); it != it.end(); ++it) {
+    CollectTags(*it, tags);
+  }
 }
 
 }  // namespace
@@ -67,6 +76,7 @@ void CManual::ReadExamples(const std::string& text) {
     TConfigurationNodeIterator it;
     for (it = it.begin(&document->GetRoot()); it != it.end(); ++it) {
       m_examples.push_back(*it);
+      CollectTags(*it, m_tags);
     }
     m_documents.push_back(std::move(document));
   }
@@ -119,7 +129,7 @@ void CManual::NoteRow(const std::string& names, const std::string& text) {
     }
     const size_t at = name.find('@');
     if (at == std::string::npos) {
-      m_texts.emplace(std::pair("", name), text);
+      m_rows.push_back({"", name.substr(name.rfind('/') + 1), text});
       continue;
     }
     if (at > 0) {
@@ -127,15 +137,35 @@ void CManual::NoteRow(const std::string& names, const std::string& text) {
       tag = path.substr(path.rfind('/') + 1);
     }
     if (!tag.empty()) {
-      m_texts.emplace(std::pair(tag, name.substr(at + 1)), text);
+      m_rows.push_back({tag, name.substr(at + 1), text});
     }
   }
 }
 
+const CManual::SRow* CManual::FindRow(const std::string& tag, const std::string& name) const {
+  const auto row = std::find_if(m_rows.begin(), m_rows.end(), [&](const SRow& other) {
+    return other.Tag == tag && other.Name == name;
+  });
+  return row == m_rows.end() ? nullptr : &*row;
+}
+
+SAttributeText CManual::TextOfTag(const std::string& tag, const std::string& attribute) const {
+  if (const SRow* const row = FindRow(tag, attribute)) {
+    return Parsed(row->Text);
+  }
+  const std::regex word("\\b" + attribute + "\\b");
+  for (const SRow& row : m_rows) {
+    const bool isOfTag = row.Tag == tag || (row.Tag.empty() && row.Name == tag);
+    if (isOfTag && std::regex_search(row.Text, word)) {
+      return {"", "", row.Text};
+    }
+  }
+  return {};
+}
+
 SAttributeText CManual::TextOf(const std::string& tag, const std::string& attribute) const {
-  auto found = m_texts.find({tag, attribute});
-  found = found == m_texts.end() ? m_texts.find({"", attribute}) : found;
-  return found == m_texts.end() ? SAttributeText() : Parsed(found->second);
+  const SRow* const ofAny = FindRow(tag, attribute) == nullptr ? FindRow("", attribute) : nullptr;
+  return ofAny == nullptr ? TextOfTag(tag, attribute) : Parsed(ofAny->Text);
 }
 
 }  // namespace argos

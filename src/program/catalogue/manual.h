@@ -4,8 +4,8 @@
 #include <argos3/core/utility/configuration/argos_configuration.h>
 #include <argos3/program/catalogue/elements.h>
 
-#include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -24,18 +24,33 @@ class CManual {
   /** The outermost elements of the examples, in their order. */
   const std::vector<TConfigurationNode>& GetExamples() const { return m_examples; }
 
+  /** @return true if an example contains such an element. */
+  bool HasExampleOf(const std::string& tag) const { return m_tags.count(tag) > 0; }
+
   /** What tables say of the attribute of elements with that tag, or of any tag. */
   SAttributeText TextOf(const std::string& tag, const std::string& attribute) const;
 
+  /** What a row "tag@attribute" says, or a row of the tag that mentions the attribute. */
+  SAttributeText TextOfTag(const std::string& tag, const std::string& attribute) const;
+
  private:
+  /* A line of a table. */
+  struct SRow {
+    std::string Tag;  // "": of any
+    std::string Name;  // of an attribute, or of an element
+    std::string Text;
+  };
+
+  // null if there is none
+  const SRow* FindRow(const std::string& tag, const std::string& name) const;
   void ReadExamples(const std::string& text);
   void ReadTables(const std::string& text);
   void NoteRow(const std::string& names, const std::string& text);
 
   std::vector<std::unique_ptr<CConfigurationDocument>> m_documents;
   std::vector<TConfigurationNode> m_examples;
-  std::map<std::pair<std::string, std::string>, std::string>
-      m_texts;  // by tag or "", and attribute
+  std::set<std::string> m_tags;  // of all elements in examples
+  std::vector<SRow> m_rows;
 };
 
 }  // namespace argos

@@ -483,7 +483,7 @@ ATTRIBUTES
   solver@cfm            m/s per N, in [1e-10,1], default 1e-5: how soft joints are, and contacts with "direct" of
                         bodies of up to 1 kg; those of heavier ones are harder in proportion.
   contacts@restitution  in [0,1], default 0: the speed after an impact over that before it; not of wheels.
-  contacts@bounce_speed m/s, >= 0, default 0.02: slower impacts do not bounce.
+  contacts@bounce_speed  m/s, >= 0, default 0.02: slower impacts do not bounce.
   contacts@surface_layer  m, >= 0, default 1e-5: overlap of bodies at rest.
   contacts@max_correcting_speed  m/s, default 1: greatest speed at which overlaps are corrected.
   boundaries            the region of the engine, default everything: top@height and bottom@height, in m, and

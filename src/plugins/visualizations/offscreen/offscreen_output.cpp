@@ -129,10 +129,14 @@ LEDs that are lit are drawn at least 4.4 pixels wide, and robots smaller than 5 
 (in pictures 960 pixels high; in others in proportion; smaller if many). LEDs of the component
 "leds" that a robot's appearance does not contain are drawn 1 cm wide at their places.
 
-The timeline: from tick "step" on, the camera is at "placement"; steps must not decrease.
-With <interpolate /> between two keyframes, it glides from one to the next. "loop" (ticks,
-0 = none, the default) is the period after which the timeline begins again; no step may
-exceed it, and <interpolate /> after the last keyframe leads back to the first one.
+The timeline:
+  keyframe@step       integer, ticks: from this tick on the camera is at the placement; steps must
+                      not decrease
+  keyframe@placement  integer; index of a placement
+  timeline@loop       integer, ticks: period after which the timeline begins again, which no step
+                      may exceed; 0: none. Default: 0
+With <interpolate /> between two keyframes, the camera glides from one to the next; one after the
+last keyframe leads back to the first.
 
 <overlays>: its children add clock, ids, trails and more; argos3 -q overlays lists them.
 

@@ -51,8 +51,9 @@ OPTIONAL XML CONFIGURATION
 
   of        types of robots, separated by commas: "foot-bot,e-puck". Default: all robots.
   color_by  robot (each has one of seven colours, the default), type, team (the robot's controller), led (its brightest one),
-            or a field of tables, such as value:food, lua:state or battery, from min (default 0: dark blue) to max
-            (default 1: yellow). A robot without a value has no mark.
+            or a field of tables, such as value:food, lua:state or battery. A robot without a value has no mark.
+  min       real number, default 0: value of the field that is dark blue.
+  max       real number, default 1: value of the field that is yellow.
   color     in place of color_by: of all marks.
 )",
                  "Usable")

@@ -151,7 +151,9 @@ OPTIONAL XML CONFIGURATION
   width     pixels, > 0, default 2.
   color     of all trails; by default each robot has one of seven colours that can be told apart.
   color_by  in place of color: robot, type, team (the robot's controller), led (its brightest one), or a field of tables, such
-            as value:food or battery, from min (default 0: dark blue) to max (default 1: yellow).
+            as value:food or battery.
+  min       real number, default 0: value of the field that is dark blue.
+  max       real number, default 1: value of the field that is yellow.
 )",
                  "Usable")
 

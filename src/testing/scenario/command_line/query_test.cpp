@@ -87,13 +87,14 @@ class CSchema {
   CTestFolder m_folder;
 };
 
-// elements and attributes that sources of the core read of experiment files
-std::set<std::string> NamesThatTheCoreReads() {
+// elements and attributes that sources read of experiment files
+std::set<std::string> NamesThatAreRead() {
   static const std::regex kReading(
       "(?:GetNode|NodeExists|GetNodeAttribute|GetNodeAttributeOrDefault|NodeAttributeExists)"
       "\\([^;{]*?\"([a-z_]+)\"");
   std::set<std::string> names;
-  for (const char* const folder : {"src/core/simulator", "src/core/control_interface"}) {
+  for (const char* const folder :
+       {"src/core/simulator", "src/core/control_interface", "src/plugins", "src/compat"}) {
     for (const auto& entry : fs::recursive_directory_iterator(InSourceTree(folder))) {
       if (entry.path().extension() == ".cpp") {
         std::ifstream file(entry.path());
@@ -105,6 +106,51 @@ std::set<std::string> NamesThatTheCoreReads() {
     }
   }
   return names;
+}
+
+/* What "-q all --json" says of elements. */
+struct SDescribedElements {
+  std::set<std::string> Attributes;  // "tag@name"
+  std::set<std::string> WithoutText;  // the same
+  std::set<std::string> InManuals;  // the same, of rows of tables
+};
+
+// names are those of attributes: "tag@one, @other"
+void AddRow(const std::string& names, std::set<std::string>& attributes) {
+  static const std::regex kName("([a-z_]*)@([a-z_]+)");
+  std::string tag;
+  for (std::sregex_iterator it(names.begin(), names.end(), kName), end; it != end; ++it) {
+    tag = (*it)[1].length() > 0 ? std::string((*it)[1]) : tag;
+    attributes.insert(tag + '@' + std::string((*it)[2]));
+  }
+}
+
+SDescribedElements ReadElements(const std::string& json) {
+  static const std::regex kElement("\"element\": \"(?:[^\"]*/)?([^\"/ ]+)(?: \\([a-z_]+\\))?\"");
+  static const std::regex kRow("\\\\n  +((?:[a-z_/]*@[a-z_]+, )*[a-z_/]*@[a-z_]+)  ");
+  SDescribedElements all;
+  std::istringstream lines(json);
+  std::string attribute;
+  for (std::string line; std::getline(lines, line);) {
+    std::smatch match;
+    const size_t name = line.find("\"name\": \"");
+    if (std::regex_search(line, match, kElement)) {
+      attribute = std::string(match[1]) + '@';
+    } else if (!attribute.empty() && name != std::string::npos) {
+      attribute += line.substr(name + 9, line.rfind('"') - name - 9);
+      all.Attributes.insert(attribute);
+    } else if (!attribute.empty() && line.find("\"text\": ") != std::string::npos) {
+      if (line.find("\"text\": \"\"") != std::string::npos) {
+        all.WithoutText.insert(attribute);
+      }
+      attribute.clear();
+    } else if (line.find("\"manual\": ") != std::string::npos) {
+      for (std::sregex_iterator it(line.begin(), line.end(), kRow), end; it != end; ++it) {
+        AddRow((*it)[1], all.InManuals);
+      }
+    }
+  }
+  return all;
 }
 
 std::string Replaced(std::string text, const std::string& from, const std::string& to) {
@@ -222,14 +268,43 @@ TEST_CASE("queries: elements and attributes of experiment files", "[command_line
   CHECK_THAT(wrong.Out, Contains("did you mean on_error?"));
 }
 
-TEST_CASE("queries: every attribute of the core's elements has a text", "[command_line][query]") {
+TEST_CASE("queries: every attribute that is read has a text, and every text is of one that is read",
+          "[command_line][query]") {
   const CTestFolder folder;
-  const SProgramRun run = folder.Run({"-q", "elements", "--json"});
+  const SProgramRun run = folder.Run({"-q", "all", "--json"});
   REQUIRE(run.Status == 0);
   CHECK(IsJson(folder, run.Out));
-  CHECK_THAT(run.Out, !Contains("\"text\": \"\""));
-  CHECK_THAT(run.Out, Contains("\"name\": \"length\",\n          \"type\": \"real\",\n          "
-                               "\"unit\": \"s\",\n          \"default\": \"0\""));
+  const SDescribedElements all = ReadElements(run.Out);
+  CHECK(all.Attributes.size() >= 500);
+  CHECK(all.WithoutText == std::set<std::string>());
+  CHECK(all.InManuals.size() >= 100);
+  for (const std::string& attribute : all.InManuals) {
+    CAPTURE(attribute);
+    CHECK(all.Attributes.count(attribute) == 1);
+  }
+}
+
+TEST_CASE("queries: attributes have types, units and defaults", "[command_line][query]") {
+  const CTestFolder folder;
+  const auto attribute = [](const char* name, const char* type, const char* unit,
+                            const char* initial) {
+    const std::string line = ",\n          \"";
+    return "\"name\": \"" + std::string(name) + '"' + line + "type\": \"" + type + '"' + line +
+           "unit\": \"" + unit + '"' + line + "default\": \"" + initial + '"';
+  };
+  CHECK_THAT(folder.Run({"-q", "experiment", "--json"}).Out,
+             Contains(attribute("length", "real", "s", "0")));
+  // of the other implementation, whose samples do not contain it
+  CHECK_THAT(folder.Run({"-q", "differential_steering", "--json"}).Out,
+             Contains(attribute("bias_avg", "real", "m/s", "0")) &&
+                 Contains(attribute("factor_stddev_left", "real", "", "that of factor_stddev")) &&
+                 !Contains("\"name\": \"bias_avg\",\n          \"type\": \"text\""));
+  // not those of the arena, which has an attribute of this name
+  CHECK_THAT(folder.Run({"-q", "walls", "--json"}).Out,
+             Contains(attribute("threshold", "real", "", "0.5")) && !Contains("redistribute"));
+  // a field has this name, too
+  CHECK_THAT(folder.Run({"-q", "distribute", "--json"}).Out,
+             Contains("\"element\": \"distribute/orientation\""));
 }
 
 TEST_CASE("queries: a device that no robot has shows what its header says of Lua",
@@ -327,12 +402,16 @@ TEST_CASE("schemas: every experiment of the repository is valid", "[command_line
   CHECK(files >= 30);
 }
 
-TEST_CASE("schemas: every element and attribute that the core reads is in it",
-          "[command_line][schema]") {
+TEST_CASE("schemas: every element and attribute that is read is in it", "[command_line][schema]") {
   const std::set<std::string> inSchema = CSchema().ListNames();
-  std::set<std::string> read = NamesThatTheCoreReads();
-  read.erase("label");  // of <loop_functions>, which may contain anything
-  CHECK(read.size() >= 50);
+  std::set<std::string> read = NamesThatAreRead();
+  // of <loop_functions>, <user_functions> and <frame_grabbing>, which may contain anything; of
+  // entities that users' code makes; of older files
+  for (const char* const name : {"label", "script", "headless_grabbing", "headless_frame_size",
+                                 "headless_frame_rate", "msg_size", "idx"}) {
+    read.erase(name);
+  }
+  CHECK(read.size() >= 150);
   for (const std::string& name : read) {
     CAPTURE(name);
     CHECK(inSchema.count(name) == 1);

@@ -246,8 +246,8 @@ ATTRIBUTES AND CHILDREN
   joint@limit           "min:max", m or degrees within -180:180, default none: of the position, which is 0 at the start.
   joint@disable_collision  "true" (default) or "false": if true, its two links do not collide with each other.
   parent@link, child@link  text, required: ids of links.
-  parent@position, @orientation, child@...  as of a body, default 0: the frame of the joint in the frame of that
-                        link. Both frames coincide at the start.
+  parent@position, @orientation, child@position, @orientation  as of a body, default 0: the frame of the joint in the
+                        frame of that link. Both frames coincide at the start.
   devices               leds, directional_leds, tags, simple_radios, magnets and rfid_tags, with attributes and children
                         as on other robots, and the anchor of a link; and proximity_sensors:
   sensor@anchor         text, required: the id of a link, or "origin".

@@ -55,6 +55,22 @@ TEST_CASE("manuals: rows of tables describe attributes", "[core][catalogue]") {
   CHECK(manual.TextOf("body", "colour").Text.empty());
 }
 
+TEST_CASE("manuals: rows of an element describe the attributes that they mention",
+          "[core][catalogue]") {
+  const CManual manual(
+      "  <top><ring radius=\"1\" /></top>\n\n"
+      "  drive       how it moves:\n  drive       two wheels; speed: m/s.\n"
+      "  ring@shape  \"disc\" (radius).\n  top/lid     colour: black.\n  depth       m\n");
+  CHECK(manual.TextOf("drive", "speed").Text == "two wheels; speed: m/s.");
+  CHECK(manual.TextOf("ring", "radius").Text == "\"disc\" (radius).");
+  CHECK(manual.TextOf("lid", "colour").Text == "colour: black.");
+  CHECK(manual.TextOf("ring", "speed").Text.empty());
+  CHECK(manual.TextOf("ring", "depth").Text == "m");
+  CHECK(manual.TextOfTag("ring", "depth").Text.empty());
+  CHECK(manual.HasExampleOf("ring"));
+  CHECK_FALSE(manual.HasExampleOf("drive"));
+}
+
 TEST_CASE("manuals: lines that are indented by less than two columns are no rows",
           "[core][catalogue]") {
   const CManual manual(

@@ -343,6 +343,15 @@ OPTIONAL XML
                           range="2" />
       <battery discharge_model="time" />
     </robot-type>
+    <robot-type id="cart">
+      <body mass="1"> <solid geometry="box" size="0.2,0.2,0.1" /> </body>
+      <planar_drive max_force="5" max_torque="1" />
+    </robot-type>
+    <robot-type id="drone">
+      <body mass="1"> <solid geometry="sphere" radius="0.1" /> </body>
+      <propellers max_force="20" max_torque="1" position_gains="2,3" velocity_gains="4,0" yaw_gains="0.5,0.2"
+                  yaw_rate_gains="0.5,0" />
+    </robot-type>
   </robot_types>
 
 ATTRIBUTES AND CHILDREN

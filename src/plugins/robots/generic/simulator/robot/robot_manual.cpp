@@ -43,6 +43,7 @@ constexpr const char* kCommonChildren =
     R"(  battery                          the robot's battery; without it the charge never falls. The charge falls
                                    only if the controller has the sensor "battery".
   battery@discharge_model          "time" (default), "motion" or "time_motion", or the label of a user's model.
+  battery@model, battery@factor    of ARGoS 3; have no effect, which a warning says.
   battery@start_charge             in [0, full_charge], default 1: charge at the start and after a reset.
   battery@full_charge              > 0, default 1.
   battery@delta                    of "time": >= 0, default 1e-5: charge used in each tick.

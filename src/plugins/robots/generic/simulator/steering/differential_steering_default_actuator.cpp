@@ -143,9 +143,16 @@ Gaussian each time the controller sets speeds, the bias b once at the start of t
   factor_avg     real number, default 1: mean of f.
   factor_stddev  real number >= 0, default 0: standard deviation of f.
 
-Each of the four also exists with the suffix _left or _right, which has precedence for that wheel:
+Each of the four also exists for one wheel, for which it has precedence:
 
-  <differential_steering implementation="default" bias_avg_left="0.003" factor_stddev_right="0.1" />
+  <differential_steering implementation="default"
+                         bias_avg_left="0.003" bias_avg_right="0" bias_stddev_left="0" bias_stddev_right="0.002"
+                         factor_avg_left="1" factor_avg_right="1.1" factor_stddev_left="0" factor_stddev_right="0.1" />
+
+  bias_avg_left, bias_avg_right            m/s, default that of bias_avg.
+  bias_stddev_left, bias_stddev_right      m/s, >= 0, default that of bias_stddev.
+  factor_avg_left, factor_avg_right        real number, default that of factor_avg.
+  factor_stddev_left, factor_stddev_right  real number >= 0, default that of factor_stddev.
 )" +
         NoiseManual("left|right",
                     "the speed of a wheel (m/s) each time the controller sets speeds, unless both "
