@@ -1,16 +1,31 @@
-#include <argos3/plugins/simulator/visualizations/povray/povray_output.h>
-
 #include <argos3/core/simulator/context/current.h>
+#include <argos3/core/simulator/outputs/run_output.h>
 #include <argos3/core/simulator/space/space.h>
+#include <argos3/core/simulator/visualization/view_drawing.h>
 #include <argos3/core/utility/math/eigen_bridge.h>
 #include <argos3/plugins/simulator/visualizations/povray/povray_frame_series.h>
 #include <argos3/plugins/simulator/visualizations/povray/povray_xml.h>
 #include <argos3/plugins/simulator/visualizations/scene/camera_xml.h>
 
+#include <memory>
+
 namespace argos {
 
-CPovrayOutput::CPovrayOutput() = default;
-CPovrayOutput::~CPovrayOutput() = default;
+/** Writes scene files for POV-Ray, and renders them where it is installed: `<povray>`. */
+class CPovrayOutput : public CRunOutput {
+ public:
+  /** @throws CARGoSException with file and line. */
+  void Init(TConfigurationNode& tree) override;
+  void Reset() override;
+  void Destroy() override;
+  /** @throws CARGoSException if a scene cannot be written or rendered. */
+  void Observe(CSimulator& simulator) override;
+  void Finish(CSimulator& simulator) override;
+
+ private:
+  CViewDrawing m_drawing;
+  std::unique_ptr<CPovrayFrameSeries> m_series;  // null before Init() and after Destroy()
+};
 
 void CPovrayOutput::Init(TConfigurationNode& tree) {
   const SPovrayFrameSettings settings = ReadPovraySettings(tree);
