@@ -36,7 +36,7 @@ namespace {
 
 thread_local CSimulator* currentSimulator = nullptr;
 
-// for messages
+// the names of parts in messages
 std::vector<std::string> Ids(const std::vector<CMedium*>& parts) {
   std::vector<std::string> ids;
   for (const CMedium* part : parts) {
@@ -419,7 +419,7 @@ void CSimulator::ResetRun(bool redistributes) {
   } else {
     m_space->Reset();
   }
-  // after the engines, which the space resets: media use the positions of bodies
+  // media are reset after the engines, which the space resets: they use the positions of bodies
   for (CMedium* medium : m_context.Media) {
     medium->Reset();
   }
@@ -490,7 +490,7 @@ void CSimulator::Destroy() {
   const std::exception_ptr failure = m_experiment->Destroy();
   CLoadedSimulators::Remove(*this);
   if (m_space->GetRootEntityVector().empty()) {
-    // without memory for it, what is destroyed stays and can be destroyed again
+    // if there is no memory for it, what is destroyed stays and can be destroyed again
     auto next = std::make_unique<SExperimentParts>(m_context);
     m_experiment = std::move(next);
   }

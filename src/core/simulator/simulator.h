@@ -282,7 +282,7 @@ class CSimulator {
   void ShowUnseenTick();
   CRandom::CRegistry& GetRegistry() const;
 
-  CObjectSlabs::TOwner m_slabs;  // of the entities, devices and controllers
+  CObjectSlabs::TOwner m_slabs;  // memory of the entities, devices and controllers
   std::unique_ptr<CRandom::CRegistry> m_ownRegistry;  // null: the process's default one
   SSimulationContext m_context;
   std::unique_ptr<CSpace> m_space;

@@ -18,7 +18,7 @@ namespace argos {
 struct SControllerSetup {
   std::string Id;
   TConfigurationNode* Node = nullptr; /**< the child of `<controllers>` */
-  std::optional<EOnError> OnError; /**< of this element, or else of `<experiment>` */
+  std::optional<EOnError> OnError; /**< is that of this element, or else of `<experiment>` */
   mutable bool IsUsed = false; /**< a robot has it */
 };
 

@@ -13,7 +13,7 @@ namespace argos {
 namespace {
 
 constexpr char kFatalMark[] = "[FATAL] ";
-// in errors of Lua scripts
+// prefix in errors of Lua scripts
 constexpr char kTraceback[] = "stack traceback:";
 // named in the summary; more of them are only counted
 constexpr size_t kMaxNames = 10;

@@ -20,7 +20,7 @@ namespace argos {
 class CRobotFailures {
  public:
   struct SError {
-    std::string Text; /**< of the first of them */
+    std::string Text; /**< text of the first of them */
     std::string Key; /**< the text without the robot's id, equal for equal errors */
     size_t Count = 0;
     UInt32 FirstTick = 0;
@@ -53,7 +53,7 @@ class CRobotFailures {
 
  private:
   struct SNote {
-    UInt64 Place;  // of the robot in the order of the phase
+    UInt64 Place;  // place of the robot in the order of the phase
     std::string Robot;
     UInt32 Tick;
     std::string Text;
@@ -61,7 +61,7 @@ class CRobotFailures {
   };
 
   std::mutex m_mutex;  // guards the notes
-  std::vector<SNote> m_notes;  // since the last report
+  std::vector<SNote> m_notes;  // notes since the last report
   std::vector<SError> m_errors;
   std::unordered_map<std::string, size_t> m_errorByKey;  // never iterated
   std::set<std::pair<size_t, std::string>> m_named;  // errors and the robots that they name

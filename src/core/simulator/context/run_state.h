@@ -35,8 +35,8 @@ class CRunState {
   enum class EActivity : UInt8 {
     None,
     Loading,
-    Hook, /**< of the loop functions, in a tick */
-    Phase, /**< of a tick, or a loop over robots: several threads may run users' code */
+    Hook, /**< a hook of the loop functions runs in a tick */
+    Phase, /**< a phase of a tick, or a loop over robots: several threads may run users' code */
     Changing, /**< entities are added and removed that were requested earlier */
     Resetting,
     Destroying
@@ -118,7 +118,7 @@ class CRunState {
 
  private:
   struct SChange {
-    UInt64 Place;  // of the robot in the order of the tick
+    UInt64 Place;  // place of the robot in the order of the tick
     std::string Requester;
     std::function<void()> Apply;
   };

@@ -36,27 +36,27 @@ struct SSimulationContext {
   UInt32 GetClock() const;
 
   // valid during the lifetime of the simulator
-  CSimulator& Simulator; /**< for users' code; the core uses the parts below */
+  CSimulator& Simulator; /**< serves users' code; the core uses the parts below */
   CSpace* Space = nullptr;
-  CBodyIndex* Index = nullptr; /**< of all bodies in the space */
-  CMetrics* Metrics = nullptr; /**< of the run; null unless an experiment is loaded */
+  CBodyIndex* Index = nullptr; /**< index of all bodies in the space */
+  CMetrics* Metrics = nullptr; /**< metrics of the run; null unless an experiment is loaded */
   std::function<void()> RunTick; /**< one tick; for CSpace::Update() */
   std::function<void()> EndRun; /**< ends the run of the outputs; before CSpace::Reset() */
-  CThreadPool* Pool = nullptr; /**< on which phases run; without workers before loading */
+  CThreadPool* Pool = nullptr; /**< runs phases; has no workers before loading */
 
-  const UInt32* Clock = nullptr; /**< of the space, ticks */
-  CRunState Run; /**< what the simulation is doing */
+  const UInt32* Clock = nullptr; /**< clock of the space, ticks */
+  CRunState Run; /**< says what the simulation is doing */
   bool IsSpaceResetting = false; /**< all entities are reset, and afterwards the engines */
 
-  // of the experiment that is loaded
+  // these belong to the experiment that is loaded
   bool IsReplay = false; /**< there are no controllers, engines, media and loop functions */
-  bool IsExactReplay = false; /**< of a recording with all bits of the poses */
+  bool IsExactReplay = false; /**< the recording has all bits of the poses */
   CLoadState Loading;
   CRobotFailures RobotFailures;
   Real TickLength = 0.1; /**< s */
   SArena Arena;
-  std::vector<CPhysicsEngine*> Engines; /**< in document order */
-  std::vector<CMedium*> Media; /**< in document order */
+  std::vector<CPhysicsEngine*> Engines; /**< have document order */
+  std::vector<CMedium*> Media; /**< have document order */
   CLoopFunctions* LoopFunctions = nullptr;
   CFloorPainter* FloorPainter = nullptr; /**< interface of the loop functions for the floor */
 };

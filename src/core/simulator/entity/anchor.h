@@ -21,10 +21,10 @@ struct SAnchor : SBodyPose, CSlabObject {
   CEmbodiedEntity& Body;
   std::string Id;
   UInt32 Index; /**< 0 is the origin anchor */
-  CVector3 OffsetPosition; /**< in the frame of the origin anchor, m */
-  CQuaternion OffsetOrientation; /**< in the frame of the origin anchor */
+  CVector3 OffsetPosition; /**< position in the frame of the origin anchor, m */
+  CQuaternion OffsetOrientation; /**< orientation in the frame of the origin anchor */
   UInt32 InUseCount = 0;
-  UInt32 InUseCountAtStart = 0; /**< what ReturnToStart() restores */
+  UInt32 InUseCountAtStart = 0; /**< is restored by ReturnToStart() */
 
   SAnchor(CEmbodiedEntity& body, const std::string& id, UInt32 index,
           const CVector3& offsetPosition, const CQuaternion& offsetOrientation,

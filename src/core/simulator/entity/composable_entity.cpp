@@ -74,7 +74,7 @@ CComposableEntity::~CComposableEntity() {
   }
 }
 
-// only for entities that were never in a space: the space removes components itself
+// needed only for entities that were never in a space: the space removes components itself
 void CComposableEntity::DeleteComponents() {
   while (!m_components.empty()) {
     const std::unique_ptr<CEntity> last(m_components.back());

@@ -88,7 +88,7 @@ class CComposableEntity : public CEntity {
   void CreateLazyComponents(const std::string& type);
 
   CEntity::TVector m_components;  // owned, unless this is a copy
-  std::unique_ptr<CEntity::TMultiMap> m_componentMap;  // by type; null before the first request
+  std::unique_ptr<CEntity::TMultiMap> m_componentMap;  // keyed by type; null before a request
   CLazyComponents* m_lazyComponents = nullptr;
 };
 

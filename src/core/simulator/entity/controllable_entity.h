@@ -139,7 +139,7 @@ class CControllableEntity : public CEntity {
     CCI_Sensor* Interface;  // the same object
   };
 
-  // what SetController() was called with while robots were updated
+  // arguments of SetController() while robots were updated
   struct SLateController {
     std::string Id;
     TConfigurationNode* Params;  // null: those of the controller's element
@@ -175,7 +175,7 @@ class CControllableEntity : public CEntity {
   SSimulationContext& m_context;
   CRandom::COwner m_randomOwner;  // outlives the controller
   std::unique_ptr<CCI_Controller> m_controller;
-  const SControllerSetup* m_setup = nullptr;  // of the controller
+  const SControllerSetup* m_setup = nullptr;  // setup of the controller
   std::unique_ptr<SLateController> m_lateController;
   UInt32 m_numControllers = 0;
 };

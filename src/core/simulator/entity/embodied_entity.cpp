@@ -77,7 +77,7 @@ void CEmbodiedEntity::Reset() {
 void CEmbodiedEntity::ResetWithoutEngines() {
   SetOriginPose(m_cInitOriginPosition, m_cInitOriginOrientation);
   ResetLinks();
-  // not by CalculateAnchors(): models still have the pose before the reset
+  // CalculateAnchors() would use the models, which still have the pose before the reset
   for (SAnchor* anchor : m_vecEnabledAnchors) {
     if (anchor->Index != 0) {
       anchor->FollowOrigin();
@@ -181,7 +181,7 @@ void CEmbodiedEntity::AddPhysicsModel(const std::string& engineId, CPhysicsModel
                          << m_tPhysicsModelMap.begin()->first << "\"; it cannot also be in \""
                          << engineId << "\"");
   }
-  // before the model is known: it is deleted if there is not enough memory
+  // this precedes the insertion: the model is deleted if there is not enough memory
   m_tPhysicsModelVector.reserve(m_tPhysicsModelVector.size() + 1);
   m_tPhysicsModelMap[engineId] = &model;
   m_tPhysicsModelVector.push_back(&model);

@@ -181,10 +181,10 @@ class CEmbodiedEntity : public CEntity {
     struct SMounted {
       UInt32 Link;
       SAnchor* Anchor;
-      SBodyPose Offset;  // in the body frame at the start
+      SBodyPose Offset;  // pose in the body frame at the start
     };
 
-    std::vector<SBodyPose> Poses;  // by link
+    std::vector<SBodyPose> Poses;  // indexed by link
     std::vector<SMounted> Anchors;
   };
 
@@ -202,7 +202,7 @@ class CEmbodiedEntity : public CEntity {
 
  private:
   std::vector<std::unique_ptr<SAnchor>, CSlabAllocator<std::unique_ptr<SAnchor>>>
-      m_anchors;  // by index
+      m_anchors;  // indexed by anchor
 };
 
 }  // namespace argos

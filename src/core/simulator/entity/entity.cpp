@@ -12,7 +12,7 @@ INIT_VTABLE_FOR(CEntity)
 
 namespace {
 
-thread_local UInt32 numSetups = 0;  // that exist in this thread
+thread_local UInt32 numSetups = 0;  // number of setups that exist in this thread
 
 }  // namespace
 

@@ -112,7 +112,7 @@ class CPhysicsModel {
   void RegisterAnchorMethod(UInt32 anchorIndex, std::function<void(SAnchor&)> method);
 
   CPhysicsEngine* m_engine;  // the present one
-  // by anchor index, an empty function = rigid; null if no method was registered
+  // is indexed by anchor; an empty function: rigid; null if no method was registered
   std::unique_ptr<std::vector<std::function<void(SAnchor&)>>> m_anchorMethods;
 };
 

@@ -25,8 +25,8 @@ struct SJointDescription {
   UInt32 Parent = 0; /**< number of a link */
   UInt32 Child = 0; /**< number of a link: it moves by the coordinate relative to the parent */
   CVector3 Pivot; /**< m, body frame at the start */
-  CVector3 Axis = CVector3::Z; /**< of unit length, body frame at the start */
-  std::optional<CRange<Real>> Limits; /**< of the coordinate, which is 0 at the start */
+  CVector3 Axis = CVector3::Z; /**< has unit length; body frame at the start */
+  std::optional<CRange<Real>> Limits; /**< limits of the coordinate, which is 0 at the start */
   bool LinksCollide = false; /**< true if the two links collide with each other */
 };
 
@@ -38,7 +38,7 @@ struct SJointDescription {
  * which solids a link has.
  */
 struct SArticulation {
-  std::vector<SJointDescription> Joints; /**< at least one */
+  std::vector<SJointDescription> Joints; /**< has at least one entry */
   std::map<std::string, UInt32> Anchors; /**< links of the body's anchors, by id; others: link 0 */
   bool HasFixedBase = false; /**< true if link 0 is fixed to the world */
 

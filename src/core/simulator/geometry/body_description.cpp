@@ -297,7 +297,7 @@ SUnitInertia ComputeUnitInertia(const SShapeDescription& shape) {
 }
 
 Real SBodyDescription::AssumeWheelRadius() const {
-  constexpr Real kShare = 0.2;  // of the height, or of the shortest distance to a side
+  constexpr Real kShare = 0.2;  // share of the height, or of the shortest distance to a side
   const SBoundingBox box = ComputeBoundingBox(CVector3(), CQuaternion());
   return kShare * std::min({box.MaxCorner.GetX(), -box.MinCorner.GetX(), box.MaxCorner.GetY(),
                             -box.MinCorner.GetY(), box.MaxCorner.GetZ() - box.MinCorner.GetZ()});

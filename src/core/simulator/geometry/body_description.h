@@ -33,7 +33,7 @@ struct SShapeDescription {
 
   EKind Kind = EKind::Cylinder;
   CVector3 Offset; /**< centre of the base in the body frame, m */
-  CQuaternion Orientation; /**< of the solid in the body frame */
+  CQuaternion Orientation; /**< orientation of the solid in the body frame */
   /** m; full extents of a box, or of the box around a prism; otherwise (2R, 2R, height). */
   CVector3 Size;
   /** m; of a cylinder or sphere; otherwise of the circle around Offset that contains the base. */
@@ -51,7 +51,7 @@ struct SShapeDescription {
    */
   std::shared_ptr<const CConvexSolid> Solid;
   Real Mass = 0.0; /**< kg; 0: its share, by volume, of what the body's other solids leave */
-  UInt32 Link = 0; /**< of an articulated body: the link to which it belongs */
+  UInt32 Link = 0; /**< link of an articulated body to which it belongs */
 
   /** A box with its base centre at @p offset. @param size full extents, m, all > 0. */
   static SShapeDescription Box(const CVector3& size, const CVector3& offset = CVector3());
@@ -167,8 +167,8 @@ struct STurretDescription {
 struct SGripperDescription {
   CVector3 Offset; /**< centre of the disc, m, in the frame of the turret, or without one of the
                       origin anchor; off the vertical through the origin */
-  CVector3 Direction = CVector3::X; /**< of unit length, same frame: towards its opening */
-  Real SensorRadius = 0.01; /**< of the disc, m, > 0 */
+  CVector3 Direction = CVector3::X; /**< has unit length, same frame: towards its opening */
+  Real SensorRadius = 0.01; /**< radius of the disc, m, > 0 */
   Real MaxForce = 10000.0; /**< N, > 0: a greater force breaks the grip */
 };
 
@@ -188,7 +188,7 @@ struct SBodyDescription {
   /** Needs a component "planar_drive"; excludes Drive and Propellers. */
   std::optional<SPlanarDriveDescription> PlanarDrive;
   std::optional<SPropellersDescription> Propellers; /**< needs a "quadrotor" component */
-  std::optional<SGroundFrictionDescription> GroundFriction; /**< of passive movable bodies */
+  std::optional<SGroundFrictionDescription> GroundFriction; /**< set for passive movable bodies */
   std::optional<STurretDescription> Turret; /**< needs a "turret" component to rotate */
   std::optional<SGripperDescription> Gripper; /**< needs a "gripper" component to grip */
   bool Grippable = false; /**< true if grippers can hold it; movable bodies only */

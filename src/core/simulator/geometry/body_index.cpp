@@ -15,7 +15,7 @@ namespace {
 
 // bodies of one parallel run: enough work to pay for waking a thread
 constexpr size_t kGrain = 1024;
-// how many entries ahead the pose of a body is prefetched
+// how far ahead poses of bodies are prefetched, in entries
 constexpr size_t kEntriesAhead = 16;
 // the overlay is not sorted while it has fewer bodies than this
 constexpr size_t kMinOverlay = 64;

@@ -110,7 +110,7 @@ class CBodyIndex {
   /** How near to a point of a ray a solid has to come, m. */
   struct SRayReach {
     Real Across; /**< seen from above */
-    Real Vertical; /**< from the point's height to the solid's span of heights */
+    Real Vertical; /**< distance from the point's height to the solid's span of heights */
 
     SRayReach(Real across, Real vertical = HUGE_VAL) : Across(across), Vertical(vertical) {}
   };
@@ -164,21 +164,21 @@ class CBodyIndex {
  private:
   struct SPose {
     Real X, Y, Z;  // m, world frame, of the origin anchor
-    Real Cos, Sin;  // of the yaw, if upright
+    Real Cos, Sin;  // cosine and sine of the yaw, if upright
     bool Upright;
-    bool Small = false;  // of a body: sorted by cell
+    bool Small = false;  // the body is small: sorted by cell
   };
   struct SBody {
     CEmbodiedEntity* Entity;  // null: free slot
-    const SBodyPose* Origin;  // of the entity
+    const SBodyPose* Origin;  // pose of the entity
     const SBodyDescription* Description;  // shared by many bodies; kept alive by the entity
-    const SBodyPose* Links;  // of the entity, by number; null unless the body is articulated
+    const SBodyPose* Links;  // poses of the links, by number; null unless articulated
     Real Reach;  // m, of the packed solids around the origin, seen from above, if upright
     Real TiltedReach;  // m, the same in any orientation
     UInt32 OverlayPlace;  // cell of a small body, number of a wide one's first solid in the overlay
     UInt16 NumShapes;
     bool Movable;
-    bool Stale;  // in the overlay: its sorted solids do not count
+    bool Stale;  // is in the overlay: its sorted solids do not count
   };
   struct SEntry {
     UInt32 Body;
@@ -186,7 +186,7 @@ class CBodyIndex {
   };
   struct SWideShape {
     SIndexedShape Shape;
-    SPlanarCell FirstCell;  // in which it is listed
+    SPlanarCell FirstCell;  // cell in which it is listed
   };
 
   // range of the heights of several solids, m, world frame
@@ -202,7 +202,7 @@ class CBodyIndex {
     SRaySpan FindPart(const CRay3& ray, Real reach) const;
   };
 
-  // where invariants are checked: that it is the number of a body that is in the index
+  // checks, if invariants are checked, that it is the number of a body that is in the index
   void CheckNumber([[maybe_unused]] UInt32 body) const {
     ARGOS_ASSERT(body < m_bodies.size() && m_bodies[body].Entity != nullptr,
                  "there is no body " << body << " in the index: the number is stale");
@@ -265,8 +265,8 @@ class CBodyIndex {
   size_t m_cellsChosenFor = 0;  // number of bodies when cells were chosen
   Real m_cellsChosenReach = 0.0;  // m, m_maxSmallReach then
 
-  std::vector<SBody> m_bodies;  // by body number
-  std::vector<SPose> m_poses;  // by body number; as of Rebuild() or RefreshNow()
+  std::vector<SBody> m_bodies;  // indexed by body number
+  std::vector<SPose> m_poses;  // indexed by body number; as of Rebuild() or RefreshNow()
   std::vector<UInt32> m_free;  // numbers to use again
   std::vector<UInt32> m_released;  // numbers to use again after the next Rebuild()
   size_t m_numAlive = 0;
@@ -275,20 +275,20 @@ class CBodyIndex {
   Real m_tiltedReach = 0.0;  // m, the same for the small bodies that are tilted now
 
   // written by Rebuild()
-  CCountingSort m_sort;  // of small bodies by cell
+  CCountingSort m_sort;  // sorts small bodies by cell
   std::vector<SEntry> m_entries;  // (solids of small bodies) in cell order
-  std::vector<SPackedShape> m_shapes;  // of small bodies, in cell order
-  std::vector<SBoxSides> m_sides;  // of the same solids; empty unless m_hasSmallBoxes
+  std::vector<SPackedShape> m_shapes;  // shapes of small bodies, in cell order
+  std::vector<SBoxSides> m_sides;  // sides of the same solids; empty unless m_hasSmallBoxes
   bool m_hasSmallBoxes = false;  // some small body had a solid that is a box
-  SHeights m_smallHeights;  // of m_shapes
-  std::vector<SWideShape> m_wide;  // of all other bodies
-  SHeights m_wideHeights;  // of m_wide
+  SHeights m_smallHeights;  // heights of m_shapes
+  std::vector<SWideShape> m_wide;  // shapes of all other bodies
+  SHeights m_wideHeights;  // heights of m_wide
   CCellItems m_wideCells;  // numbers into m_wide
   bool m_wideDirty = true;
 
   // the overlay
   CCellChains m_overlay;  // small bodies
-  std::vector<SWideShape> m_overlayWide;  // of bodies that are not small; those of one in a row
+  std::vector<SWideShape> m_overlayWide;  // shapes of wide bodies; those of one are adjacent
   CCellChains m_overlayWideCells;  // numbers into m_overlayWide; perhaps without cells
   size_t m_numStale = 0;
 };

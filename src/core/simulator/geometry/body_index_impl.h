@@ -88,7 +88,7 @@ template <typename VISIT, typename TAKE_DISCS>
 void CBodyIndex::ListSmall(const SCellRange& cells, const SDiscQuery& query, SDiscList& discs,
                            TAKE_DISCS&& takeDiscs, VISIT&& visit) const {
   const auto isDisc = [&query](const SPackedShape& shape) {
-    // without a branch
+    // single ampersands make no branch
     return static_cast<size_t>(shape.Kind == SIndexedShape::EKind::Disc) &
            static_cast<size_t>(shape.ZMin <= query.MinZ) &
            static_cast<size_t>(shape.ZMax >= query.MaxZ);
@@ -103,7 +103,7 @@ void CBodyIndex::ListSmall(const SCellRange& cells, const SDiscQuery& query, SDi
       const UInt32 chunkEnd = std::min(end, begin + room);
       size_t size = discs.Size;
       size_t numOthers = 0;
-      // without branches, which could not be predicted
+      // the loop has no branches, which could not be predicted
       for (UInt32 place = begin; place != chunkEnd; ++place) {
         const SPackedShape& shape = m_shapes[place];
         const Real dx = shape.X - query.X;

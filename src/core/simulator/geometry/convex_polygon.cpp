@@ -37,7 +37,7 @@ void RemoveDoublePoints(TPolygon& polygon) {
   }
 }
 
-// how far a corner is outside the line through its neighbours, m
+// distance of a corner outside the line through its neighbours, m
 Real ComputeBulge(const TPolygon& polygon, size_t corner) {
   const CVector2& before = CornerBefore(polygon, corner);
   const CVector2 along = NextCorner(polygon, corner) - before;

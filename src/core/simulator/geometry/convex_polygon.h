@@ -55,7 +55,7 @@ SRaySpan IntersectPolygon(const std::vector<CVector2>& polygon, const CVector2& 
 /** The nearest point of the border of a polygon. */
 struct SPolygonNearest {
   CVector2 Point; /**< m */
-  CVector2 Normal; /**< of unit length: outwards, along the line to an outer point */
+  CVector2 Normal; /**< has unit length: outwards, along the line to an outer point */
   Real Distance = 0.0; /**< m; negative inside */
 };
 SPolygonNearest FindNearest(const std::vector<CVector2>& polygon, const CVector2& point);

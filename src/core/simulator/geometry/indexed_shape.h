@@ -19,12 +19,12 @@ struct SIndexedShape {
   enum class EKind : UInt16 { Disc, Box, Bounds };
 
   Real X, Y; /**< centre of the footprint, m, world frame */
-  Real Cos, Sin; /**< of the yaw of a box */
+  Real Cos, Sin; /**< cosine and sine of the yaw of a box */
   Real HalfX, HalfY; /**< half extents of a box, m; of a disc: its radius */
-  Real Radius; /**< of the circle around the footprint, m */
+  Real Radius; /**< radius of the circle around the footprint, m */
   Real ZMin, ZMax; /**< height span, m, world frame */
   UInt32 Body; /**< number of the body in the index */
-  UInt16 Shape; /**< which solid of the body's description */
+  UInt16 Shape; /**< index of the solid in the body's description */
   EKind Kind;
 };
 
@@ -33,7 +33,7 @@ struct SIndexedShape {
  * have their sides elsewhere.
  */
 struct SPackedShape {
-  Real X, Y, Radius, ZMin, ZMax; /**< as of SIndexedShape */
+  Real X, Y, Radius, ZMin, ZMax; /**< members of SIndexedShape */
   UInt32 Body;
   UInt16 Shape;
   SIndexedShape::EKind Kind;

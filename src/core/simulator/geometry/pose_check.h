@@ -41,7 +41,7 @@ CQuaternion RepairPose(const std::string& owner, const CVector3& position,
 template <typename GET_OWNER>
 CQuaternion CheckPose(const GET_OWNER& getOwner, const CVector3& position,
                       const CQuaternion& orientation) {
-  constexpr Real kRounding = 1e-9;  // of products of unit quaternions
+  constexpr Real kRounding = 1e-9;  // rounding of products of unit quaternions
   // comparisons with NaN are false
   const bool isGood = std::abs(position.GetX()) <= kMaxCoordinate &&
                       std::abs(position.GetY()) <= kMaxCoordinate &&

@@ -11,7 +11,7 @@ class CEmbodiedEntity;
 
 /** One body crossed by a ray. */
 struct SEmbodiedEntityIntersectionItem {
-  CEmbodiedEntity* IntersectedEntity; /**< not owned; null if nothing was hit */
+  CEmbodiedEntity* IntersectedEntity; /**< is not owned; null if nothing was hit */
   Real TOnRay; /**< fraction of the ray's length, [0,1]; 0 = start inside */
 
   SEmbodiedEntityIntersectionItem() : IntersectedEntity(nullptr), TOnRay(1.0) {}

@@ -101,12 +101,12 @@ class CConvex {
   }
 
   const SShapeDescription& m_shape;
-  std::array<CVector3, 3> m_axes;  // of unit length
+  std::array<CVector3, 3> m_axes;  // have unit length
   CVector3 m_centre;  // m, half-way up the axis
   CVector3 m_inside;  // m
   CVector3 m_half;  // m, of a box; its z also of a cylinder or prism
   Real m_radius;  // m, of a cylinder or sphere
-  Real m_scale = 1.0;  // of a hull, about the inner point
+  Real m_scale = 1.0;  // scale of a hull, about the inner point
 };
 
 /** Up to four points; keeps those between which the nearest point to the origin is. */

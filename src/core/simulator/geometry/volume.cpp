@@ -22,7 +22,7 @@ CVector2 ToPlane(const CVector3& point) {
 
 struct SVertex {
   CVector2 Point;
-  SFace Face;  // of the side that begins there
+  SFace Face;  // face of the side that begins there
 };
 
 void ReadKind(TConfigurationNode& node, SFace& face) {

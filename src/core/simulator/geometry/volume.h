@@ -99,7 +99,7 @@ struct SVolume {
   std::unique_ptr<SHorizontalFace> m_bottom;
   std::vector<std::unique_ptr<SVerticalFace>> m_sides;
   std::vector<CBorderSide>
-      m_borderSides;  // of m_sides; computed once, as each tick tests all bodies
+      m_borderSides;  // borders of m_sides; computed once, as each tick tests all bodies
 };
 
 }  // namespace argos

@@ -35,8 +35,8 @@ SImage ReadImage(const std::string& path, const std::string& what);
 
 /** A format that 24-bit pictures can be written in. */
 struct SImageFormat {
-  int Number = 0; /**< of the library */
-  int Flags = 0; /**< of the library; 0: the format's own */
+  int Number = 0; /**< identifier in the library */
+  int Flags = 0; /**< flags of the library; 0: the format's own */
 };
 
 /** @return the format of the file's extension; nothing if none can be written. */

@@ -86,7 +86,7 @@ void CheckRootTag(const TConfigurationNode& root) {
   }
 }
 
-// how many robots a thread handles in a row; 0: by measured cost
+// reads how many robots a thread handles in a row; 0: by measured cost
 size_t ReadGrain(TConfigurationNode& system) {
   std::string grain = "auto";
   GetNodeAttributeOrDefault(system, "grain", grain, grain);

@@ -53,7 +53,7 @@ class CExperimentLoader {
   void InitFramework(TConfigurationNode& node, CLoadErrors& errors);
   void InitSystem(TConfigurationNode& framework);
   void InitExperiment(TConfigurationNode& framework);
-  // with the seed of the settings
+  // seeds the generators with the seed of the settings
   void CreateRandomCategory();
   void InitProfiling(TConfigurationNode& framework);
   void ReplaceFramework();

@@ -90,7 +90,7 @@ std::exception_ptr SExperimentParts::Destroy() {
     // there was not even the memory to remove them: they refer to engines and media, which stay
     return failure.Get();
   }
-  // after the entities, which may still request the floor's colour
+  // it follows the entities, which may still request the floor's colour
   OwnLoopFunctions.reset();
   SetLoopFunctions(nullptr);
   for (CMedium* medium : m_context.Media) {

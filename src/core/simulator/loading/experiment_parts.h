@@ -54,15 +54,15 @@ struct SExperimentParts {
   std::unique_ptr<CConfigurationDocument> ViewsDocument;
   std::unique_ptr<CReplay> Replay; /**< null: the run is simulated */
   CRandom::CRNG* Rng = nullptr; /**< the first of the category "argos", which owns it */
-  std::unique_ptr<CThreadPool> Pool; /**< without workers until an experiment is loaded */
+  std::unique_ptr<CThreadPool> Pool; /**< has no workers until an experiment is loaded */
   std::unique_ptr<CProfiler> Profiler; /**< null: no profiling */
-  std::unique_ptr<STickTimes> ProfiledTicks; /**< with the profiler */
-  // in the order of the context's lists
+  std::unique_ptr<STickTimes> ProfiledTicks; /**< exists with the profiler only */
+  // these have the order of the context's lists
   std::vector<std::unique_ptr<CPhysicsEngine>> Engines;
   std::vector<std::unique_ptr<CMedium>> Media;
   std::unique_ptr<CLoopFunctions> OwnLoopFunctions; /**< null if the program owns them */
   bool AreLoopFunctionsReady = false; /**< initialised and not destroyed */
-  bool ChecksControllersAtEnd = false; /**< whether robots have used those of the file */
+  bool ChecksControllersAtEnd = false; /**< robots must have used the controllers of the file */
   std::unique_ptr<TConfigurationNode> SetView; /**< of the program; null: that of the file */
   std::unique_ptr<CVisualization> Visualization;
   CRunOutputs Outputs;

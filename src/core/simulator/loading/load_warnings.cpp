@@ -158,7 +158,7 @@ std::vector<std::string> FindUnusedControllers(const CConfigurationDocument& doc
 
 std::vector<std::string> FindLoadWarnings(CConfigurationDocument& document,
                                           const SSimulationContext& context, bool mayAddRobots) {
-  // before the checks below visit elements
+  // the checks below visit elements, so this comes first
   TLines unread = document.DescribeUnread();
   for (const SControllerSetup* setup : context.Loading.ListUnusedControllers()) {
     const TLines unused = document.DescribeUnread(*setup->Node);

@@ -63,7 +63,7 @@ void CExperimentLoader::InitReplay(TConfigurationNode& root, CLoadErrors& errors
   m_context.Loading.RunChecks(errors);
 }
 
-// what the recorded run has left must not be overwritten by what its replay shows
+// a replay must not overwrite what the recorded run has left
 void CExperimentLoader::SkipRecordedOutputs(TConfigurationNode& root) const {
   if (!NodeExists(root, "outputs")) {
     return;

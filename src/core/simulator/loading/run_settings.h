@@ -20,7 +20,7 @@ struct SRunSettings {
   struct SOutput {
     std::string Tag;
     std::vector<std::pair<std::string, std::string>> Attributes;
-    bool IsCopy = false; /**< of the first element of this tag in `<visualization>`, if any */
+    bool IsCopy = false; /**< copies the first element of this tag in `<visualization>`, if any */
     std::vector<std::string> NotCopied; /**< attributes that the copy does not have */
   };
 
@@ -29,14 +29,14 @@ struct SRunSettings {
   std::optional<SOutput> Visualization; /**< the only child of `<visualization>` */
   bool ForceNoVisualization = false;
 
-  bool IsSeedSet = false; /**< by the program */
+  bool IsSeedSet = false; /**< the program has set it */
   bool IsSeedFromClock = true; /**< neither set nor in the file: each Reset() draws another */
   UInt32 Seed = 0;
 
-  bool AreThreadsSet = false; /**< by the program */
+  bool AreThreadsSet = false; /**< the program has set it */
   UInt32 NumThreads = 0; /**< 0 = main thread only */
 
-  bool IsLengthSet = false; /**< by the program */
+  bool IsLengthSet = false; /**< the program has set it */
   Real Length = 0.0; /**< s; 0 = unlimited */
   UInt32 MaxClock = 0; /**< ticks; 0 = unlimited */
   bool IsRealTime = false;

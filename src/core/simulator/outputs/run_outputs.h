@@ -60,8 +60,8 @@ class CRunOutputs {
 
   std::vector<std::unique_ptr<CRunOutput>> m_outputs;
   EStage m_stage = EStage::NotBegun;
-  std::uint32_t m_numForks = 0;  // of the process that shows the first state
-  std::optional<UInt32> m_lastTick;  // that was shown
+  std::uint32_t m_numForks = 0;  // count in the process that shows the first state
+  std::optional<UInt32> m_lastTick;  // last tick that was shown
   bool m_isBusy = false;
   double m_seconds = 0.0;
 };

@@ -16,7 +16,7 @@ namespace {
 
 // m; bodies at rest that are nearer may touch in the next tick, because robots start to drive
 constexpr Real kNearGap = 0.03;
-// how much faster bodies may become from one tick to the next
+// limit of how much faster bodies become from one tick to the next
 constexpr Real kFaster = 1.5;
 // m; fixed bodies in this distance of a body outside of its engine's region are added to the engine
 constexpr Real kFixedReach = 0.3;

@@ -60,9 +60,9 @@ class CBorderBundles {
   SSimulationContext& m_context;
   // scratch of Update()
   Real m_reach = 0.0;  // m; distance in which neighbours are searched
-  std::vector<SMember> m_strays;  // of the last tick
+  std::vector<SMember> m_strays;  // strays of the last tick
   std::vector<UInt32> m_seeds;  // numbers of bodies
-  std::vector<UInt8> m_isVisited;  // by number of body
+  std::vector<UInt8> m_isVisited;  // has an entry for each body, by number
   std::vector<UInt32> m_visited;  // numbers of bodies
   std::vector<SMember> m_bundle;
   std::vector<SIndexedShape> m_own, m_near;

@@ -325,7 +325,7 @@ void CDescribedBodyEngine::ForgetBundles() {
 CDescribedBodyEngine* CDescribedBodyEngine::FindNextOfSameType(const CEmbodiedEntity& body) const {
   CPhysicsEngine* const next = FindNextEngine(body, [&body](const CPhysicsEngine& engine) {
     const auto* const described = dynamic_cast<const CDescribedBodyEngine*>(&engine);
-    // only adding the body shows if an engine of another class accepts it
+    // adding the body is the only way to find out if an engine of another class accepts it
     return described == nullptr || described->Accepts(body);
   });
   const bool isOther = next != nullptr && next != this;

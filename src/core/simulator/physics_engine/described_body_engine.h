@@ -197,7 +197,7 @@ class CDescribedBodyEngine : public CPhysicsEngine {
   CDescribedBodyEngine* FindNextOfSameType(const CEmbodiedEntity& body) const;
   std::unique_ptr<CRecordedBody> Record(CEntity& root);
 
-  std::vector<std::unique_ptr<CDescribedBodyModel>> m_models;  // by number
+  std::vector<std::unique_ptr<CDescribedBodyModel>> m_models;  // indexed by the number of the model
   std::vector<CDescribedBodyModel*> m_displaced;
   std::vector<std::unique_ptr<CBodyRecorder>> m_recorders;  // one of each registered class
   std::vector<CDescribedBodyModel*> m_recorded;  // models with a recorded body

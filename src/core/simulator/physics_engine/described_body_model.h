@@ -44,7 +44,7 @@ class CDescribedBodyModel : public CPhysicsModel {
   CRecordedBody* GetRecordedBody() const { return m_recordedBody.get(); }
 
  protected:
-  CEntity& m_root;  // of the body
+  CEntity& m_root;  // root entity of the body
 
  private:
   friend class CDescribedBodyEngine;
@@ -54,9 +54,9 @@ class CDescribedBodyModel : public CPhysicsModel {
   CDescribedBodyEngine& GetDescribedBodyEngine();
   bool Overlaps(const SBodyDescription& description) const;
 
-  size_t m_number = 0;  // in the engine's list of models
-  bool m_isDisplaced = false;  // in the engine's list of displaced models
-  bool m_isBundled = false;  // in the engine's list of bundled models
+  size_t m_number = 0;  // place in the engine's list of models
+  bool m_isDisplaced = false;  // is in the engine's list of displaced models
+  bool m_isBundled = false;  // is in the engine's list of bundled models
   std::unique_ptr<CRecordedBody> m_recordedBody;
 };
 

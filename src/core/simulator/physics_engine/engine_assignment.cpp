@@ -126,7 +126,7 @@ void CEngineAssignment::ReturnAll() const {
         engines.begin(), engines.end(),
         [&position](CPhysicsEngine* engine) { return engine->IsPointContained(position); });
     if (first != engines.end() && *first != &now) {
-      // not as a transfer, which may lead through a gate
+      // it is no transfer, which may lead through a gate
       now.RemoveEntity(body.GetRootEntity());
       Add(body);
     }

@@ -33,7 +33,7 @@ class CEngineLookup {
   void Warn(const std::string& id);
 
   const SSimulationContext& m_context;
-  std::mutex m_mutex;  // of what follows; only for ids that do not exist
+  std::mutex m_mutex;  // guards what follows; locked only for ids that do not exist
   std::unique_ptr<CPhysicsEngine> m_standIn;  // null until it is needed
   std::set<std::string> m_reported;  // ids
 };

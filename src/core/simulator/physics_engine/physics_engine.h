@@ -25,7 +25,7 @@ struct SSimulationContext;
 
 /** How a body moves, independent of the type of its engine; world frame. */
 struct SBodyMotion {
-  CVector3 Velocity; /**< of the origin anchor, m/s */
+  CVector3 Velocity; /**< velocity of the origin anchor, m/s */
   CVector3 Rotation; /**< about the origin anchor, rad/s */
   std::optional<SDriveCommand> Command; /**< the last one of its drive, for engines that know it */
 };
@@ -37,7 +37,7 @@ struct SBodyMotion {
  */
 struct SGhost {
   CEmbodiedEntity* Body;
-  CVector3 Position; /**< of the origin anchor, m, world frame */
+  CVector3 Position; /**< position of the origin anchor, m, world frame */
   CQuaternion Orientation;
   bool IsObject; /**< it has neither a drive nor propellers */
 };

@@ -19,7 +19,7 @@ namespace argos {
 struct SPlanarPose {
   Real X = 0.0;  // m
   Real Y = 0.0;  // m
-  Real HalfCos = 1.0;  // of half the heading
+  Real HalfCos = 1.0;  // cosine of half the heading
   Real HalfSin = 0.0;
 
   /** Heading, rad, in (-pi, pi]. */

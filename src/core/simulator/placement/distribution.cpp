@@ -67,7 +67,7 @@ class CMemoryAhead {
       : m_numLeft(threads > 1 && entities >= kManyEntities ? entities : 0),
         m_bytesBefore(CObjectSlabs::GetCurrent().GetNumBytes()) {}
 
-  // after each entity; the first ones show how much memory one needs
+  // it is called after each entity; the first ones show how much memory one needs
   void NoteCreated() {
     if (m_numLeft == 0 || ++m_numSamples < kSamples) {
       return;
@@ -85,7 +85,7 @@ class CMemoryAhead {
 
   size_t m_numLeft;  // entities, if memory is to be prepared; else 0
   size_t m_numSamples = 0;
-  size_t m_bytesBefore;  // in slabs
+  size_t m_bytesBefore;  // bytes in slabs
   std::optional<CPagePreparer> m_preparer;
 };
 
@@ -157,7 +157,7 @@ void CDistribution::ReadEntity() {
 }
 
 void CDistribution::Place() {
-  // without a template that was reported, too
+  // a missing template was reported, too
   if (m_template == nullptr || (m_quantity == 0 && m_isValid)) {
     return;
   }
@@ -302,7 +302,7 @@ void CDistribution::PlaceOnGround() {
   const SPlaces places = ChoosePlaces();
   const std::vector<UInt32> order =
       OrderOnGround(places.Positions, 2.0 * m_body->ComputeBoundingRadius());
-  std::vector<ssize_t> indices(order.size());  // by number
+  std::vector<ssize_t> indices(order.size());  // indexed by number
   m_space.ReserveRoots(order.size());
   CMemoryAhead memory(m_space.GetContext().Pool->GetNumThreads(), order.size());
   for (const UInt32 number : order) {

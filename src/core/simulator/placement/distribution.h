@@ -81,7 +81,7 @@ class CDistribution {
   CSpace& m_space;
   TConfigurationNode& m_node;
   TConfigurationNode* m_template = nullptr;  // the entity's own element
-  TConfigurationNode* m_poseNode = nullptr;  // where its position and orientation are written
+  TConfigurationNode* m_poseNode = nullptr;  // element that gets its position and orientation
   std::unique_ptr<CVectorGenerator> m_positions;  // m
   std::unique_ptr<CVectorGenerator> m_orientations;  // degrees: z, y, x
   std::string m_baseId;
@@ -90,12 +90,12 @@ class CDistribution {
   UInt64 m_maxTrials = 0;
   bool m_isValid = true;  // the constructor has found no error
 
-  const CBodyIndex* m_obstacles;  // where places must be free
+  const CBodyIndex* m_obstacles;  // places must be free of these
   struct SChosen {
     UInt64 Number;
     SBodyPose Pose;
   };
-  std::vector<SChosen> m_chosen;  // by ChooseAgain()
+  std::vector<SChosen> m_chosen;  // is filled by ChooseAgain()
 
   // set by Probe()
   std::shared_ptr<const SBodyDescription> m_body;  // null: none, or one that its engine must test

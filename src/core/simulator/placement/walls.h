@@ -19,7 +19,7 @@ class CSpace;
 struct SWallPiece {
   CVector2 Center; /**< m */
   CVector2 Size; /**< along the wall and across it, m */
-  CRadians Direction; /**< of the wall */
+  CRadians Direction; /**< direction of the wall */
 };
 
 /** Four pieces along the sides of the arena, within its limits. */

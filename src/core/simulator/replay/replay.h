@@ -27,7 +27,7 @@ std::optional<SReplayTime> ParseReplayTime(const std::string& text);
 /** Where something was in a state of a recorded run. */
 struct SRecordedPose {
   std::string Id;
-  SBodyPose Pose; /**< of the origin, m, world frame; rounded as the recording is */
+  SBodyPose Pose; /**< pose of the origin, m, world frame; rounded as the recording is */
 };
 
 /** What is to be replayed. */

@@ -142,7 +142,7 @@ void CEntityViews::ListAll() {
   }
   const CRootPlaces places(indices);
   struct SListed {
-    size_t Place;  // of the root
+    size_t Place;  // place of the root
     CEntity* Entity;
   };
   std::vector<SListed> listed;

@@ -44,9 +44,9 @@ class CMetrics : public CSpaceExtension {
 
     // values that were recorded in Tick
     UInt32 Tick = 0; /**< the last in which it was recorded; 0 before the first tick */
-    UInt64 Period = 0; /**< in which it was recorded, see EndTick() */
+    UInt64 Period = 0; /**< period in which it was recorded, see EndTick() */
     UInt64 Count = 0; /**< 0: nothing, and NaN below */
-    Real Sum = kNone; /**< in the order above */
+    Real Sum = kNone; /**< sum in the order above */
     Real Min = kNone;
     Real Max = kNone;
     Real Last = kNone;
@@ -128,7 +128,7 @@ class CMetrics : public CSpaceExtension {
  private:
   struct SBuiltIn {
     std::unique_ptr<CBuiltInMetric> Metric;
-    size_t Number;  // in m_metrics
+    size_t Number;  // index in m_metrics
   };
 
   // numbers in m_metrics
@@ -146,10 +146,10 @@ class CMetrics : public CSpaceExtension {
   SSimulationContext* m_context = nullptr;
   UInt64 m_period = 0;  // number of ticks that are over
   std::vector<SMetric> m_metrics;
-  std::map<std::string, size_t, std::less<>> m_numbers;  // by name; not written in a phase
+  std::map<std::string, size_t, std::less<>> m_numbers;  // indices by name; not written in a phase
   std::unique_ptr<CRobotRecords> m_records;
-  std::vector<SFailure> m_failures;  // of the last loop
-  std::vector<SBuiltIn> m_builtIns;  // in the order in which they were enabled
+  std::vector<SFailure> m_failures;  // failures of the last loop
+  std::vector<SBuiltIn> m_builtIns;  // have the order in which they were enabled
 };
 
 }  // namespace argos

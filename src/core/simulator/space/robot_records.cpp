@@ -95,7 +95,7 @@ void CRobotRecords::Sort() {
   }
 }
 
-// with some to spare: robots may not record in every tick
+// leaves spare room: robots may not record in every tick
 void CRobotRecords::ReserveForAll(size_t records) {
   if (records <= m_capacity) {
     return;

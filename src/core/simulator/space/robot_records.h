@@ -35,7 +35,7 @@ class CRobotRecords {
   // aligned so that no two threads write to one cache line
   struct alignas(64) SThread {
     const CRobotRecords* Owner = nullptr;
-    UInt32 Robot = 0;  // that runs now
+    UInt32 Robot = 0;  // robot that runs now
     std::vector<SRecord> Records;
     std::vector<SNewMetric> NewMetrics;
   };
@@ -99,8 +99,8 @@ class CRobotRecords {
 
   size_t m_numRobots = 0;
   std::vector<SThread> m_threads;
-  size_t m_capacity = 0;  // of each thread: with dynamic schedules its share is not known
-  CCountingSort m_order;  // of all records, by robot
+  size_t m_capacity = 0;  // records of each thread: with dynamic schedules its share is not known
+  CCountingSort m_order;  // sorts all records by robot
   std::vector<SSorted> m_sorted;
 };
 

@@ -36,7 +36,7 @@ class CRootPlaces {
   static bool IsBefore(const SPlace& a, const SPlace& b) { return a.Index < b.Index; }
 
   size_t m_size;
-  std::vector<SPlace> m_places;  // by index
+  std::vector<SPlace> m_places;  // is indexed by the index of the root
 };
 
 }  // namespace argos

@@ -14,8 +14,8 @@ namespace argos {
 class CRunCommands : public CSpaceExtension {
  public:
   struct SCommand {
-    UInt32 Tick; /**< after which it was given */
-    std::string Text; /**< in a form that those who give commands know */
+    UInt32 Tick; /**< tick after which it was given */
+    std::string Text; /**< has a form that the senders of commands know */
   };
 
   /** Commands are kept from now on, for an output that takes them. */

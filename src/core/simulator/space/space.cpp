@@ -69,7 +69,7 @@ void Reorder(std::vector<ITEM*>& list, const CRootPlaces& places, ROOT_OF&& root
     ITEM* Item;
   };
   std::vector<SMoved> moved;
-  std::vector<size_t> slots;  // in the list
+  std::vector<size_t> slots;  // places in the list
   for (size_t i = 0; i < list.size(); ++i) {
     const size_t place = places.Find(rootOf(*list[i]));
     if (place < places.GetSize()) {
@@ -268,7 +268,7 @@ void CSpace::ForRootsAsCreated(const std::function<void(CEntity&, size_t)>& visi
 void CSpace::InsertEntity(CEntity& entity) {
   if (!entity.HasParent()) {
     CheckMayChange();
-    // before the id is taken: what follows must not fail for lack of memory
+    // the id is not taken yet: what follows must not fail for lack of memory
     if (m_roots.size() == m_roots.capacity()) {
       m_roots.reserve(2 * m_roots.size() + 1);
     }
@@ -378,7 +378,7 @@ void CSpace::Destroy() {
   std::exception_ptr failure;
   size_t numFailures = 0;
   size_t numMore = 0;
-  // in the reverse order of creation, in which engines and media find entities fastest
+  // reverse order of creation, in which engines and media find entities fastest
   std::sort(m_roots.begin(), m_roots.end(), SEntityComparator());
   std::sort(m_robots.begin(), m_robots.end(), SEntityComparator());
   while (!m_roots.empty()) {

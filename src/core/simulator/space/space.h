@@ -269,10 +269,10 @@ class CSpace : public CBaseConfigurableResource {
   CFloorEntity* m_floor = nullptr;
 
   std::map<std::string, std::unique_ptr<CEntityType>> m_entityTypes;  // by tag; outlive entities
-  CEntity::TVector m_roots;  // in order of addition, or as OrderRoots() says
+  CEntity::TVector m_roots;  // have the order of addition, or of OrderRoots()
   // keys are the ids in the entities themselves; never iterated
   std::unordered_map<std::string_view, std::unique_ptr<CEntity>> m_rootById;
-  std::vector<CControllableEntity*> m_robots;  // in the order of m_roots
+  std::vector<CControllableEntity*> m_robots;  // have the order of m_roots
   UInt64 m_robotsVersion = 0;
   ssize_t m_nextIndex = 0;
   std::unique_ptr<CEntityViews> m_views;  // the lists and maps for users

@@ -51,7 +51,7 @@ void CSpace::AdoptNow(std::unique_ptr<CEntity> entity) {
   for (CControllableEntity* robot : ListComponents<CControllableEntity>(*entity)) {
     robot->SetLateController();
   }
-  // from here on the operations own it
+  // the operations own it from here on
   CEntity& added = *entity.release();
   try {
     CallEntityOperation<CSpaceOperationAddEntity, CSpace, void>(*this, added);
@@ -79,7 +79,7 @@ void CSpace::Remove(CEntity& root) {
     return;
   }
   {
-    // what Destroy() of its controller requests
+    // changes that Destroy() of its controller requests
     const CRunState::CScope scope(m_context.Run, CRunState::EActivity::Changing);
     RemoveNow(root);
   }
@@ -117,7 +117,7 @@ void CSpace::QuarantineNow(CEntity& root) {
   }
 }
 
-// in Reset(), when the poses of bodies are those of the start
+// Reset() calls it, when the poses of bodies are those of the start
 void CSpace::TakeBackQuarantined() {
   for (CControllableEntity* robot : m_robots) {
     if (!robot->IsQuarantined()) {

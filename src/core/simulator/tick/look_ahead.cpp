@@ -32,7 +32,7 @@ void CLookAhead::SetVisits(const std::vector<SRobotVisit>& visits) {
   }
   m_robots.reserve(visits.size());
   m_memory.reserve(visits.size());
-  std::vector<SMemory> memory;  // of a robot
+  std::vector<SMemory> memory;  // the memory of one robot
   for (const SRobotVisit& visit : visits) {
     memory.clear();
     visit.Robot->ListMemory(memory);

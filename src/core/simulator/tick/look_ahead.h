@@ -17,7 +17,7 @@ struct SAnchor;
 /** A robot in a loop of a tick. Loops are in the order of creation, which is that of memory. */
 struct SRobotVisit {
   CControllableEntity* Robot;
-  UInt32 Number; /**< in CSpace::GetControllableEntities() */
+  UInt32 Number; /**< index in CSpace::GetControllableEntities() */
 };
 
 /**
@@ -43,8 +43,8 @@ class CLookAhead {
 
  private:
   struct SRobot {
-    const SAnchor* Origin;  // of its body; null if it has none
-    UInt32 EndOfMemory;  // in m_memory; it begins where that of the robot before ends
+    const SAnchor* Origin;  // origin anchor of its body; null if it has none
+    UInt32 EndOfMemory;  // end in m_memory; it begins where that of the robot before ends
   };
   // SMemory in one word: there are several for each robot. A range that does not fit is not
   // prefetched correctly, which costs time only.
@@ -66,8 +66,8 @@ class CLookAhead {
   const CControllableEntity& GetRobot(size_t visit) const { return *(*m_visits)[visit].Robot; }
 
   const std::vector<SRobotVisit>* m_visits = nullptr;
-  std::vector<SRobot> m_robots;  // in the same order; empty if there are few
-  std::vector<CPackedMemory> m_memory;  // that only the robot's sensors use
+  std::vector<SRobot> m_robots;  // has the same order; empty if there are few
+  std::vector<CPackedMemory> m_memory;  // memory that only the robot's sensors use
 };
 
 }  // namespace argos

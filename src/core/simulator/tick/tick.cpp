@@ -47,7 +47,7 @@ void Timed(Real* seconds, PHASE&& phase) {
   *seconds += SecondsSince(start);
 }
 
-// what is called of the robots
+// a function that is called of each robot
 struct SCall {
   const char* Name;  // such as "ControlStep()"
   bool IsDevice;
@@ -58,12 +58,12 @@ struct SVisitsOfPhase {
   const std::vector<SRobotVisit>& Visits;
   size_t Begin;
   size_t End;
-  UInt32 Thread;  // that does it
-  UInt64 FirstPlace;  // of robot 0 in the log
+  UInt32 Thread;  // number of the thread that makes the calls
+  UInt64 FirstPlace;  // place of robot 0 in the log
   SCall Call;
 };
 
-// in a catch block
+// call it in a catch block
 bool IsErrorOfLoopFunctions() {
   try {
     throw;
@@ -74,7 +74,7 @@ bool IsErrorOfLoopFunctions() {
   }
 }
 
-// in a catch block: ends the run, or stops the robot
+// call it in a catch block; it ends the run, or stops the robot
 void HandleFailure(SSimulationContext& context, const SCall& call, CControllableEntity& robot) {
   const std::string where = "robot \"" + robot.GetRootEntity().GetId() + "\": " + call.Name +
                             " threw in tick " + std::to_string(*context.Clock);
@@ -185,7 +185,7 @@ void CTick::Run() {
     THROW_ARGOSEXCEPTION("no experiment is loaded: there is nothing to run");
   }
   m_context.Run.CheckIsIdle("CSimulator::UpdateSpace()");
-  // after a tick that ended with an error
+  // it is called after a tick that ended with an error
   m_context.Run.DiscardChanges();
   CARGoSLog::SetSequence(0);
   m_context.Space->IncreaseSimulationClock();
@@ -221,7 +221,7 @@ void CTick::Run() {
   }
 }
 
-// to be called before each loop over robots: users add and remove robots between phases
+// call it before each loop over robots: users add and remove robots between phases
 void CTick::PlanVisits() {
   const UInt64 version = m_context.Space->GetVersionOfControllableEntities();
   if (version == m_robotsOfVisits) {
@@ -247,13 +247,13 @@ void CTick::PlanVisits() {
   m_robotsOfVisits = version;
 }
 
-// before a loop over robots
+// call it before a loop over robots
 void CTick::BeginRecords() {
   m_context.Metrics->GetRobotRecords().Begin(m_context.Space->GetControllableEntities().size(),
                                              m_context.Pool->GetNumThreads());
 }
 
-// after it; robots that do not agree about the unit of a new metric fail
+// call it after the loop; robots that do not agree about the unit of a new metric fail
 void CTick::TakeRecords(const char* call, bool isDevice) {
   const std::vector<CControllableEntity*>& robots = m_context.Space->GetControllableEntities();
   for (const CMetrics::SFailure& failure : m_context.Metrics->TakeRobotRecords()) {

@@ -42,7 +42,7 @@ class CTick {
   void BeginRecords();
   void TakeRecords(const char* call, bool isDevice);
 
-  // on a cache line of its own, because each thread writes to one of them
+  // has a cache line of its own, because each thread writes to one of them
   struct alignas(64) SRobotTimes {
     Real Sense = 0.0;  // s
     Real Control = 0.0;  // s
@@ -50,8 +50,8 @@ class CTick {
 
   SSimulationContext& m_context;
   STickTimes* m_times = nullptr;
-  std::vector<SRobotTimes> m_robotTimes;  // of the present phase, by thread
-  CPhaseCost m_actCost, m_senseCost;  // of robots
+  std::vector<SRobotTimes> m_robotTimes;  // times of the present phase, by thread
+  CPhaseCost m_actCost, m_senseCost;  // cost of the robots in each phase
   CPhaseCost m_ghostCost, m_engineCost, m_mediumCost;
   std::vector<SRobotVisit> m_visits;
   UInt64 m_robotsOfVisits = ~UInt64(0);  // version of the list of robots that m_visits has
