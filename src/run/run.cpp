@@ -27,7 +27,7 @@ void FlushLogs() {
   LOGERR.Flush();
 }
 
-// of all threads of this process, s
+// time of all threads of this process, s
 Real GetCPUTime() {
   timespec time{};
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);

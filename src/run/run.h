@@ -42,22 +42,22 @@ std::string TakeFailedOutputs();
 /** What is known of a run that has ended. */
 struct SRunSummary {
   ERunStatus Status = ERunStatus::Failed;
-  int Signal = 0; /**< that stopped it; 0: none */
-  Real StartUpTime = 0.0; /**< until the first tick, s of wall time */
-  Real WallTime = 0.0; /**< of the main loop, s */
-  Real CPUTime = 0.0; /**< of all threads of the process in the main loop, s */
+  int Signal = 0; /**< signal that stopped it; 0: none */
+  Real StartUpTime = 0.0; /**< wall time until the first tick, s */
+  Real WallTime = 0.0; /**< wall time of the main loop, s */
+  Real CPUTime = 0.0; /**< time of all threads of the process in the main loop, s */
   Real OutputTime = 0.0; /**< part of WallTime in which outputs were written, s */
   Real SimulatedTime = 0.0; /**< s */
   UInt32 Ticks = 0;
   UInt32 Robots = 0;
-  UInt32 StoppedRobots = 0; /**< because of errors, at the end of the main loop */
-  UInt32 QuarantinedRobots = 0; /**< of the stopped ones */
-  UInt32 RobotsOutside = 0; /**< beyond the sides of the arena, at the end of the main loop */
+  UInt32 StoppedRobots = 0; /**< robots that errors have stopped, at the end of the main loop */
+  UInt32 QuarantinedRobots = 0; /**< number of quarantined ones among the stopped */
+  UInt32 RobotsOutside = 0; /**< robots outside of the arena, at the end of the main loop */
   std::string FirstOutside; /**< id of one of them; empty: none */
   bool HasOutputs = false;
   std::string
       RobotErrors; /**< errors of robots that did not end the run, each once; may be empty */
-  std::vector<SRunFailure> Failures; /**< in order; empty: it ended normally */
+  std::vector<SRunFailure> Failures; /**< in order of occurrence; empty: it ended normally */
   std::vector<std::string> Warnings; /**< see CRun::CollectWarnings() */
 
   int GetExitStatus() const { return ToExitStatus(Status, Signal); }

@@ -11,7 +11,7 @@ namespace argos {
 
 namespace {
 
-// in the order of ERunStatus
+// has the order of ERunStatus
 constexpr std::array<const char*, 7> kStatusWords = {
     "done", "robots_stopped", "failed", "crashed", "timeout", "out_of_memory", "interrupted"};
 

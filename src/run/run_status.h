@@ -13,7 +13,7 @@ enum class ERunStatus {
   Crashed, /**< a signal ended its process */
   TimedOut, /**< the limit of wall time */
   OutOfMemory, /**< the limit of memory */
-  Interrupted /**< by the user or by the system (SIGINT, SIGTERM, ...) */
+  Interrupted /**< the user or the system (SIGINT, SIGTERM, ...) has interrupted it */
 };
 
 /** @return the word in databases and tables: "done", "robots_stopped", "failed", ... */

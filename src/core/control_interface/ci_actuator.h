@@ -31,7 +31,7 @@ class CCI_Actuator : public CBaseConfigurableResource {
   virtual void CreateLuaState(lua_State* state);
 
  protected:
-  bool m_bEnabled = false;  // for derived classes; actuators act in every tick
+  bool m_bEnabled = false;  // serves derived classes; actuators act in every tick
 };
 
 }  // namespace argos

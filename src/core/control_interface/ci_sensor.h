@@ -54,7 +54,7 @@ class CCI_Sensor : public CBaseConfigurableResource {
   /** One number of the readings, in tables of results. */
   struct SColumn {
     std::string Name; /**< letters, digits and '_': "1", "2", ... or "velocity_left" */
-    std::string Unit; /**< as controllers see it, such as "cm"; "" for none */
+    std::string Unit; /**< unit that controllers see, such as "cm"; "" for none */
   };
 
   /**

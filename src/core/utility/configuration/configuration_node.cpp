@@ -178,7 +178,7 @@ void CConfigurationNode::ThrowUnparsable(const std::string& what, const char* te
                                          const std::string& expected, const std::string& reason,
                                          bool isLoose) const {
   std::string details = reason;
-  // for other texts, the reason tells what is too much
+  // for texts other than lists, the reason tells what is too much
   const bool isList = std::strchr(text, ',') != nullptr;
   // the reason may be the text of another exception, with its own prefix
   Replace(details, "[FATAL] ", "");

@@ -264,7 +264,7 @@ class CConfigurationNode {
     }
     WarnOfLooseText(what, text, expected);
   }
-  // not of users' <params>, <loop_functions> and <user_functions>
+  // not called for users' <params>, <loop_functions> and <user_functions>
   void ThrowIfHuge(const std::string& name, const char* text) const;
   void NoteRequest(const std::string& name, const char* sample) const;
   void WarnOfLooseText(const std::string& what, const char* text,

@@ -160,7 +160,7 @@ CConfigurationPath::TElements CConfigurationPath::Walk(const TElements& start,
     for (tinyxml2::XMLElement* element : current) {
       CollectMatches(*element, m_steps[i], next);
     }
-    // with two "//" in a path an element can be found several times
+    // if a path has two "//", an element can be found several times
     std::set<tinyxml2::XMLElement*> seen;
     next.erase(std::remove_if(next.begin(), next.end(),
                               [&seen](auto* match) { return !seen.insert(match).second; }),

@@ -185,7 +185,7 @@ std::string DescribeElement(const SConfigurationEntry& entry) {
 
 std::string DescribeUnreadAttribute(const SConfigurationEntry& entry, const std::string& name) {
   const std::string hint = DidYouMean(name, UsedNames(entry));
-  // without a similar name the list of all of them does not help
+  // if no name is similar, the list of all of them does not help
   const bool hasSimilar = hint.rfind("; did", 0) == 0;
   return DescribeElement(entry) + ": attribute \"" + name + "\" is not used by anything" +
          (hasSimilar ? hint : "");

@@ -40,11 +40,11 @@ struct SConfigurationEntry {
   int Line = 0;
   // the entry of the element of which it is a copy, or this one
   const SConfigurationEntry* Origin = this;
-  // where the original is or was, for CRequestRecorder; null unless it is a recorded copy
+  // place of the original, for CRequestRecorder; null unless it is a recorded copy
   std::shared_ptr<const std::vector<SElementName>> OriginPath;
   // shared with the document from which the element was copied, which may have been destroyed
   std::shared_ptr<const std::string> File;
-  // of the document from which the element was copied, likewise; null unless that is lenient
+  // document from which the element was copied, likewise; null unless that is lenient
   std::shared_ptr<SLeniency> Leniency;
 };
 
@@ -53,7 +53,7 @@ struct SConfigurationSetting {
   std::string Path;
   std::string Attribute;
   std::string Value;
-  std::vector<const SConfigurationEntry*> Elements;  // that were changed
+  std::vector<const SConfigurationEntry*> Elements;  // elements that were changed
 };
 
 /** One XML document with a entry per element; addresses of entries and handles are stable. */

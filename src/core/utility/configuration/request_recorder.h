@@ -90,7 +90,7 @@ class CRequestRecorder {
 
   SRequestedElement m_requests;
   std::string m_number;  // attribute whose type was noted last, if it is a number
-  std::string m_text;  // of TextOf()
+  std::string m_text;  // result of TextOf()
 };
 
 }  // namespace argos

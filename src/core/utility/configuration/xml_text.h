@@ -9,7 +9,7 @@ namespace argos {
 
 /** A fault of an XML text. */
 struct SXmlFault {
-  std::string Text; /**< what was found and what would be right; empty: there is no fault */
+  std::string Text; /**< says what was found and what would be right; empty: there is no fault */
   int Line = 0; /**< counted from 1 */
 };
 

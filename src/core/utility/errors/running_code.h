@@ -19,7 +19,7 @@ struct SRunningCode {
 
   const char* Call = nullptr; /**< such as "ControlStep()"; null: no code of users */
   TDescribe Describe = nullptr; /**< null: the subject is a text */
-  const void* Subject = nullptr; /**< whose function is called; null: nothing to be named */
+  const void* Subject = nullptr; /**< object whose function is called; null: nothing to be named */
   const std::uint32_t* Tick = nullptr; /**< the simulation's clock; null: outside of ticks */
   bool IsBesideOthers = false; /**< code of a robot: that of others may run at the same time */
 

@@ -20,7 +20,7 @@ CSignalSafeText& CSignalSafeText::Append(const char* text) {
 }
 
 CSignalSafeText& CSignalSafeText::AppendDigits(std::uint64_t number, unsigned int base) {
-  constexpr std::size_t kMaxDigits = 20;  // of a number of 64 bits
+  constexpr std::size_t kMaxDigits = 20;  // digits of a number of 64 bits
   char digits[kMaxDigits];
   std::size_t start = kMaxDigits;
   do {

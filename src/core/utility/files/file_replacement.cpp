@@ -60,7 +60,7 @@ std::string WriteDirectly(const std::string& path, std::string_view content) {
 }  // namespace
 
 std::string FollowLinks(const std::string& path) {
-  constexpr int kMaxLinks = 40;  // as the system follows
+  constexpr int kMaxLinks = 40;  // limit of the system
   fs::path target = path;
   std::error_code error;
   for (int links = 0; links < kMaxLinks && fs::is_symlink(target, error); ++links) {

@@ -42,7 +42,7 @@ bool ReadInputFile(const std::string& path, std::string& content, std::string& p
   if (!problem.empty()) {
     return false;
   }
-  // not blocking: a FIFO may have taken the file's place since the check
+  // it does not block: a FIFO may have taken the file's place since the check
   const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   struct stat information {};
   bool failed = file < 0 || fstat(file, &information) != 0;

@@ -224,8 +224,8 @@ class COutputFile::CBuffer : public std::streambuf {
   std::string m_pending;
   int m_file = -1;
   bool m_isRegular = false;
-  std::uint64_t m_size = 0;  // without what is pending, bytes
-  std::uint64_t m_endOfLine = 0;  // of the last whole line in the file, bytes
+  std::uint64_t m_size = 0;  // bytes, without those that are pending
+  std::uint64_t m_endOfLine = 0;  // end of the last whole line in the file, bytes
 };
 
 COutputFile::COutputFile() : std::ostream(nullptr), m_buffer(std::make_unique<CBuffer>()) {

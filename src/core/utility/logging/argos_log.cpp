@@ -308,7 +308,7 @@ CARGoSLog::CEntry::CEntry(CARGoSLog& log, bool colored) : m_buffer(log.GetThread
   m_prefixLength = text.size() - m_start;
   // a lack of memory, or a value that could not be printed, ends with its item
   m_buffer.Stream.clear();
-  // until the destructor
+  // the destructor unlocks it
   lock.release();
 }
 
@@ -322,7 +322,7 @@ CARGoSLog::CEntry::~CEntry() {
       try {
         text += kColorReset;
       } catch (const std::bad_alloc&) {
-        // without memory the colour goes on
+        // if there is no memory, the colour goes on
       }
     }
   }

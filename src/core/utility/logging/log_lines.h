@@ -34,8 +34,8 @@ class CLogLines {
 
   std::ostream& m_stream;
   ELogLevel m_unmarked;
-  std::string m_line;  // so far
-  std::string m_label;  // of that line
+  std::string m_line;  // text so far
+  std::string m_label;  // label of that line
   std::string m_observed;  // the line so far, while there is an observer
 };
 

@@ -62,7 +62,7 @@ CQuaternion& CQuaternion::FromEulerAngles(const CRadians& z, const CRadians& y, 
 }
 
 void CQuaternion::ToEulerAngles(CRadians& z, CRadians& y, CRadians& x) const {
-  // with R = Rx Ry Rz, sin y is the last entry of the first row
+  // let R = Rx Ry Rz: sin y is the last entry of the first row
   const Real halfSineY = m_x * m_z + m_w * m_y;
   if (std::fabs(halfSineY) > kGimbalLockThreshold) {
     x = CRadians::ZERO;

@@ -146,7 +146,7 @@ class CRange {
       return 0.0;
     }
     if constexpr (std::is_arithmetic_v<T>) {
-      // in Real, because the span of a signed integer may overflow its type
+      // it is computed in Real, because the span of a signed integer may overflow its type
       const Real min = static_cast<Real>(m_min);
       return (static_cast<Real>(clamped) - min) / (static_cast<Real>(m_max) - min);
     } else {
@@ -191,7 +191,7 @@ class CRange {
                                      << "; write the smaller value first.");
   }
 
-  // with other types, the loop stops when a step makes no progress
+  // for other types, the loop stops when a step makes no progress
   constexpr void WrapByRepetition(T& value) const {
     const T span = m_max - m_min;
     for (T next = value - span; value > m_max && !(value <= next); next = value - span) {

@@ -209,7 +209,7 @@ class CRandom::CCategory {
   struct SGenerator {
     std::unique_ptr<CRNG> Generator;
     COwner* Owner;  // null: lives as long as the category
-    UInt32 Place;  // how many generators of the category its owner had before
+    UInt32 Place;  // number of generators of the category that its owner had before
     UInt64 Birth;  // see COwner::CScope
     size_t Ordinal;  // index of its seed, if it has no owner
   };
@@ -226,8 +226,8 @@ class CRandom::CCategory {
   std::vector<UInt32> m_seeds;  // drawn from the seeder, for destroyed generators, too
   UInt64 m_round = 0;  // calls of ReseedRNGs() since the start
   UInt64 m_nextSerial = 0;
-  std::map<UInt64, SGenerator> m_generators;  // by serial number: in the order of creation
-  // what owners created while loading, by id and place: the indices of the seeds
+  std::map<UInt64, SGenerator> m_generators;  // indexed by serial number: in the order of creation
+  // generators that owners created while loading, by id and place: the indices of the seeds
   std::map<std::pair<std::string, UInt32>, size_t> m_ordinalsAtStart;
 };
 

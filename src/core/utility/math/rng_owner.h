@@ -59,7 +59,7 @@ class CRandom::COwner {
   void Forget(const CCategory& category);
 
   TGetId m_getId = nullptr;
-  const void* m_subject = nullptr;  // not owned
+  const void* m_subject = nullptr;  // is not owned
   std::vector<SReference> m_generators;
 };
 
@@ -91,7 +91,7 @@ class CRandom::COwner::CScope {
   };
   static SCurrent& GetCurrent();
 
-  SCurrent& m_current;  // of this thread
+  SCurrent& m_current;  // owner of this thread
   SCurrent m_previous;
 };
 

@@ -42,7 +42,7 @@ struct SSlabHeader {
 constexpr std::size_t kHeader = 64;
 static_assert(sizeof(SSlabHeader) <= kHeader);
 
-// in the place of an object that was freed
+// takes the place of an object that was freed
 struct SFreePlace {
   SFreePlace* Next;
 };
@@ -51,7 +51,7 @@ struct SFreePlace {
 struct SSizeClass {
   SFreePlace* Free = nullptr;  // freed last first
   std::byte* Next = nullptr;  // the place after the last one used of the newest slab
-  std::byte* End = nullptr;  // of that slab
+  std::byte* End = nullptr;  // end of that slab
 };
 
 struct SFreeRegion {
@@ -116,10 +116,10 @@ thread_local CObjectSlabs* currentSlabs = nullptr;
 
 struct CObjectSlabs::SState {
   mutable std::mutex Mutex;
-  std::array<SSizeClass, kNumSizes> Sizes;  // by size / kAlignment
+  std::array<SSizeClass, kNumSizes> Sizes;  // indexed by size / kAlignment
   std::vector<TRegion> Regions;
   std::vector<CArea> Areas;
-  std::byte* NextSlab = nullptr;  // in a region or an area
+  std::byte* NextSlab = nullptr;  // lies in a region or an area
   std::byte* EndOfSlabs = nullptr;
   std::size_t NumObjects = 0;
   std::size_t NumBytes = 0;
@@ -243,7 +243,7 @@ std::size_t CObjectSlabs::GetNumBytes() const {
 CObjectSlabs::SBlock CObjectSlabs::ReserveAhead(std::size_t bytes) {
   const std::size_t rounded = (bytes + kRegion - 1) / kRegion * kRegion;
   const std::lock_guard<std::mutex> lock(m_state->Mutex);
-  // without an object nothing would release the block
+  // if there is no object, nothing would release the block
   if (!kUseSlabs || rounded == 0 || m_state->NumObjects == 0) {
     return {};
   }
@@ -252,7 +252,7 @@ CObjectSlabs::SBlock CObjectSlabs::ReserveAhead(std::size_t bytes) {
   if (area.GetStart() == nullptr) {
     return {};
   }
-  // what is left of the present region is not used
+  // the rest of the present region is not used
   m_state->NextSlab = area.GetStart();
   m_state->EndOfSlabs = area.GetStart() + rounded;
   m_state->Areas.push_back(std::move(area));

@@ -92,7 +92,7 @@ class CSlabObject {
     return ::operator new(bytes, alignment);
   }
   static void operator delete(void* object, std::size_t, std::align_val_t alignment) noexcept {
-    // not the global operator that takes a size: clang declares it only with an option
+    // the global operator that takes a size is not used: clang declares it only with an option
     ::operator delete(object, alignment);
   }
   // the operators above hide the one for placement

@@ -17,7 +17,7 @@ struct SDeferredLibrary {
   std::vector<SPluginLabel> Labels;
 };
 
-// in the order of Add(); guarded by the mutex of registrations
+// has the order of Add(); guarded by the mutex of registrations
 std::vector<SDeferredLibrary>& Libraries() {
   static std::vector<SDeferredLibrary> libraries;
   return libraries;
@@ -50,7 +50,7 @@ std::vector<std::string> TakeIfAnyLabel(const CONDITION& condition) {
   });
 }
 
-// whether a library with another file name has registered one of the labels
+// tells if a library with another file name has registered one of the labels
 bool IsContested(const SDeferredLibrary& library) {
   const std::map<SPluginLabel, std::string>& registered = GetRegisteredLabels();
   return std::any_of(library.Labels.begin(), library.Labels.end(), [&](const SPluginLabel& label) {

@@ -40,13 +40,13 @@ struct SLoadedLibrary {
   std::set<std::string> Names;
 };
 
-// by resolved path
+// indexed by resolved path
 std::map<std::string, SLoadedLibrary>& LoadedLibraries() {
   static std::map<std::string, SLoadedLibrary> libraries;
   return libraries;
 }
 
-// when a factory lacks a label; guarded by the loading mutex
+// they are loaded when a factory lacks a label; guarded by the loading mutex
 struct SLoadingOnDemand {
   bool IsEnabled = false;
   bool IsDone = false;
@@ -57,7 +57,7 @@ SLoadingOnDemand& LoadingOnDemand() {
   return state;
 }
 
-// for the report of a crash
+// writes the name for the report of a crash
 void DescribeLibrary(const void* path, CSignalSafeText& text) {
   text.Append("library \"").Append(*static_cast<const std::string*>(path)).Append("\"");
 }
@@ -128,7 +128,7 @@ std::string NameOfUndefined(const std::string& reason) {
   return found == std::string::npos ? "" : SymbolAt(reason, found + sizeof(kUndefinedSymbol) - 1);
 }
 
-// what can be done about a failure to open a library
+// says what can be done about a failure to open a library
 std::string DescribeWayOut(const std::string& reason) {
   const std::string missing = NameOfMissing(reason);
   if (!missing.empty()) {
@@ -366,7 +366,7 @@ void CDynamicLoading::UnloadLibrary(const std::string& lib) {
 
 void CDynamicLoading::LoadAllLibraries() {
   const std::lock_guard<std::recursive_mutex> lock(detail::GetLoadingMutex());
-  // before the first library, because libraries may look labels up while they are loaded
+  // no library is loaded yet, because libraries may look labels up while they are loaded
   LoadingOnDemand().IsDone = true;
   ThrowRegistrationProblems(kIncompatible);
   LoadDeferred(CDeferredLibraries::TakeAll());

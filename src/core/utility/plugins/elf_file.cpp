@@ -37,7 +37,7 @@ class CFileBytes {
   CFileBytes(const CFileBytes&) = delete;
   CFileBytes& operator=(const CFileBytes&) = delete;
 
-  // up to so many bytes; fewer at the end of the file
+  // reads up to so many bytes; fewer at the end of the file
   std::string Bytes(size_t offset, size_t size) const {
     if (offset <= m_headSize && size <= m_headSize - offset) {
       return {m_head.data() + offset, size};
@@ -59,7 +59,7 @@ class CFileBytes {
     return true;
   }
 
-  // up to the next zero
+  // reads up to the next zero
   std::string Text(size_t offset) const {
     const std::string bytes = Bytes(offset, kMaxText);
     return bytes.substr(0, bytes.find('\0'));
@@ -70,7 +70,7 @@ class CFileBytes {
   static constexpr size_t kMaxText = 1024;  // longer than names of files
 
   int m_file;
-  // where headers and notes are
+  // places of headers and notes
   std::array<char, 4096> m_head{};
   size_t m_headSize = 0;
 };
@@ -122,7 +122,7 @@ std::string ReadBuildId(const CFileBytes& file, const ElfW(Phdr) & notes) {
   return "";
 }
 
-// where an address of the loaded library is in the file
+// finds the place in the file of an address of the loaded library
 size_t OffsetOf(ElfW(Addr) address, const TSegments& segments) {
   for (const ElfW(Phdr) & segment : segments) {
     if (segment.p_type == PT_LOAD && address >= segment.p_vaddr &&

@@ -58,7 +58,7 @@ class CFactory {
                        const std::string& version, const std::string& briefDescription,
                        const std::string& longDescription, const std::string& status,
                        TCreator* creator) {
-    // before the lock, because it calls the dynamic linker
+    // the lock comes later, because this calls the dynamic linker
     const std::string library = GetLibraryOf(reinterpret_cast<const void*>(creator));
     const std::lock_guard<std::recursive_mutex> lock(detail::GetRegistrationMutex());
     STypeInfo*& info = Types()[label];

@@ -43,7 +43,7 @@ std::string DescribeSimilar(const std::string& lib, const std::vector<std::strin
 
 /** A file of a searched library, in the working directory or near the experiment. */
 struct SNearFile {
-  std::string Place;  // without suffixes
+  std::string Place;  // has no suffixes
   std::filesystem::path File;
 };
 

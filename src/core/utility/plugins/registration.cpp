@@ -9,7 +9,7 @@
 
 #include <dlfcn.h>
 
-// since glibc 2.35
+// the macro exists since glibc 2.35
 #ifdef DLFO_STRUCT_HAS_EH_DBASE
 #define ARGOS_HAS_DL_FIND_OBJECT
 #endif
@@ -29,7 +29,7 @@ namespace {
 struct SRecords {
   std::vector<std::string> Problems;
   std::vector<std::string> Warnings;
-  std::vector<SRegisteredClass> Classes;  // of all libraries
+  std::vector<SRegisteredClass> Classes;  // classes of all libraries
 };
 
 SRecords& Records() {
@@ -62,7 +62,7 @@ std::string Difference(const std::string& id, const std::string& other) {
   return difference.empty() ? "nothing more" : difference;
 }
 
-// what users call the classes of a base class
+// users name the classes of a base class so
 std::string NameOfKind(const std::string& baseClass) {
   static const std::map<std::string, std::string> names = {
       {"CCI_Controller", "controller"},
@@ -94,7 +94,7 @@ bool IsInProgram([[maybe_unused]] const void* address) {
 // The library whose class the dynamic linker has chosen in place of one of the same name in the
 // given library, by their virtual functions; "" if it has not.
 std::string FindReplacement(const std::type_info& type, const std::string& library) {
-  // without a look-up by name for nearly all classes
+  // nearly all classes need no look-up by name
   if (GetLibraryOf(&type) == library) {
     return "";
   }

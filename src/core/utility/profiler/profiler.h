@@ -63,7 +63,7 @@ class CProfiler {
     UInt64 Count = 0;
   };
 
-  // from getrusage()
+  // values of getrusage()
   struct SUsage {
     Real UserTime = 0.0;  // s
     Real SystemTime = 0.0;  // s

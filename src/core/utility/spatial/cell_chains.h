@@ -79,7 +79,7 @@ class CCellChains {
 
   struct SLink {
     UInt32 Item = 0;
-    UInt32 Next = kEnd;  // of the same chain
+    UInt32 Next = kEnd;  // next item of the same chain
   };
 
   void CheckCell([[maybe_unused]] UInt32 cell) const {

@@ -85,7 +85,7 @@ class CCellItems {
     UInt32 Item, Cell;
   };
 
-  std::vector<SListing> m_listings;  // in the order of the items; scratch of List()
+  std::vector<SListing> m_listings;  // have the order of the items; scratch of List()
   CCountingSort m_sort;
   std::vector<UInt32> m_items;  // (listings) in the order of the cells
 };

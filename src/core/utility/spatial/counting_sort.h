@@ -44,7 +44,7 @@ class CCountingSort {
   void SetKeyOnThread(size_t item, UInt32 key, UInt32 length = 1) {
     CheckKey(key);
     CheckItem(item);
-    // not std::atomic_ref: public headers are read as C++17, too
+    // std::atomic_ref cannot be used: public headers are read as C++17, too
     m_items[item] = {key, __atomic_fetch_add(&m_starts[key + 1], length, __ATOMIC_RELAXED)};
   }
   /** Leaves an item out; instead of SetKey(). */
@@ -119,7 +119,7 @@ class CCountingSort {
 
   struct SItem {
     UInt32 Key;
-    UInt32 Offset;  // from the beginning of the run
+    UInt32 Offset;  // distance from the beginning of the run
   };
 
   std::vector<SItem> m_items;

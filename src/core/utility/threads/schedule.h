@@ -46,7 +46,7 @@ class CBalanceQuantitySchedule : public CSchedule {
   };
   size_t m_items = 0;
   size_t m_share = 0;
-  std::vector<STaken> m_taken;  // by thread: has had its share
+  std::vector<STaken> m_taken;  // says by thread whether it has had its share
 };
 
 /**

@@ -55,7 +55,7 @@ constexpr char kForkedInPhase[] =
     "has only one of these threads and cannot go on; it must call exec() or _exit(). fork() "
     "between ticks is possible";
 
-// in a child that has this worker only: nothing could end its phase
+// it is a child that has this worker only: nothing could end its phase
 [[noreturn]] void EndForkedWorker() {
   CSignalSafeText text;
   text.Append("[FATAL] ").Append(kForkedInPhase).Append("\n");
@@ -141,7 +141,7 @@ void CThreadPool::RestartWorkers() {
   }
 }
 
-// after user's code of a phase, which may have called fork()
+// users' code of a phase may have called fork()
 void CThreadPool::RequireSameProcess() const {
   if (IsOfParent()) {
     THROW_ARGOSEXCEPTION(kForkedInPhase);

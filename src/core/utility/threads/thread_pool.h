@@ -122,9 +122,9 @@ class CThreadPool {
   void Pin(std::thread& worker, UInt32 thread);
 
   UInt32 m_numThreads;
-  UInt32 m_numForks;  // of the process, when the workers started
+  UInt32 m_numForks;  // count in the process, when the workers started
   bool m_pinToCores;
-  bool m_spin;  // only where every thread has a core of its own
+  bool m_spin;  // is true only if every thread has a core of its own
   std::unique_ptr<CSchedule> m_schedule;
   std::function<void()> m_startWorker;
   std::vector<std::thread> m_workers;

@@ -13,7 +13,7 @@ namespace argos {
 
 namespace {
 
-// in the registry: nil, or the owner of the script, or true after the warning
+// key in the registry: nil, or the owner of the script, or true after the warning
 constexpr const char* kFractions = "argos.fractions";
 constexpr Real kMaxFraction = 4503599627370496.0;  // 2^52: larger numbers are whole
 
@@ -50,7 +50,7 @@ std::string DescribeColon(lua_State* state, int index) {
   return index == 1 && IsDeviceTable(state, index) ? "; call it with a dot, not with a colon" : "";
 }
 
-// what to do about a number that is not whole
+// advice about a number that is not whole
 const char* HintOfFraction(lua_State* state, int index) {
   const Real number = lua_type(state, index) == LUA_TNUMBER ? lua_tonumber(state, index) : 0.0;
   return std::isfinite(number) && std::floor(number) != number ? " (--lenient truncates others)"

@@ -92,7 +92,7 @@ class CLuaController : public CCI_Controller {
   std::string m_scriptName;
   SLuaLimits m_limits;
   bool m_reusesReadings = false;  // see CLuaTable::ReuseReadings()
-  std::optional<EOnError> m_onError;  // of <params>
+  std::optional<EOnError> m_onError;  // attribute of <params>
   std::string m_error;
 };
 

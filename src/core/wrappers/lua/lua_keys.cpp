@@ -18,10 +18,10 @@ enum class EKind { NUMBER, STRING, BOOLEAN, OTHER };
 struct SKey {
   EKind Kind;
   bool IsInteger;
-  lua_Integer Integer;  // of a number that is an integer; of a boolean, 0 or 1
+  lua_Integer Integer;  // value of a number that is an integer; of a boolean, 0 or 1
   lua_Number Number;
   std::string_view Text;  // lives as long as the list that holds the key
-  lua_Integer Place;  // in the list, from 1
+  lua_Integer Place;  // place in the list, from 1
 };
 
 SKey Describe(lua_State* state, int index, lua_Integer place) {

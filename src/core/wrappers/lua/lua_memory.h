@@ -76,7 +76,7 @@ class CLuaMemory {
   bool MayUse(std::size_t size) const { return size <= m_limit && m_used <= m_limit - size; }
   bool MayTake(std::size_t size) const { return m_taken / 2 + size / 2 <= m_limit; }
 
-  std::array<SFree*, kMaxSmallBytes / kGrain> m_free = {};  // by class
+  std::array<SFree*, kMaxSmallBytes / kGrain> m_free = {};  // indexed by class of sizes
   std::vector<std::unique_ptr<std::byte[]>> m_chunks;
   std::byte* m_next = nullptr;  // unused part of the last chunk
   std::size_t m_left = 0;  // its size, bytes

@@ -10,7 +10,7 @@
 namespace argos {
 
 void CLuaMetrics::Register(lua_State* state) {
-  static CLuaMetrics metrics;  // without data
+  static CLuaMetrics metrics;  // has no data
   lua_newtable(state);
   CLuaClosure::PushMethod<&CLuaMetrics::Record>(state, "metrics.record", metrics);
   lua_setfield(state, -2, "record");

@@ -27,7 +27,7 @@ struct SChain {
 
 /** What a chain lacks. */
 struct SMissing {
-  std::size_t Place = 0;  // of the first name without a value
+  std::size_t Place = 0;  // place of the first name without a value
   bool IsMissing = false;
   std::vector<std::string> Known;  // names in the table that should have it
 };

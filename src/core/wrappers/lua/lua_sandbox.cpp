@@ -351,7 +351,7 @@ struct SReplacement {
   const char* Library;
   const char* Name;
   int (*Function)(lua_State*, lua_CFunction original);
-  const char* Original = nullptr;  // if it has another name
+  const char* Original = nullptr;  // is set if the original has another name
 };
 
 constexpr SReplacement kAlways[] = {{"string", "rep", RepeatString},
@@ -435,7 +435,7 @@ void SetFunction(lua_State* state, const char* library, const char* name, lua_CF
 
 template <const auto& REPLACEMENTS>
 void ReplaceAll(lua_State* state) {
-  GetOriginals<REPLACEMENTS>();  // not in a function that a script calls
+  GetOriginals<REPLACEMENTS>();  // must not run in a function that a script calls
   [state]<size_t... ENTRIES>(std::index_sequence<ENTRIES...>) {
     (SetFunction(state, REPLACEMENTS[ENTRIES].Library, REPLACEMENTS[ENTRIES].Name,
                  RunReplacement<REPLACEMENTS, ENTRIES>),

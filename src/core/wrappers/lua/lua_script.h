@@ -12,8 +12,8 @@ namespace argos {
 
 /** A script, compiled once and shared by all robots that run it. */
 struct SLuaScript {
-  std::string Path; /**< as in messages: as the user wrote it, or where it was found instead */
-  std::string Folder; /**< of the file, for require() */
+  std::string Path; /**< is as the user wrote it, or where it was found instead */
+  std::string Folder; /**< folder of the file, for require() */
   std::string Bytecode;
   SLuaSource Source;
   /** Bits of ELuaVariation: the warnings that were logged. */

@@ -15,7 +15,7 @@ namespace {
 struct SToken {
   enum class EKind { Name, Text, Symbol };
   EKind Kind = EKind::Symbol;
-  std::string_view Text;  // of a text without its quotation marks
+  std::string_view Text;  // contents of a text, without its quotation marks
 };
 
 bool IsWordPart(char c) {

@@ -406,7 +406,7 @@ void CLuaState::WarnOnce(lua_State* state, ELuaVariation what, const char* text,
   }
   luaL_where(state, 1);
   if ((m_variations->fetch_or(bit) & bit) == 0) {
-    // before the other messages of the phase, whichever robot came first
+    // it precedes the other messages of the phase, whichever robot came first
     const UInt64 place = CARGoSLog::GetSequence();
     CARGoSLog::SetSequence(kind);
     LOGERR << std::string("[WARNING] ") + lua_tostring(state, -1) + text + more << std::endl;

@@ -148,9 +148,9 @@ class CLuaState {
   };
 
   SLuaLimits m_limits;
-  CLuaMemory m_memory;  // of the state
+  CLuaMemory m_memory;  // memory of the state
   lua_State* m_state = nullptr;
-  UInt64 m_instructionsLeft = 0;  // of the current Run()
+  UInt64 m_instructionsLeft = 0;  // rest of the current Run()
   std::size_t m_textLeft = 0;  // the same, bytes
   SRefusal m_refusal;
   bool m_wasInterrupted = false;

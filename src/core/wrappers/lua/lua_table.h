@@ -251,12 +251,12 @@ class CLuaTable {
   void PushField(const char* key) const;
   void PushIndex(std::size_t index) const;
 
-  // if readings are reused:
+  // these serve reused readings:
   CLuaTable FindSpares() const;
   CLuaTable UseSpare(const CLuaTable& spares, std::size_t index);
 
   lua_State* m_state;
-  int m_index = 0;  // on the stack, from its bottom
+  int m_index = 0;  // index on the stack, from its bottom
   bool m_isNew = false;
   bool m_isReused = false;  // readings are, see ReuseReadings()
   std::string m_path;  // "robot.wheels"; only in CreateLuaState()

@@ -18,7 +18,7 @@ namespace argos {
 namespace {
 
 template <typename VALUE>
-constexpr char kMetatableKey = 0;  // in the registry, by address
+constexpr char kMetatableKey = 0;  // key in the registry, by address
 
 template <typename VALUE>
 struct STraits;
@@ -111,7 +111,7 @@ const OTHER& CheckValue(lua_State* state, const char* function, int index) {
                             GetLuaTypeName(state, i));
   }
   luaL_error(state, "%s, got %s", text, found);
-  std::abort();  // not reached
+  std::abort();  // is not reached
 }
 
 bool AreNumbers(lua_State* state, int count) {
@@ -265,7 +265,7 @@ int Equal(lua_State* state) {
 
 [[noreturn]] void RaiseOperands(lua_State* state, const char* what) {
   luaL_error(state, "%s, got %s and %s", what, GetLuaTypeName(state, 1), GetLuaTypeName(state, 2));
-  std::abort();  // not reached
+  std::abort();  // is not reached
 }
 
 template <typename VALUE>

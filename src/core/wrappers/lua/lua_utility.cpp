@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kDeepestPrinted = 8;  // nested tables
 
-constexpr char kOwnRandomKey = 0;  // in the registry: the userdata that RegisterRNG() made
+constexpr char kOwnRandomKey = 0;  // key in the registry of the userdata that RegisterRNG() made
 
 /** Appends what log() writes for a value. */
 void AppendForLog(lua_State* state, luaL_Buffer& buffer, int index) {

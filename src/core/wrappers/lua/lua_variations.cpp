@@ -43,7 +43,7 @@ int CLuaVariations::Next(lua_State* state, lua_CFunction /*original*/) {
   luaL_checktype(state, 1, LUA_TTABLE);
   CLuaParameters::ReadAll(state, 1);
   lua_settop(state, 2);
-  // without a key, the caller may only test whether the table is empty
+  // if there is no key, the caller may only test whether the table is empty
   const bool continues = !lua_isnil(state, 2);
   bool isHashed = IsHashed(lua_type(state, 2));
   if (lua_next(state, 1) == 0) {
@@ -75,7 +75,7 @@ int CLuaVariations::SeedRandom(lua_State* state) {
         "math.randomseed() without a number draws a seed that differs from run to run; without the "
         "call, math.random() has the seed of the experiment");
   }
-  // not in place: it has upvalues
+  // it is not replaced in place: it has upvalues
   lua_pushvalue(state, lua_upvalueindex(1));
   lua_insert(state, 1);
   lua_call(state, lua_gettop(state) - 1, LUA_MULTRET);
