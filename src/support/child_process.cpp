@@ -59,7 +59,7 @@ int MoveUp(int file) {
   return moved;
 }
 
-// of all processes of the group; terminated ones are counted when their parent has waited for them
+// counts all processes of the group; terminated ones when their parent has waited for them
 std::chrono::milliseconds ReadCPUTimeOfGroup(pid_t group) {
   long ticks = 0;
   std::error_code error;
@@ -93,7 +93,7 @@ std::chrono::milliseconds ReadCPUTimeOfGroup(pid_t group) {
   return std::chrono::milliseconds(1000 * ticks / sysconf(_SC_CLK_TCK));
 }
 
-// what posix_spawn() does in the child, freed by the destructor
+// actions of posix_spawn() in the child, freed by the destructor
 class CSpawnPlan {
  public:
   CSpawnPlan() {
@@ -369,7 +369,7 @@ void CChildProcess::CheckProgress() {
   }
 }
 
-// until the child closes its standard error or ends: its own children may keep the stream open
+// ends when the child closes its standard error or ends: its own children may keep the stream open
 void CChildProcess::ReadErrorsUntilEnd() {
   while (m_errors >= 0) {
     pollfd file = {m_errors, POLLIN, 0};

@@ -110,15 +110,15 @@ class CChildProcess {
   bool m_isRunning = false;  // it was not waited for
   int m_input = -1;  // our end of a socket pair
   int m_errors = -1;  // our end of a pipe
-  std::string m_errorText;  // at most twice as long as what is kept
+  std::string m_errorText;  // is at most twice as long as what is kept
   bool m_isErrorTextCut = false;
   SProcessEnd m_end;
 
-  // since the last progress that was noticed
+  // time since the last progress that was noticed
   std::chrono::steady_clock::time_point m_idleStart;
   std::chrono::steady_clock::time_point m_lastCheck;
   std::chrono::milliseconds m_idleStartCPU{0};  // time used by the child until then
-  bool m_hasHung = false;  // and was killed
+  bool m_hasHung = false;  // the child was hung and killed
 };
 
 }  // namespace argos

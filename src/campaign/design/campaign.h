@@ -16,7 +16,7 @@ struct SSetting {
 
 /** One of the values of a factor. */
 struct SLevel {
-  std::string Value; /**< as reports show it; "{...}": a Lua expression of factors before it */
+  std::string Value; /**< is what reports show; "{...}": a Lua expression of factors before it */
   std::vector<SSetting> Settings; /**< "{...}" in values: Lua expressions of the factors */
 };
 
@@ -24,13 +24,13 @@ struct SLevel {
 struct SFactor {
   std::string Name; /**< letters, digits and '_', beginning with a letter */
   std::vector<SLevel> Levels;
-  bool SetsThreads = false; /**< and nothing else: results do not depend on it */
+  bool SetsThreads = false; /**< sets threads and nothing else: results do not depend on it */
 };
 
 /** One level of each factor. */
 struct SCombination {
   std::vector<std::string> Values; /**< (factors), expressions replaced by their values */
-  std::vector<SSetting> Settings; /**< of all factors, expressions replaced by their values */
+  std::vector<SSetting> Settings; /**< settings of all factors; values replace expressions */
 
   /**
    * "path=value" lines in the order of the settings: two combinations with equal text are the same.
@@ -44,7 +44,7 @@ struct SStopping {
   std::vector<UInt32> Seeds; /**< all of these, unless Metric is set */
   std::string Metric; /**< sequential: until the interval of its mean is narrow enough */
   Real Level = 0.95;
-  Real Width = 0.0; /**< of the whole interval; 0: Relative counts */
+  Real Width = 0.0; /**< width of the whole interval; 0: Relative counts */
   Real Relative = 0.0; /**< half the width over the mean */
   UInt32 MinRuns = 10, MaxRuns = 1000;
   UInt32 FirstSeed = 1; /**< sequential: seeds FirstSeed, FirstSeed + 1, ... */
@@ -74,31 +74,31 @@ struct SCollectedMetric {
 
   std::string Name;
   ESource Source = ESource::Metric;
-  EReduction Reduction = EReduction::Last; /**< over the ticks of a run */
+  EReduction Reduction = EReduction::Last; /**< reduces the ticks of a run */
   bool IsSeries = false;
   UInt32 Every = 1; /**< ticks */
-  std::string Library; /**< of a built-in metric of a plug-in; may be empty */
-  std::string Pattern, TimeColumn, ValueColumn; /**< of a file */
+  std::string Library; /**< library of a built-in metric of a plug-in; may be empty */
+  std::string Pattern, TimeColumn, ValueColumn; /**< describe a file */
 };
 
 /** A figure of the report. */
 struct SFigure {
   std::string Kind; /**< boxplot, series, means, scaling, heatmap */
-  std::vector<std::pair<std::string, std::string>> Attributes; /**< as in the file */
-  int Line = 0; /**< in the campaign file, for messages */
+  std::vector<std::pair<std::string, std::string>> Attributes; /**< are those of the file */
+  int Line = 0; /**< line in the campaign file, for messages */
 };
 
 /** A comparison of the levels of a factor. */
 struct SComparison {
   std::string Metric, Factor;
-  bool IsPaired = false; /**< by seed */
+  bool IsPaired = false; /**< pairs values by seed */
   int Line = 0;
 };
 
 struct SSlurmSettings {
   UInt32 Tasks = 1;
   UInt32 Jobs = 1; /**< runs of a task at the same time, each on a processor */
-  UInt32 Resubmissions = 2; /**< of runs that are missing after all tasks have ended */
+  UInt32 Resubmissions = 2; /**< repeats runs that are missing after all tasks have ended */
   std::string Partition, Account, TimeLimit, MemoryPerTask; /**< empty: what Slurm gives */
   std::vector<std::string> Options; /**< further lines "#SBATCH ..." */
 };
@@ -107,7 +107,7 @@ struct SSlurmSettings {
 struct SCampaign {
   std::string File; /**< path of the campaign file */
   std::string Text; /**< its contents */
-  std::string Title; /**< of reports; empty: the name of the file */
+  std::string Title; /**< title of reports; empty: the name of the file */
   std::string ExperimentFile; /**< path */
   std::string ExperimentSource; /**< contents of that file */
   /** with Constants, without factors: what a run depends on besides its combination and its seed */
@@ -115,13 +115,13 @@ struct SCampaign {
   std::string ResultsFile; /**< path of the database */
   std::vector<SSetting> Constants;
   std::vector<SFactor> Factors;
-  std::vector<SCombination> Combinations; /**< without the excluded ones */
+  std::vector<SCombination> Combinations; /**< do not contain the excluded ones */
   UInt32 NumExcluded = 0;
   SStopping Stopping;
   SRunLimits Limits;
   UInt32 Jobs = 0; /**< runs at the same time; 0: as many as there are processors */
   EIsolation Isolation = EIsolation::OwnProcess;
-  UInt32 Threads = 0; /**< of each run whose combination sets no other number */
+  UInt32 Threads = 0; /**< threads of each run whose combination sets no other number */
   EKeptFiles Kept = EKeptFiles::Failed;
   std::vector<SCollectedMetric> Metrics; /**< empty: all that a run sets */
   std::vector<SFigure> Figures;

@@ -29,7 +29,7 @@ SLuaLimits MakeLimits() {
   return limits;
 }
 
-// without "expression:1: " and the traceback
+// drops "expression:1: " and the traceback
 std::string ShortenMessage(const std::string& message) {
   std::string line = message.substr(0, message.find('\n'));
   const std::string prefix = std::string(kChunkName + 1) + ':';
@@ -54,7 +54,7 @@ std::string FormatNumber(Real number) {
 
 struct CExpressions::SValue {
   int Type = LUA_TNIL;
-  int Count = 0;  // of values
+  int Count = 0;  // number of values
   bool IsInteger = false;
   bool Boolean = false;
   SInt64 Integer = 0;

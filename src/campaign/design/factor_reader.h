@@ -20,8 +20,8 @@ struct SFactorSource {
   SFactor Factor; /**< no levels if it is continuous */
   bool IsContinuous = false; /**< a Latin hypercube takes its values from Range */
   SFactorRange Range;
-  std::string Path; /**< of the attribute that gets the value itself; may be empty */
-  std::vector<SSetting> Sets; /**< of all levels; <level> elements add their own */
+  std::string Path; /**< path of the attribute that gets the value itself; may be empty */
+  std::vector<SSetting> Sets; /**< settings of all levels; <level> elements add their own */
   std::string Location; /**< "file:line: <factor>" */
   /** (levels, settings) "file:line: <tag>"; one row for all levels unless there are <level>s */
   std::vector<std::vector<std::string>> SettingLocations;
@@ -42,7 +42,7 @@ struct SExclusion {
 /** The section <factors>. */
 struct SDesignSource {
   EDesign Design = EDesign::Full;
-  UInt32 Samples = 0; /**< of a Latin hypercube */
+  UInt32 Samples = 0; /**< samples of a Latin hypercube */
   UInt32 Seed = 1; /**< the same */
   std::string Location;
   std::vector<SFactorSource> Factors;

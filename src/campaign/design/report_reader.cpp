@@ -10,7 +10,7 @@ namespace argos {
 
 namespace {
 
-// what an attribute of a figure names
+// kinds of things that an attribute of a figure names
 enum class EAxis { Metric, Series, Factor, FactorOrMetric };
 
 struct SAxis {

@@ -16,7 +16,7 @@ constexpr int kConstants = -1;
 /** A path and where it is used. */
 struct SUse {
   int Owner = kConstants;
-  size_t Level = 0;  // of a factor
+  size_t Level = 0;  // level of a factor
   std::string Location;
 };
 

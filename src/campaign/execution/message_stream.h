@@ -12,9 +12,9 @@ namespace argos {
 /** A message between the processes of a campaign. */
 struct SMessage {
   enum class EKind : UInt8 {
-    Request = 1, /**< to a worker, to a run's process: SRunRequest */
-    Result = 2, /**< from them: SRunResult */
-    Error = 3 /**< from a worker that cannot start: the text */
+    Request = 1, /**< goes to a worker, to a run's process: SRunRequest */
+    Result = 2, /**< comes from them: SRunResult */
+    Error = 3 /**< comes from a worker that cannot start: the text */
   };
   EKind Kind = EKind::Error;
   std::string Body;

@@ -43,7 +43,7 @@ class CMetricCollection {
   class COutput;
 
   struct SState {
-    Real Pending = 0.0; /**< of the last tick: PostExperiment() may replace it */
+    Real Pending = 0.0; /**< belongs to the last tick: PostExperiment() may replace it */
     std::string Unit;
     UInt64 Count = 0;
     Real Sum = 0.0, Min = 0.0, Max = 0.0;

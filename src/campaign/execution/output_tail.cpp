@@ -11,7 +11,7 @@ void AppendTail(std::string& tail, std::string_view text, size_t size) {
     text.remove_prefix(text.size() - size);
   }
   tail.append(text);
-  // not at every call: erasing moves the rest
+  // does not erase at every call: erasing moves the rest
   if (tail.size() > 2 * size) {
     tail.erase(0, tail.size() - size);
   }

@@ -17,10 +17,12 @@ namespace argos {
  */
 class COutputTail {
  public:
-  static constexpr size_t kSize = 16 << 10; /**< bytes that are kept */
-  static constexpr size_t kSizeBeyond = 4 << 10; /**< of them for the end, if much was dropped */
+  /** Bytes that are kept. */
+  static constexpr size_t kSize = 16 << 10;
+  /** Those of them that are kept for the end of the text if its middle was dropped. */
+  static constexpr size_t kSizeBeyond = 4 << 10;
 
-  /** @param limit  bytes; 0: none. */
+  /** @param limit  in bytes; 0 means unlimited. */
   explicit COutputTail(UInt64 limit) : m_limit(limit) {}
 
   void Add(std::string_view text);
@@ -32,7 +34,7 @@ class COutputTail {
  private:
   UInt64 m_limit;
   UInt64 m_numBytes = 0;
-  std::string m_within;  // at most twice what is kept
+  std::string m_within;  // has at most twice the bytes that are kept
   std::string m_beyond;
 };
 

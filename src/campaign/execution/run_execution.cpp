@@ -30,7 +30,7 @@ namespace argos {
 
 namespace {
 
-// since ForgetPeakMemory(); bytes
+// peak since ForgetPeakMemory(); bytes
 UInt64 GetPeakMemory() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
@@ -124,7 +124,7 @@ class CExecution {
 
   void TakeSummary(const SRunSummary& summary) {
     m_result.Status = summary.Status;
-    // without a limit, the experiment is what is too large
+    // if there is no limit, the experiment is too large
     if (summary.Status == ERunStatus::OutOfMemory && m_setup.Limits.Memory == 0) {
       m_result.Status = ERunStatus::Failed;
     }

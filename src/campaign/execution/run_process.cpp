@@ -123,7 +123,7 @@ std::optional<SRunResult> CRunProcess::ExecuteOnce(const SRunRequest& request, E
   ++m_numRuns;
   SRunResult result;
   end = Supervise(request.Id, result);
-  // what a failed run leaves may harm others
+  // remains of a failed run may harm others
   const bool isReusable = end == EEnd::Result && m_setup.Isolation == EIsolation::SharedProcess &&
                           result.Status == ERunStatus::Done;
   if (!isReusable) {
@@ -264,7 +264,7 @@ bool CRunProcess::TakeResult(UInt64 request, SRunResult& result) {
         continue;
       }
       result = std::move(taken);
-      // what was printed before is there
+      // text that was printed before is there
       while (m_output >= 0) {
         const UInt64 before = m_tail.GetNumBytes();
         ReadOutput();

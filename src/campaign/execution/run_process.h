@@ -70,8 +70,8 @@ class CRunProcess {
   int m_requests = -1;
   int m_results = -1;  // -1: the process has closed it
   int m_output = -1;
-  UInt32 m_numRuns = 0;  // of the process
-  TClock::time_point m_start;  // of the run
+  UInt32 m_numRuns = 0;  // runs of the process
+  TClock::time_point m_start;  // start of the run
   CMessageReader m_reader;
   COutputTail m_tail{0};
 };

@@ -13,7 +13,7 @@ namespace argos {
 struct SRunSetup {
   std::string ExperimentFile; /**< absolute path: for messages and files beside it */
   std::string ExperimentText; /**< contents of that file */
-  std::vector<SSetting> Constants; /**< of all runs */
+  std::vector<SSetting> Constants; /**< settings of all runs */
   std::string StartFolder; /**< absolute; relative paths of input files begin here, too */
   /** number of threads of a run that sets no other one; none: as in the experiment */
   std::optional<UInt32> Threads = 0;

@@ -26,17 +26,17 @@ struct SRunResult {
   ERunStatus Status = ERunStatus::Failed;
   int ExitStatus = 0;
   int Signal = 0; /**< 0: none */
-  Real StartUpTime = 0.0; /**< until the first tick, s of wall time */
-  Real WallTime = 0.0; /**< of the main loop, s */
-  Real CPUTime = 0.0; /**< of all threads in the main loop, s */
-  Real TotalWallTime = 0.0; /**< of the whole run, s */
+  Real StartUpTime = 0.0; /**< wall time until the first tick, s */
+  Real WallTime = 0.0; /**< wall time of the main loop, s */
+  Real CPUTime = 0.0; /**< time of all threads in the main loop, s */
+  Real TotalWallTime = 0.0; /**< wall time of the whole run, s */
   UInt64 PeakMemory = 0; /**< resident, bytes */
   UInt32 Ticks = 0, Robots = 0;
-  UInt64 Digest = 0; /**< of the final state */
+  UInt64 Digest = 0; /**< digest of the final state */
   std::string Log; /**< the end of what it printed, and the error message, if any */
   UInt64 LogBytes = 0; /**< all that it printed */
   // known of a run that has just ended; not stored
-  std::string Error; /**< that ended it, unless its process died */
+  std::string Error; /**< error that ended it, unless its process died */
   std::vector<std::string> Warnings; /**< lines */
   std::vector<SMetricValue> Metrics;
   std::vector<SMetricSeries> Series;

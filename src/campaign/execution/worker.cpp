@@ -87,7 +87,7 @@ void PrepareWorker(const SRunSetup& setup) {
   MakePluginPathAbsolute();
   LoadLibraries(setup);
   CCrashHandler::Install();
-  // what is buffered now would be written by each fork
+  // each fork would write what is buffered now
   Flush();
 }
 

@@ -58,7 +58,7 @@ CWorkerProcess::CWorkerProcess(const SRunSetup& setup) {
   if (pipe2(requests, O_CLOEXEC) != 0 || pipe2(results, O_CLOEXEC) != 0) {
     THROW_ARGOSEXCEPTION("the pipes of a worker cannot be opened: " << std::strerror(errno));
   }
-  // what is buffered would be written twice
+  // buffered text would be written twice
   LOG.Flush();
   LOGERR.Flush();
   std::fflush(nullptr);

@@ -202,7 +202,7 @@ void Plot(const std::vector<std::string>& arguments) {
     return;
   }
   CheckPlotOptions(options);
-  // before what takes time
+  // this precedes what takes time
   GetFigureFormat(options.Output);
   SFigureLook look{720, 432, true};
   const SFigureDraft draft = options.Kind == "metrics"

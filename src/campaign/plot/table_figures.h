@@ -22,7 +22,7 @@ struct SPlotSpan {
 struct STrajectoryRequest {
   std::string File;
   std::vector<std::string> Robots; /**< empty: all */
-  UInt32 Run = 0; /**< of an experiment that was reset */
+  UInt32 Run = 0; /**< run of an experiment that was reset */
   SPlotSpan Span;
 };
 
@@ -39,7 +39,7 @@ struct SMetricRequest {
   std::vector<std::string> Metrics;
   std::vector<std::string> Files; /**< each has the run, or the runs, of one seed */
   SPlotSpan Span;
-  std::string Label; /**< of the vertical axis; empty: name and unit of the first metric */
+  std::string Label; /**< label of the vertical axis; empty: name and unit of the first metric */
   EEndedRuns Ended = EEndedRuns::Survivors;
   bool IsLogarithmic = false; /**< the axis of values: times whose median is not positive are
                                    left out */

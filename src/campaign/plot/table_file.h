@@ -75,7 +75,7 @@ class CTableFile {
   std::optional<SPlotArea> m_arena;
   std::vector<TNumberGroups> m_polygons;
   std::vector<std::vector<Real>> m_circles;
-  std::vector<std::string> m_fields;  // of the row
+  std::vector<std::string> m_fields;  // fields of the row
 };
 
 }  // namespace argos

@@ -118,7 +118,7 @@ int Act(int argc, const char* const* argv) {
   AddSubmitCommand(app, chosen);
   AddMergeCommand(app, chosen);
   AddShareCommand(app, chosen);
-  // after the commands, which would have it, too
+  // the commands above would have it, too
   app.footer(kFooter);
   if (argc < 2) {
     std::fputs(app.help().c_str(), stderr);

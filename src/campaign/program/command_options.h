@@ -18,7 +18,7 @@ enum ECampaignStatus { CAMPAIGN_DONE = 0, CAMPAIGN_ERROR = 1, CAMPAIGN_RUNS_FAIL
 
 /** Options of commands that execute runs. */
 struct SExecutionOptions {
-  std::string File; /**< of the campaign */
+  std::string File; /**< path of the campaign */
   UInt32 Jobs =
       0; /**< 0: those of the campaign, or as many as processors that this process may use */
   bool IsQuiet = false;

@@ -90,7 +90,7 @@ void PrintPlan(const SCampaign& campaign, UInt64 open) {
 bool CheckRun(const SRunSetup& setup, SRunRequest request) {
   const CScratchFolder folder("argos3_check_");
   request.Folder = folder.GetPath().string();
-  // what is buffered would be written twice
+  // buffered text would be written twice
   LOG.Flush();
   LOGERR.Flush();
   std::fflush(nullptr);

@@ -1,4 +1,4 @@
-// what the jobs of a submission execute: run-share in the tasks, and merge
+// the commands that jobs of a submission execute: run-share in the tasks, and merge
 
 #include <argos3/campaign/program/command_options.h>
 #include <argos3/campaign/program/commands.h>
@@ -105,7 +105,7 @@ int Merge(const SMergeOptions& options) {
 
 void AddShareCommand(CLI::App& app, TCampaignCommand& chosen) {
   CLI::App& command = *app.add_subcommand("run-share", "what a task of a submission executes");
-  // for scripts only: not listed by --help
+  // scripts use it: not listed by --help
   command.group("");
   const auto options = std::make_shared<SShareOptions>();
   AddExecutionOptions(command, options->Execution);

@@ -15,7 +15,7 @@ namespace argos {
 namespace {
 
 constexpr Real kWhiskerRanges = 1.5;  // Tukey's, in interquartile ranges
-constexpr Real kGroupsWidth = 0.8;  // of the boxes of a level; levels are 1 apart
+constexpr Real kGroupsWidth = 0.8;  // width of the boxes of a level; levels are 1 apart
 constexpr Real kWidestBox = 0.45;
 
 struct SBox {
@@ -171,7 +171,7 @@ std::string MakeScript(const CReportData& data, const SFigureRequest& request, s
 }  // namespace
 
 SFigureDraft MakeBoxplot(const CReportData& data, const SFigureRequest& request) {
-  constexpr size_t kMaxPoints = 100;  // of a box; more hide it
+  constexpr size_t kMaxPoints = 100;  // points of a box; more hide it
   RequireName(request, "y", request.Y);
   RequireName(request, "x", request.X);
   const size_t factor = data.FindFactor(request.X);

@@ -116,7 +116,7 @@ void CompareMany(const SLevelSamples& samples, const std::vector<std::vector<Rea
   if (isPaired) {
     pValues = AdjustPValues(pValues, EPValueAdjustment::Holm);
   } else {
-    // in the same order
+    // Dunn's pairs have the same order
     const std::vector<SGroupComparison> dunn = CompareByDunn(groups, EPValueAdjustment::Holm);
     std::transform(dunn.begin(), dunn.end(), pValues.begin(),
                    [](const SGroupComparison& pair) { return pair.AdjustedPValue; });
@@ -164,7 +164,7 @@ void AddValues(const std::vector<SRunValue>& values, SLevelSamples& samples) {
   }
 }
 
-// by levels of the other factors, in the order of the combinations
+// groups by levels of the other factors, in the order of the combinations
 std::vector<std::pair<std::string, SLevelSamples>> CollectContexts(const CReportData& data,
                                                                    const std::string& metric,
                                                                    size_t factor) {
@@ -173,7 +173,7 @@ std::vector<std::pair<std::string, SLevelSamples>> CollectContexts(const CReport
     byCombination[value.Combination].push_back(value);
   }
   std::vector<std::string> names;
-  std::map<std::string, std::map<size_t, std::vector<size_t>>> combinationsOf;  // by level
+  std::map<std::string, std::map<size_t, std::vector<size_t>>> combinationsOf;  // indexed by level
   for (size_t i = 0; i < byCombination.size(); ++i) {
     const std::string context = data.DescribeCombination(i, {factor});
     if (combinationsOf.count(context) == 0) {

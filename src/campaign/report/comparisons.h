@@ -17,8 +17,8 @@ struct SPairComparison {
   std::string First, Second; /**< levels */
   size_t FirstCount = 0, SecondCount = 0; /**< values; equal if they are paired */
   Real Estimate = 0.0; /**< Hodges and Lehmann's, of the second level minus the first */
-  SConfidenceInterval Interval{}; /**< of the estimate; not adjusted for several pairs */
-  Real PValue = 1.0; /**< of two sides; adjusted by Holm's method if there are several pairs */
+  SConfidenceInterval Interval{}; /**< interval of the estimate; not adjusted for several pairs */
+  Real PValue = 1.0; /**< has two sides; adjusted by Holm's method if there are several pairs */
 };
 
 /** The levels of a factor at fixed levels of the other factors. */
@@ -26,18 +26,18 @@ struct SComparisonResult {
   std::string Context; /**< "speed = 2, noise = 0"; empty if there are no other factors */
   std::string Test; /**< "Wilcoxon's rank-sum test" */
   std::string Statistic; /**< "W = 12", "H = 8.1, 2 degrees of freedom" */
-  Real PValue = 1.0; /**< of the test of all levels */
-  std::vector<SPairComparison> Pairs; /**< by first, then second level */
+  Real PValue = 1.0; /**< tests all levels */
+  std::vector<SPairComparison> Pairs; /**< are sorted by first, then second level */
   size_t NumMissing = 0; /**< runs without the value, or seeds without one at every level */
-  std::string Problem; /**< if it could not be tested; the other members are not used then */
+  std::string Problem; /**< is set if it could not be tested; the other members are not used then */
 };
 
 /** What an element <compare> asks for. */
 struct SComparisonTable {
   SComparison Request;
-  std::string Unit; /**< of the metric */
-  std::vector<SComparisonResult> Results; /**< for each combination of the other factors */
-  std::string Problem; /**< if nothing could be compared */
+  std::string Unit; /**< unit of the metric */
+  std::vector<SComparisonResult> Results; /**< has one for each combination of the other factors */
+  std::string Problem; /**< is set if nothing could be compared */
 };
 
 /**

@@ -19,7 +19,7 @@ namespace argos {
 
 namespace {
 
-// with fewer, no interval of the signed-rank test has a level of 95 %
+// if there are fewer, no interval of the signed-rank test has a level of 95 %
 constexpr size_t kMinPairs = 6;
 
 // differences of the pairs at each time
@@ -36,7 +36,7 @@ size_t FindComparedFactor(const CReportData& data, const std::string& name) {
   return factor;
 }
 
-// of the first level minus the second, of runs that are equal in the seed and all other factors
+// first level minus the second, of runs that are equal in the seed and all other factors
 TDifferences ComputeDifferences(const CReportData& data, const std::string& series, size_t factor,
                                 Real ticksPerSecond) {
   typedef std::pair<std::string, UInt32> TKey;  // the other factors, seed
@@ -92,7 +92,7 @@ SFigureDraft MakeDifferenceFigure(const CReportData& data, const SFigureRequest&
     times.push_back(time);
     SRankTestOptions options;
     options.Level = kReportLevel;
-    // at no value, so that differences of 0 are not dropped; the interval does not depend on it
+    // no value is the location, so differences of 0 are kept; the interval does not change
     options.Location = *std::min_element(values.begin(), values.end()) - 1.0;
     const SRankTestResult result = TestSignedRank(values, options);
     draft.Data += fmt::format(

@@ -11,8 +11,8 @@ namespace argos {
 
 namespace {
 
-constexpr size_t kMaxComparedLevels = 1000;  // of a factor: all pairs are compared
-constexpr size_t kMaxNamedLevels = 5;  // in a warning
+constexpr size_t kMaxComparedLevels = 1000;  // levels of a factor: all pairs are compared
+constexpr size_t kMaxNamedLevels = 5;  // levels that a warning names
 
 /** The runs of a level: what they have in common with one of another level, and the digests. */
 struct SLevelRuns {
@@ -108,7 +108,7 @@ bool DoMetricsDiffer(const SEqualLevels& equal, const CReportData& data) {
     for (const SRunValue& value : data.ReadMetric(metric)) {
       values[{value.Combination, value.Seed}] = value.Value;
     }
-    std::map<std::pair<size_t, UInt32>, std::string> known;  // as text: NaN equals itself
+    std::map<std::pair<size_t, UInt32>, std::string> known;  // values are texts: NaN equals itself
     for (const SLevelRuns* level : equal.Levels) {
       for (const SLevelRuns::SRun& run : level->Runs) {
         const std::string text = fmt::format("{}", values[{run.Combination, run.Seed}]);

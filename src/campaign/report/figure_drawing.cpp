@@ -156,7 +156,7 @@ void DrawFigure(const SFigureDraft& draft, const SFigureLook& look, const std::s
 }
 
 void DrawFigure(const CReportData& data, const SFigureRequest& request, const std::string& file) {
-  // before what takes time
+  // this precedes what takes time
   GetFigureFormat(file);
   DrawFigure(MakeFigure(data, request), {request.Width, request.Height, false}, file);
 }

@@ -11,9 +11,9 @@ namespace argos {
 /** A figure in a folder. */
 struct SDrawnFigure {
   std::string Kind; /**< see SFigureRequest */
-  std::string Name; /**< of the files NAME.svg, NAME.png, NAME.dat, NAME.gp */
+  std::string Name; /**< begins the names of the files NAME.svg, NAME.png, NAME.dat, NAME.gp */
   std::string Caption;
-  std::string SVG; /**< to be part of a page; empty if it was not drawn */
+  std::string SVG; /**< becomes part of a page; empty if it was not drawn */
   std::string Problem; /**< why it was not drawn */
 };
 

@@ -18,12 +18,12 @@ struct SFigureRequest {
   std::string Title, XLabel, YLabel, ZLabel; /**< empty: made from the names */
   std::string File; /**< name of the files, without ending; empty: made from the names */
   bool IsLogarithmic = false; /**< the axis of the metric; scaling: both always are */
-  bool IsXLogarithmic = false; /**< of means */
-  bool HasDeviationBars = false; /**< of means: standard deviations instead of t intervals */
-  std::optional<Real> Reference; /**< of means: a horizontal line */
+  bool IsXLogarithmic = false; /**< the axis of means is logarithmic */
+  bool HasDeviationBars = false; /**< means have standard deviations instead of t intervals */
+  std::optional<Real> Reference; /**< is drawn with means: a horizontal line */
   std::string ReferenceLabel; /**< empty: none */
-  bool ShowsInterval = false; /**< of series: means with intervals, not medians with quartiles */
-  EEndedRuns EndedRuns = EEndedRuns::Survivors; /**< of series */
+  bool ShowsInterval = false; /**< series are means with intervals, not medians with quartiles */
+  EEndedRuns EndedRuns = EEndedRuns::Survivors; /**< treats the ends of series */
   UInt32 Width = 640, Height = 400; /**< pixels of the SVG file */
 };
 

@@ -11,8 +11,8 @@ namespace argos {
 /** Data and script of a figure; gnuplot has not been called yet. */
 struct SFigureDraft {
   std::string Data; /**< blocks with comments, for gnuplot and other programs */
-  std::string Script; /**< from the style to the plot; reads the file that kDataName names */
-  std::string Caption; /**< what is shown; plain text */
+  std::string Script; /**< ranges from the style to the plot; reads the file that kDataName names */
+  std::string Caption; /**< says what is shown; plain text */
 };
 
 /** The variable of SFigureDraft::Script that has the name of the data file. */

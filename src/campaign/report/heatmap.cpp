@@ -18,7 +18,7 @@ constexpr size_t kMaxNumbers = 100;  // cells whose numbers can be read
 
 struct SCells {
   std::vector<std::vector<Real>> Means;  // (levels of x, levels of y); NaN without values
-  std::vector<size_t> Counts;  // of cells with values
+  std::vector<size_t> Counts;  // numbers of cells with values
   Real Least = std::numeric_limits<Real>::infinity();
   Real Greatest = -std::numeric_limits<Real>::infinity();
 };

@@ -53,7 +53,7 @@ class CPointAxis {
  private:
   bool m_isMetric = false;
   std::vector<Real> m_levels;  // (combinations), of a factor
-  std::map<std::pair<size_t, UInt32>, Real> m_values;  // by combination and seed, of a metric
+  std::map<std::pair<size_t, UInt32>, Real> m_values;  // values of a metric by combination and seed
 };
 
 SMeanPoint MakePoint(const std::vector<Real>& x, const std::vector<Real>& y,

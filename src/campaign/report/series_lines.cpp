@@ -20,7 +20,7 @@ namespace argos {
 namespace {
 
 constexpr Real kNoValue = std::numeric_limits<Real>::quiet_NaN();
-constexpr size_t kMaxPoints = 600;  // of a line in a figure; the data file has all
+constexpr size_t kMaxPoints = 600;  // points of a line in a figure; the data file has all
 
 // means with t intervals at each time, which have width 0 if there is one run only
 SSeriesBands ComputeIntervals(const std::vector<std::vector<Real>>& runs) {
@@ -191,7 +191,7 @@ std::string MakeBandPlot(const std::vector<SBand>& all, bool showsCounts, bool i
           "'{}' notitle, \\\n  ",
           source, color);
     }
-    // with fewer runs it is dashed, below the part of all runs
+    // a line of fewer runs is dashed, below the part of all runs
     const bool hasDashes = band.GetLastCount() < band.Group.Runs.size();
     const std::string line = fmt::format(" with lines linewidth 2 linecolor rgb '{}'", color);
     lines += index == 0 ? "" : ", \\\n  ";

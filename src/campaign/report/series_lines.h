@@ -15,8 +15,8 @@ namespace argos {
 
 /** The time series of the runs that are shown as one line. */
 struct SSeriesGroup {
-  std::string Title; /**< of the key: "robots = 4"; may be empty */
-  std::vector<Real> Times; /**< of any of the runs, ascending */
+  std::string Title; /**< title of the key: "robots = 4"; may be empty */
+  std::vector<Real> Times; /**< times of any of the runs, ascending */
   std::vector<std::vector<Real>> Runs; /**< (runs, times up to the run's last one); NaN: none */
 };
 

@@ -28,7 +28,7 @@ namespace {
 // wait for this process
 constexpr Real kShortRun = 0.1;  // s
 constexpr size_t kMaxRunsOfWorker = 2;
-constexpr UInt32 kMaxDeaths = 5;  // of workers, without any result in between
+constexpr UInt32 kMaxDeaths = 5;  // deaths of workers without any result in between
 constexpr UInt32 kMaxDeathsOfRun = 2;
 
 std::string GetMachine() {
@@ -65,7 +65,7 @@ bool IsRepeated(ERunStatus status) {
 std::vector<SKnownRun> ListKnownRuns(const SCampaign& campaign, const CResultStore& store,
                                      EFailedRuns failed) {
   const std::map<std::string, size_t> indices = IndexCombinations(campaign);
-  std::map<UInt32, size_t> indexOf;  // by id in the store
+  std::map<UInt32, size_t> indexOf;  // indexed by id in the store
   for (const SStoredCombination& stored : store.ListCombinations()) {
     const auto place = indices.find(stored.Key);
     if (place != indices.end()) {
@@ -138,7 +138,7 @@ SCampaignEnd CCampaignManager::Run() {
   m_workers.clear();
   Store();
   m_store.ThrowIfRemoved();
-  // only if it is empty
+  // a folder that is not empty stays
   rmdir(m_runsFolder.c_str());
   m_end.OpenRuns = m_plan.CountOpen();
   m_end.Signal = m_stops->GetSignal();
@@ -258,7 +258,7 @@ bool CCampaignManager::DispatchOne(SWorker& worker) {
   }
   ARGOS_ASSERT(worker.Runs.size() < kMaxRunsOfWorker, "a worker has too many runs");
   worker.Runs.emplace_back(request.Id, *run);
-  // if it has died, this is noticed when its results are received
+  // if it has died, receiving its results notices that
   worker.Process->Send(bytes);
   return true;
 }

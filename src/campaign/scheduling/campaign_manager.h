@@ -22,9 +22,9 @@ namespace argos {
 /** How the runs of a plan have ended. */
 struct SCampaignEnd {
   UInt64 Runs = 0; /**< stored now */
-  UInt64 FailedRuns = 0; /**< of them: not done */
-  UInt64 OpenRuns = 0; /**< without result, because the campaign was stopped */
-  int Signal = 0; /**< that has stopped it; 0: none */
+  UInt64 FailedRuns = 0; /**< number of them that were not done */
+  UInt64 OpenRuns = 0; /**< runs without result, because the campaign was stopped */
+  int Signal = 0; /**< signal that has stopped it; 0: none */
 };
 
 /** Whether runs that have failed need not be executed again. */
@@ -107,14 +107,14 @@ class CCampaignManager {
   TClock::time_point m_start;
   std::vector<SWorker> m_workers;
   UInt64 m_lastRequest = 0;
-  UInt32 m_numDeaths = 0;  // of workers, since the last result
+  UInt32 m_numDeaths = 0;  // deaths of workers since the last result
   std::map<std::pair<size_t, UInt32>, UInt32> m_deathsOf;  // combination and seed
   std::vector<SStoredRun> m_unstored;
   TClock::time_point m_unstoredSince;
   bool m_repeatsWarnings = true;
   SCampaignEnd m_end;
   UInt64 m_numResults = 0;
-  Real m_totalTime = 0.0;  // of the runs, s
+  Real m_totalTime = 0.0;  // time of the runs, s
   int m_numStops = 0;
   std::unique_ptr<CStopSignalCount> m_stops;
   std::unique_ptr<CCampaignProgressLine> m_line;

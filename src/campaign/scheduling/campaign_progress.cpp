@@ -15,7 +15,7 @@ namespace argos {
 
 namespace {
 
-constexpr std::chrono::milliseconds kRefreshPeriod(200);  // in a terminal
+constexpr std::chrono::milliseconds kRefreshPeriod(200);  // period in a terminal
 constexpr std::chrono::seconds kLinePeriod(10);  // elsewhere
 constexpr size_t kBarWidth = 20;  // columns
 
@@ -61,7 +61,7 @@ std::string DescribeCampaignProgress(const SCampaignProgress& progress) {
   }
   const bool hasRate = progress.Runs > 0 && progress.WallSeconds > 0.0;
   const Real rate = hasRate ? static_cast<Real>(progress.Runs) / progress.WallSeconds : 0.0;
-  // in a terminal the end of the line may be cut
+  // a terminal may cut the end of the line
   if (hasRate && progress.OpenRuns > 0) {
     text += fmt::format(", {} left", DescribeTime(static_cast<Real>(progress.OpenRuns) / rate));
   }

@@ -10,13 +10,13 @@ namespace argos {
 
 /** How far a campaign is. */
 struct SCampaignProgress {
-  size_t Combinations = 0; /**< of the campaign */
+  size_t Combinations = 0; /**< number in the campaign */
   size_t CompleteCombinations = 0;
   UInt64 KnownRuns = 0; /**< stored before */
   UInt64 Runs = 0; /**< finished now */
-  UInt64 FailedRuns = 0; /**< of Runs */
-  UInt64 OpenRuns = 0; /**< without result; an estimate */
-  Real WallSeconds = 0.0; /**< since the start */
+  UInt64 FailedRuns = 0; /**< number of Runs that failed */
+  UInt64 OpenRuns = 0; /**< runs without result; an estimate */
+  Real WallSeconds = 0.0; /**< time since the start */
 };
 
 /**

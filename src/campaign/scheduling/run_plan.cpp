@@ -71,8 +71,6 @@ std::vector<TFinishedRun> CRunListPlan::Finish(const SPlannedRun& run, SRunResul
   return stored;
 }
 
-// until a mean is known
-
 CSequentialRunPlan::CSequentialRunPlan(const SCampaign& campaign,
                                        const std::vector<SKnownRun>& known)
     : m_stopping(campaign.Stopping),

@@ -24,7 +24,7 @@ struct SPlannedRun {
 struct SKnownRun {
   size_t Combination = 0;
   UInt32 Seed = 0;
-  Real Value = 0.0; /**< of the metric of the stopping rule; NaN: the run has failed */
+  Real Value = 0.0; /**< metric of the stopping rule; NaN: the run has failed */
 };
 
 using TFinishedRun = std::pair<SPlannedRun, SRunResult>;

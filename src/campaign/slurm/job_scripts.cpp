@@ -21,7 +21,7 @@ namespace {
 
 constexpr Real kMinStoppingTime = 60.0;  // s; Slurm may be that early
 constexpr Real kMaxStoppingTime = 65535.0;  // s; of sbatch --signal
-constexpr Real kMaxStoppingShare = 0.25;  // of the time limit
+constexpr Real kMaxStoppingShare = 0.25;  // share of the time limit
 // of a task besides its runs: manager and a worker for each job, with the libraries
 constexpr UInt64 kMemoryOfManager = 256ULL << 20;
 constexpr UInt64 kMebi = 1 << 20;
@@ -42,7 +42,7 @@ std::string QuoteForSbatch(const std::string& value) {
   return quoted + "\"";
 }
 
-// in names of logs, "%a" and the like are replaced
+// Slurm replaces "%a" and the like in names of logs
 std::string EscapePattern(const std::string& path) {
   std::string escaped;
   for (const char c : path) {

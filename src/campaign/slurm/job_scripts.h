@@ -11,8 +11,8 @@ namespace argos {
 
 /** What the scripts of a submission need, besides the campaign. */
 struct SScriptOptions {
-  UInt32 Number = 1; /**< of the submission */
-  UInt32 Resubmissions = 0; /**< that may follow */
+  UInt32 Number = 1; /**< number of the submission */
+  UInt32 Resubmissions = 0; /**< number that may follow */
   std::string Program; /**< path of argos3-campaign */
   std::string WorkingFolder; /**< of the jobs */
   bool RepeatsFailedRuns = false; /**< of those that are stored */

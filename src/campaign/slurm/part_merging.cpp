@@ -77,7 +77,7 @@ SMergedParts MergeParts(const SCampaign& campaign, CResultStore& store) {
       merged.Problems.push_back(part + ": " + error.what());
     }
   }
-  // only if it is empty
+  // a folder that is not empty stays
   std::error_code ignored;
   fs::remove(paths.Parts, ignored);
   return merged;

@@ -80,12 +80,12 @@ SSubmittedJobs QueueSubmission(const SCampaign& campaign, const SSubmission& sub
   jobs.Number = submission.Number;
   jobs.Runs = QueueJob(runsScript);
   try {
-    // before the other one is queued: this program may be killed in between
+    // written before the other one is queued: this program may be killed in between
     WriteJobs(paths, jobs);
     jobs.Merging = QueueJob(mergingScript, jobs.Runs);
     WriteJobs(paths, jobs);
   } catch (const CARGoSException&) {
-    // without merging, the runs would be of no use
+    // runs that are not merged are of no use
     CancelJob(jobs.Runs);
     throw;
   }

@@ -13,9 +13,9 @@ namespace argos {
 
 /** What a submission executes, and how: scripts that are not written yet. */
 struct SSubmission {
-  UInt32 Number = 1; /**< of the submission; no number is used twice */
+  UInt32 Number = 1; /**< number of the submission; no number is used twice */
   std::vector<UInt32> Tasks; /**< shares that have runs; empty: nothing is missing */
-  UInt64 Runs = 0; /**< of all tasks */
+  UInt64 Runs = 0; /**< runs of all tasks */
   std::string RunsScript, MergingScript; /**< their texts */
 };
 

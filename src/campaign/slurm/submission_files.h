@@ -21,7 +21,7 @@ struct SSubmissionPaths {
 struct SSubmittedJobs {
   UInt32 Number = 0; /**< 1, 2, ...; it is in the names of scripts and logs */
   std::string Runs; /**< number of the array job */
-  std::string Merging; /**< of the job that waits for it; empty if it could not be queued */
+  std::string Merging; /**< id of the job that waits for it; empty if it could not be queued */
 
   std::vector<std::string> List() const;
 };

@@ -10,8 +10,8 @@ namespace argos {
 
 struct SBootstrapOptions {
   EBootstrapStatistic Statistic = EBootstrapStatistic::Mean;
-  Real Level = 0.95;  // of confidence, in (0,1)
-  size_t NumResamples = 9999;  // at least 2 / (1 - Level) - 1, so that no bound is an extreme
+  Real Level = 0.95;  // level of confidence, in (0,1)
+  size_t NumResamples = 9999;  // is at least 2 / (1 - Level) - 1, so that no bound is an extreme
   UInt64 Seed = 1;
 };
 

@@ -9,7 +9,7 @@ namespace argos {
 struct SConfidenceInterval {
   Real Lower;
   Real Upper;
-  Real Level;  // of confidence: what was achieved where that can be computed, else what was asked
+  Real Level;  // level of confidence: the achieved one, or the requested one if that is unknown
 };
 
 }  // namespace argos

@@ -14,7 +14,7 @@ std::vector<SGroupComparison> CompareByDunn(std::span<const std::vector<Real>> g
   RequireGroups(groups, 2, 1);
   const SGroupRanks ranks = RankGroups(groups);
   const auto n = static_cast<Real>(ranks.Count);
-  // of one rank
+  // variance of one rank
   const Real variance = std::max(0.0, n * (n + 1.0) - ranks.TieTerm / (n - 1.0)) / 12.0;
   std::vector<SGroupComparison> comparisons;
   std::vector<Real> pValues;

@@ -13,8 +13,8 @@ struct SGroupComparison {
   size_t First;  // indices of the groups, First < Second
   size_t Second;
   Real Z;  // positive if the first group has the greater mean rank
-  Real PValue;  // of two sides
-  Real AdjustedPValue;  // for all comparisons
+  Real PValue;  // has two sides
+  Real AdjustedPValue;  // is adjusted for all comparisons
 };
 
 /**

@@ -11,7 +11,7 @@ namespace argos {
 /** Ranks of the values of several groups among all of them. */
 struct SGroupRanks {
   std::vector<Real> RankSums;  // (number of groups)
-  size_t Count = 0;  // of all values
+  size_t Count = 0;  // number of all values
   Real TieTerm = 0.0;  // see SRanking
 };
 

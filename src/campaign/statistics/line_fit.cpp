@@ -21,7 +21,7 @@ SLineFit FitLine(std::span<const Real> x, std::span<const Real> y) {
   const auto n = static_cast<Real>(x.size());
   const Real scaleOfX = momentsOfX.StandardDeviation;
   const Real meanOfY = ComputeMoments(y).Mean;
-  // with x in units of its deviation
+  // x is measured in units of its deviation
   Real products = 0.0;
   for (size_t i = 0; i < x.size(); ++i) {
     products += (x[i] - momentsOfX.Mean) / scaleOfX * (y[i] - meanOfY);

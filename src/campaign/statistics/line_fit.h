@@ -13,7 +13,7 @@ struct SLineFit {
   Real Intercept;
   Real SlopeError;  // standard errors
   Real InterceptError;
-  Real ResidualDeviation;  // with n - 2 degrees of freedom
+  Real ResidualDeviation;  // has n - 2 degrees of freedom
   Real Determination;  // R^2; 1 if all y are equal and so is the line
   size_t DegreesOfFreedom;  // n - 2
 };

@@ -10,7 +10,7 @@ namespace argos {
 
 /** The values of a sample that are there; NaN stands for a missing one. */
 struct SPresentValues {
-  std::vector<Real> Values;  // in the order of the sample
+  std::vector<Real> Values;  // have the order of the sample
   size_t NumMissing = 0;
 };
 

@@ -22,7 +22,7 @@ SMoments ComputeMoments(std::span<const Real> values) {
   }
   const Real mean = sum / n;
   Real squares = 0.0;
-  Real residue = 0.0;  // of the mean's rounding
+  Real residue = 0.0;  // rounding of the mean
   for (const Real value : values) {
     const Real deviation = std::scalbn(value, -exponent) - mean;
     squares += deviation * deviation;

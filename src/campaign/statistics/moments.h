@@ -10,7 +10,7 @@ namespace argos {
 /** Mean and standard deviation of a sample. */
 struct SMoments {
   Real Mean;
-  Real StandardDeviation;  // with divisor n - 1; NaN for one value, exactly 0 for equal values
+  Real StandardDeviation;  // has the divisor n - 1; NaN for one value, exactly 0 for equal values
 };
 
 /**

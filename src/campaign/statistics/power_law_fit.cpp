@@ -48,7 +48,7 @@ SPowerLawFit FitPowerLawOfMeans(std::span<const SPowerLawSample> samples, Real l
   RequireLevel(level);
   std::vector<Real> x;
   std::vector<Real> means;
-  std::vector<Real> variances;  // of the means' logarithms
+  std::vector<Real> variances;  // variances of the means' logarithms
   for (const SPowerLawSample& sample : samples) {
     RequireSample(sample.Y, 2, "fit of a power law, y");
     const SMoments moments = ComputeMoments(sample.Y);
@@ -73,7 +73,7 @@ SPowerLawFit FitPowerLawOfMeans(std::span<const SPowerLawSample> samples, Real l
   if (!(squares > 0.0)) {
     THROW_ARGOSEXCEPTION("fit of a power law: all x are " << x.front());
   }
-  Real variance = 0.0;  // of the slope
+  Real variance = 0.0;  // variance of the slope
   Real spread = 0.0;
   for (size_t i = 0; i < x.size(); ++i) {
     const Real weight = (logX[i] - centerX) / squares;

@@ -14,7 +14,7 @@ struct SPowerLawFit {
   Real ExponentError;  // standard error
   Real Factor;
   Real Determination;  // R^2 of the logarithms
-  SConfidenceInterval ExponentInterval;  // by Student's t
+  SConfidenceInterval ExponentInterval;  // is computed by Student's t
 };
 
 /**
@@ -32,7 +32,7 @@ SPowerLawFit FitPowerLaw(std::span<const Real> x, std::span<const Real> y, Real 
 /** Repeated measurements at one x. */
 struct SPowerLawSample {
   Real X;
-  std::vector<Real> Y;  // of any sign, with a positive mean
+  std::vector<Real> Y;  // have any sign, and a positive mean
 };
 
 /**

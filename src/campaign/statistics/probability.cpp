@@ -15,7 +15,7 @@ namespace argos {
 
 namespace {
 
-constexpr Real kRelativeError = 1e-14;  // of a quantile
+constexpr Real kRelativeError = 1e-14;  // error of a quantile
 
 }  // namespace
 

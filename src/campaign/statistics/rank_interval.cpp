@@ -44,7 +44,7 @@ SConfidenceInterval ComputeNormalRankInterval(const CPairwisePoints& points, Rea
   const Real z = tail < 0.5 ? ComputeCentralNormalQuantile(1.0 - 2.0 * tail)
                             : (tail > 0.5 ? -ComputeCentralNormalQuantile(2.0 * tail - 1.0) : 0.0);
   const Real centre = 0.5 * static_cast<Real>(points.GetCount());
-  // behind k points the statistic exceeds its mean by centre - k
+  // the statistic exceeds its mean by centre - k behind k points
   const Real skipped = std::floor(centre - 0.5 - z * deviation);
   if (skipped < 0.0) {
     const Real outside = tails * ComputeNormalUpperTail((centre - 0.5) / deviation);

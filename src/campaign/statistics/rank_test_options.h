@@ -14,7 +14,7 @@ enum class EAlternative {
 
 /** What is taken for the distribution of a statistic under the null hypothesis. */
 enum class ENullDistribution {
-  Automatic,  // as R: exact for samples below 50 values without ties (and zeros), else normal
+  Automatic,  // follows R: exact for samples below 50 values without ties (and zeros), else normal
   Normal  // normal approximation with corrections for continuity and ties
 };
 
@@ -24,8 +24,8 @@ constexpr size_t kExactBelow = 50;
 /** Options of Wilcoxon's tests, with the defaults of R's wilcox.test(). */
 struct SRankTestOptions {
   EAlternative Alternative = EAlternative::TwoSided;
-  Real Location = 0.0;  // of the null hypothesis: centre of x, of x - y, or shift of x against y
-  Real Level = 0.95;  // of the confidence interval
+  Real Location = 0.0;  // null hypothesis: centre of x, of x - y, or shift of x against y
+  Real Level = 0.95;  // level of the confidence interval
   ENullDistribution NullDistribution = ENullDistribution::Automatic;
 };
 

@@ -9,9 +9,9 @@ namespace argos {
 struct SRankTestResult {
   Real Statistic;  // V: sum of the ranks of positive differences; W: Mann and Whitney's count
   Real PValue;
-  bool IsExact;  // whether PValue and Interval come from the exact distribution
+  bool IsExact;  // PValue and Interval come from the exact distribution
   Real Estimate;  // Hodges and Lehmann's, of the centre or of the shift
-  SConfidenceInterval Interval;  // of the same
+  SConfidenceInterval Interval;  // interval of the same
 };
 
 }  // namespace argos

@@ -43,7 +43,7 @@ void RequirePairs(std::span<const Real> x, std::span<const Real> y) {
 }
 
 void RequireLevel(Real level) {
-  // also false for NaN
+  // the condition is false for NaN, too
   if (!(level > 0.0 && level < 1.0)) {
     THROW_ARGOSEXCEPTION("confidence level " << level << "; it must be above 0 and below 1");
   }

@@ -12,10 +12,10 @@ namespace argos {
 struct SSampleSummary {
   static constexpr Real kNone = std::numeric_limits<Real>::quiet_NaN();
 
-  size_t Count = 0;  // of values that are there
+  size_t Count = 0;  // number of values that are there
   size_t NumMissing = 0;  // NaN
   Real Mean = kNone;
-  Real StandardDeviation = kNone;  // with divisor n - 1; NaN for one value
+  Real StandardDeviation = kNone;  // has the divisor n - 1; NaN for one value
   Real Min = kNone;
   Real LowerQuartile = kNone;  // type 7, see ComputeQuantile()
   Real Median = kNone;

@@ -13,7 +13,7 @@ namespace argos {
 CSequentialMean::CSequentialMean(const SStoppingRule& rule) : m_rule(rule) {
   RequireLevel(rule.Level);
   const bool isRelative = rule.Precision == EMeanPrecision::Relative;
-  // also false for NaN
+  // the condition is false for NaN, too
   if (!(rule.HalfWidth > 0.0 && rule.HalfWidth < (isRelative ? 1.0 : kMaxValue))) {
     THROW_ARGOSEXCEPTION("stopping rule: half width "
                          << rule.HalfWidth << "; it must be positive"

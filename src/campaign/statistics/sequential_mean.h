@@ -18,7 +18,7 @@ enum class EMeanPrecision {
 struct SStoppingRule {
   EMeanPrecision Precision = EMeanPrecision::Absolute;
   Real HalfWidth = 0.0;  // wanted: > 0; below 1 if relative
-  Real Level = 0.95;  // of the interval, in (0,1)
+  Real Level = 0.95;  // level of the interval, in (0,1)
   size_t MinCount = 10;  // values before the rule applies, >= 2
   size_t MaxPositions = 0;  // cap on values including missing ones, >= MinCount
 };

@@ -18,7 +18,7 @@ namespace {
 // Wilcoxon's statistic and the variance of its normal approximation
 struct SSignedRanks {
   Real Statistic = 0.0;
-  Real Excess;  // of the statistic over its mean
+  Real Excess;  // excess of the statistic over its mean
   Real Deviation;
   bool HasTies;
 };

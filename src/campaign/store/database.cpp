@@ -91,7 +91,7 @@ CDatabase::CDatabase(const std::string& file, EAccess access) : m_file(file) {
                                             nullptr, nullptr);
   };
   int code = open(file, 0);
-  // in a folder without the right to write, readers cannot create the files of the WAL mode
+  // if a folder is not writable, readers cannot create the files of the WAL mode
   if (isReadOnly && (code & 0xff) != SQLITE_OK && (code & 0xff) != SQLITE_NOTADB && Exists(file) &&
       !Exists(file + "-wal") && !Exists(file + "-journal")) {
     code = open(MakeImmutableUri(file), SQLITE_OPEN_URI);

@@ -45,7 +45,7 @@ class CDatabase {
 
   std::string m_file;
   sqlite3* m_handle = nullptr;
-  std::map<std::string, SCached> m_cache;  // by text
+  std::map<std::string, SCached> m_cache;  // indexed by text
 };
 
 /** The execution of one statement, which is prepared once for each database. */

@@ -145,7 +145,7 @@ class CSeriesWriter {
   const CResultStore& m_store;
   COutputFile& m_file;
   const char* m_separator = "\n";
-  std::string m_values;  // of the run
+  std::string m_values;  // values of the run
 };
 
 }  // namespace

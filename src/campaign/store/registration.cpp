@@ -37,7 +37,7 @@ std::vector<std::string> ListMetricLibraries(const SCampaign& campaign) {
   return libraries;
 }
 
-// what the campaign collects, for comparison
+// describes what the campaign collects, for comparison
 std::string DescribeCollected(const SCampaign& campaign) {
   std::string text;
   for (const SCollectedMetric& metric : campaign.Metrics) {

@@ -41,7 +41,7 @@ CREATE TABLE collected(id INTEGER PRIMARY KEY, is_series INTEGER NOT NULL, name 
   unit TEXT NOT NULL, UNIQUE(is_series, name));
 )";
 
-// in an SQL statement: names are letters, digits and '_', or come from another program's database
+// quotes for SQL: names are letters, digits and '_', or come from another program's database
 std::string Quote(const std::string& text, char quote) {
   std::string quoted(1, quote);
   for (const char c : text) {

@@ -22,7 +22,7 @@ struct CResultStore::SDatabase {
   std::unique_ptr<CDatabase> File;
   std::set<std::pair<bool, std::string>> Collected; /**< (is a series, name) in the database */
   pid_t Owner = 0;
-  dev_t Device = 0; /**< of the file that was opened for writing */
+  dev_t Device = 0; /**< device of the file that was opened for writing */
   ino_t Inode = 0;
 };
 

@@ -8,7 +8,7 @@ namespace argos {
 
 namespace {
 
-// by digest of the experiment
+// matches them by digest of the experiment
 std::map<SInt64, SInt64> MatchGenerations(CDatabase& own, CDatabase& other) {
   const bool isNew = own.QueryNumber("SELECT count(*) FROM generations") == 0;
   std::map<SInt64, SInt64> matches;
