@@ -22,6 +22,8 @@ constexpr Real kRobotSlack = 30.0;
 constexpr Real kRobotTurnSlack = 5.0;
 // share of a lean and of a height above the floor that is left after a tick
 constexpr Real kRestOfLean = 0.5;
+// of the solver for all feet of an object at once: it converges below 2
+constexpr Real kStepOfFeet = 1.5;
 // sine of half a lean, and m, that are roundings
 constexpr Real kNoLean = 1e-7;
 
@@ -190,6 +192,15 @@ void ReadLean(SUprightBody& body, const SRigidPose& pose, const SRollGround& gro
   body.OriginZ = floor + fade(pose.Position.GetZ() - floor);
 }
 
+// of the distances of supports from the centre of mass, m^2
+Real AddUpSquares(const SUprightBody& body, const SUprightSupport* supports) {
+  Real sum = 0.0;
+  for (UInt32 i = 0; i < body.NumSupports; ++i) {
+    sum += supports[i].X * supports[i].X + supports[i].Y * supports[i].Y;
+  }
+  return sum;
+}
+
 // Wheels and feet start with the impulses of the last substep; what rests, without any.
 void ApplyLastFriction(SUprightBody& body, SUprightSupport* supports) {
   const bool rests =
@@ -350,6 +361,7 @@ void StartUprightSubstep(SUprightBody& body, SUprightSupport* supports, const SR
   }
   const Real cosine = pose.HalfCos * pose.HalfCos - pose.HalfSin * pose.HalfSin;
   const Real sine = 2.0 * pose.HalfSin * pose.HalfCos;
+  const Real ofFeet = hasWheels ? 0.0 : body.InverseInertia * AddUpSquares(body, supports);
   for (UInt32 i = 0; i < body.NumSupports; ++i) {
     SUprightSupport& support = supports[i];
     const Real armX = cosine * support.X - sine * support.Y;
@@ -363,11 +375,10 @@ void StartUprightSubstep(SUprightBody& body, SUprightSupport* supports, const SR
     }
     support.Lever1 = armX * support.EY - armY * support.EX;
     support.Lever2 = armX * support.EX + armY * support.EY;
-    // by the greatest eigenvalue of the changes of speeds for impulses of 1: at one foot, or at
-    // both wheels together
+    // by the greatest eigenvalue of the changes of speeds for impulses of 1 at all together
     const Real turning = body.InverseInertia * (armX * armX + armY * armY);
-    support.Share =
-        hasWheels ? 0.5 / std::max(body.InverseMass, turning) : 1.0 / (body.InverseMass + turning);
+    support.Share = hasWheels ? 0.5 / std::max(body.InverseMass, turning)
+                              : kStepOfFeet / std::max(body.NumSupports * body.InverseMass, ofFeet);
     support.Grip = support.Load * body.Rigid->Friction * ground.Friction * substep;
   }
   if (hasWheels) {

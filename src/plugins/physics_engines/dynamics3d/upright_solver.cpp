@@ -31,9 +31,12 @@ void SetImpulse(SUprightSupport& support, Real first, Real second) {
 }
 
 // The speed of a support against the floor, m/s.
+SPair2 GetSlip(Real vx, Real vy, Real w, const SUprightSupport& at) {
+  return {vx * at.EX + vy * at.EY + w * at.Lever1, vy * at.EX - vx * at.EY + w * at.Lever2};
+}
+
 SPair2 GetSlip(const SUprightBody& body, const SUprightSupport& at) {
-  return {body.VX * at.EX + body.VY * at.EY + body.W * at.Lever1,
-          body.VY * at.EX - body.VX * at.EY + body.W * at.Lever2};
+  return GetSlip(body.VX, body.VY, body.W, at);
 }
 
 // Shortens a pair of impulses to the friction that a support has. @return false if it is enough.
@@ -204,14 +207,21 @@ void CUprightSolver::SolvePlanarDrive(SUprightBody& body) const {
   body.DriveTurn = turn;
 }
 
-// A step of the projected gradient: the same share of both slips, so that friction is opposite to
+// A step of the projected gradient for all feet at once, so that none has an advantage: what is
+// pushed at its middle would turn. The same share of both slips, so that friction is opposite to
 // the slip when that does not change any more.
-void CUprightSolver::SolveFoot(SUprightBody& body, SUprightSupport& foot) const {
-  const SPair2 slip = GetSlip(body, foot);
-  SPair2 next{foot.Impulse1 - foot.Share * slip.X, foot.Impulse2 - foot.Share * slip.Y};
-  LimitToGrip(next, foot.Grip);
-  PushAt(body, foot, next.X - foot.Impulse1, next.Y - foot.Impulse2);
-  SetImpulse(foot, next.X, next.Y);
+void CUprightSolver::SolveFeet(SUprightBody& body, SUprightSupport* feet) const {
+  const Real vx = body.VX;
+  const Real vy = body.VY;
+  const Real w = body.W;
+  for (UInt32 i = 0; i < body.NumSupports; ++i) {
+    SUprightSupport& foot = feet[i];
+    const SPair2 slip = GetSlip(vx, vy, w, foot);
+    SPair2 next{foot.Impulse1 - foot.Share * slip.X, foot.Impulse2 - foot.Share * slip.Y};
+    LimitToGrip(next, foot.Grip);
+    PushAt(body, foot, next.X - foot.Impulse1, next.Y - foot.Impulse2);
+    SetImpulse(foot, next.X, next.Y);
+  }
 }
 
 // The same for both wheels at once, so that none has an advantage: a robot that is pushed from
@@ -253,9 +263,7 @@ Real CUprightSolver::SolveDrive(SUprightBody& body) const {
   } else if (body.Kind == EKind::Wheels && !HoldWheels(body, supports)) {
     SolveWheels(body, supports);
   } else if (body.Kind == EKind::Object && !HoldFeet(body, supports)) {
-    for (UInt32 i = 0; i < body.NumSupports; ++i) {
-      SolveFoot(body, supports[i]);
-    }
+    SolveFeet(body, supports);
   }
   return std::max(
       {std::abs(body.VX - x), std::abs(body.VY - y), std::abs(body.W - turn) * body.Extent});

@@ -73,7 +73,7 @@ class CUprightSolver {
   bool HoldFeet(SUprightBody& body, SUprightSupport* feet) const;
   bool HoldWheels(SUprightBody& body, SUprightSupport* wheels) const;
   void SolvePlanarDrive(SUprightBody& body) const;
-  void SolveFoot(SUprightBody& body, SUprightSupport& foot) const;
+  void SolveFeet(SUprightBody& body, SUprightSupport* feet) const;
   void SolveWheels(SUprightBody& body, SUprightSupport* wheels) const;
   Real SolveContact(SUprightContact& contact) const;
   void Apply(const SUprightContact& contact, Real normal, Real tangent) const;

@@ -436,6 +436,31 @@ TEST_CASE("pushing: robots move a prism by what their forces together move", "[c
   CHECK_THAT(scene.TurnOf(world, "p"), WithinAbs(0.0, 5e-3));
 }
 
+TEST_CASE("pushing: robots in line turn no box that they push in its middle",
+          "[contract][engine]") {
+  const SEngineType engine = GENERATE(from_range(kAllThatPush));
+  const UInt32 iterations = GENERATE(0, 1, 5);
+  const UInt32 count = GENERATE(1, 2, 3);
+  const bool isLight = GENERATE(true, false);
+  const SCopy copy = GENERATE(from_range(kCopies));
+  CAPTURE(engine, iterations, count, isLight, copy.Degrees);
+  // robots do not push each other in kinematics2d
+  const Real force = (isLight ? 0.5 : 0.9) * (engine.HasMomentum ? count : 1) * kEPuck.Force;
+  constexpr Real kHalf = 0.05;
+  CPushScene scene(copy.Degrees, copy.IsMirrored);
+  for (UInt32 i = 0; i < count; ++i) {
+    scene.AddRobot(kEPuck, "r" + std::to_string(i),
+                   -kHalf - 0.007 - kEPuck.Radius - i * (2.0 * kEPuck.Radius + 1e-5), 0.0, 0.0);
+  }
+  scene.AddBox("b", 0.0, 0.0, 2.0 * kHalf, 2.0 * kHalf, force / kEngineGravity);
+  CDriveWorld world(MakePushGround(engine, iterations, force), scene.GetArena());
+  world.Step(40);
+  CHECK(scene.PlaceOf(world, "b").GetX() > 0.36);
+  CHECK_THAT(scene.PlaceOf(world, "b").GetY(), WithinAbs(0.0, 2e-4));
+  // mechanics lets every slight turn grow
+  CHECK_THAT(scene.TurnOf(world, "b"), WithinAbs(0.0, 2e-3));
+}
+
 namespace {
 
 // Three foot-bots push a pile of boxes, cylinders and prisms, of which the places after 4 s follow.
