@@ -42,6 +42,7 @@ void CPushSolver::Clear() {
   m_bodies.clear();
   m_parents.clear();
   m_contacts.clear();
+  m_contactsByKey.clear();
   m_isRecalled = false;
 }
 
@@ -58,16 +59,18 @@ UInt32 CPushSolver::AddBody(const STwist& target, Real force, Real torque, Real 
   return number;
 }
 
-void CPushSolver::ListContacts(std::vector<SKnownContact>& contacts) const {
-  contacts.clear();
+// Lists all contacts by the keys of their bodies, and then by numbers.
+void CPushSolver::ListContacts() {
+  m_contactsByKey.clear();
   for (UInt32 i = 0; i < m_contacts.size(); ++i) {
     const SRequirement& contact = m_contacts[i];
-    contacts.push_back({contact.Pushing != kNone ? m_bodies[contact.Pushing].Key : kNone,
-                        m_bodies[contact.Pushed].Key, i, contact.Force});
+    const UInt64 pushing = contact.Pushing != kNone ? m_bodies[contact.Pushing].Key : kNone;
+    m_contactsByKey.push_back({pushing << 32 | m_bodies[contact.Pushed].Key, i, 0.0});
   }
-  std::sort(contacts.begin(), contacts.end(), [](const SKnownContact& a, const SKnownContact& b) {
-    return a.GetOrder() < b.GetOrder();
-  });
+  std::sort(m_contactsByKey.begin(), m_contactsByKey.end(),
+            [](const SKnownContact& a, const SKnownContact& b) {
+              return a.Bodies != b.Bodies ? a.Bodies < b.Bodies : a.Number < b.Number;
+            });
 }
 
 void CPushSolver::Remember() {
@@ -79,7 +82,13 @@ void CPushSolver::Remember() {
   }
   std::sort(m_knownBodies.begin(), m_knownBodies.end(),
             [](const SKnownBody& a, const SKnownBody& b) { return a.Key < b.Key; });
-  ListContacts(m_knownContacts);
+  if (m_contactsByKey.size() != m_contacts.size()) {
+    ListContacts();
+  }
+  for (SKnownContact& contact : m_contactsByKey) {
+    contact.Force = m_contacts[contact.Number].Force;
+  }
+  std::swap(m_knownContacts, m_contactsByKey);
 }
 
 // @return its place in the list of known bodies, kNone if it is not in it.
@@ -105,16 +114,13 @@ void CPushSolver::Recall() {
 
 // Contacts of the same bodies are told apart by the order in which they were added.
 void CPushSolver::RecallContacts() {
-  const auto getBodies = [](const SKnownContact& contact) {
-    return std::tie(contact.Pushing, contact.Pushed);
-  };
-  ListContacts(m_contactsByKey);
+  ListContacts();
   auto known = m_knownContacts.begin();
   for (const SKnownContact& contact : m_contactsByKey) {
-    while (known != m_knownContacts.end() && getBodies(*known) < getBodies(contact)) {
+    while (known != m_knownContacts.end() && known->Bodies < contact.Bodies) {
       ++known;
     }
-    if (known != m_knownContacts.end() && getBodies(*known) == getBodies(contact)) {
+    if (known != m_knownContacts.end() && known->Bodies == contact.Bodies) {
       m_contacts[contact.Number].KnownForce = known->Force;
       ++known;
     }
@@ -155,8 +161,12 @@ void CPushSolver::SortByIslands() {
   for (UInt32 i = 0; i < m_contacts.size(); ++i) {
     m_contactOrder.push_back({FindRootOf(m_parents, m_contacts[i].Pushed), i});
   }
-  std::sort(m_bodyOrder.begin(), m_bodyOrder.end());
-  std::sort(m_contactOrder.begin(), m_contactOrder.end());
+  for (std::vector<SMember>* const order : {&m_bodyOrder, &m_contactOrder}) {
+    // as where there is one island
+    if (!std::is_sorted(order->begin(), order->end())) {
+      std::sort(order->begin(), order->end());
+    }
+  }
 }
 
 // @param body,contact  the first ones of the island; then those behind it.

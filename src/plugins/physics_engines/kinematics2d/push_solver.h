@@ -140,10 +140,9 @@ class CPushSolver {
     STwist Target, Twist, Used;
   };
   struct SKnownContact {
-    UInt32 Pushing, Pushed;  // keys
+    UInt64 Bodies;  // keys of the pushing one and of the pushed one
     UInt32 Number;  // of contacts of the same bodies, the first one has the lowest
     Real Force;  // N
-    auto GetOrder() const { return std::tie(Pushing, Pushed, Number); }
   };
 
   void CheckContact([[maybe_unused]] UInt32 contact) const {
@@ -159,7 +158,7 @@ class CPushSolver {
   bool IsKnown(const SIsland& island) const;
   void StartFromKnown(const SIsland& island);
   bool WasHeld(const SBody& body, Real need) const;
-  void ListContacts(std::vector<SKnownContact>& contacts) const;
+  void ListContacts();
   void SortByIslands();
   SIsland TakeIsland(size_t& body, size_t& contact) const;
   UInt32 Iterate(const SIsland& island, UInt32 mostSweeps);

@@ -148,10 +148,16 @@ STwist CSolids::ComputeTwist(const SSide& side) const {
 // What the solver has found, if it is more than rounding errors, limited to the distance within
 // which others search for the body.
 STwist CSolids::ComputeTwist(const SSolid& solid) const {
-  STwist twist = Shortened(solid, m_solver.GetTwist(solid.Number), ComputeFarthest(solid));
+  const STwist& found = m_solver.GetTwist(solid.Number);
+  const Real negligible = kNegligibleStep * solid.NarrowestHalf;
+  // what friction holds stays to the bit; most bodies of a pile that is held are far below that
+  if (std::abs(found.X) + std::abs(found.Y) + std::abs(found.Turn) * solid.BoundingRadius <=
+      0.5 * negligible) {
+    return STwist();
+  }
+  STwist twist = Shortened(solid, found, ComputeFarthest(solid));
   twist.Turn = std::clamp(twist.Turn, -kLongestTurn, kLongestTurn);
-  // what friction holds stays to the bit
-  return ComputeLength(solid, twist) > kNegligibleStep * solid.NarrowestHalf ? twist : STwist();
+  return ComputeLength(solid, twist) > negligible ? twist : STwist();
 }
 
 // A side after a share of its motion.
