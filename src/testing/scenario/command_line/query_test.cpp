@@ -520,4 +520,41 @@ TEST_CASE("schemas: the compact syntax has the same definitions", "[command_line
   CHECK_THAT(wrong.Err, Contains("--schema xsd: unknown; known: rng, rnc"));
 }
 
+TEST_CASE("plug-ins: the simplest of each kind is found, runs and is described",
+          "[command_line][query]") {
+  const CTestFolder folder;
+  std::ofstream(folder.Path("simplest.argos"))
+      << R"(<argos-configuration>
+  <framework><experiment length="1" ticks_per_second="10" random_seed="1" /></framework>
+  <controllers />
+  <arena size="4,4,2">
+    <box id="b" size="1,1,1" movable="true" mass="1"><body position="1,0,0" /></box>
+  </arena>
+  <physics_engines><test_simplest_engine id="e" library=")"
+      << InBuildTree("testing/plugins/libargos3_test_simplest.so") << R"(" /></physics_engines>
+  <media><test_simplest_medium id="m" /></media>
+  <outputs>
+    <table file="t.csv" of="box" fields="test_simplest_field" />
+    <metrics file="m.csv" builtin="test_simplest_metric" />
+    <test_simplest_output />
+  </outputs>
+  <visualization><test_simplest_view /></visualization>
+</argos-configuration>)";
+  const SProgramRun run = folder.Run({"simplest.argos"});
+  CHECK(run.Status == 0);
+  CHECK(run.Err == "");
+  CHECK_THAT(run.Out, Contains("view\n") && Contains("states: 11\n"));
+  CHECK_THAT(folder.Read("t.csv"), Contains("simplest_column") && Contains("b,7\n"));
+  CHECK_THAT(folder.Read("m.csv"), Contains("test_simplest_metric") && Contains(",10"));
+  for (const char* const kind : {"engine", "medium", "output", "field", "metric", "view"}) {
+    CAPTURE(kind);
+    const std::string label = "test_simplest_" + std::string(kind);
+    const SProgramRun query = folder.Run({"-q", label, "-c", "simplest.argos"});
+    CHECK(query.Status == 0);
+    CHECK_THAT(query.Out, Contains("[ " + label + " ]") && Contains("About it."));
+  }
+  CHECK_THAT(folder.Run({"-q", "test_simplest_element", "-c", "simplest.argos"}).Out,
+             Contains("An element by A. Author") && Contains("default 1."));
+}
+
 }  // namespace query_test
