@@ -64,7 +64,7 @@ check_deb() {
   echo "  $(basename "$file"): $(grep -vc '/$' "$listing") files, $(stat -c %s "$file" | numfmt --to=iec)"
 }
 
-depends() { # depends PACKAGE NAME...
+depends() { # depends PACKAGE NAME...; names of libraries end in a version that differs between releases of Debian
   local name field
   field="$(dpkg-deb --field "$out/$1"_*.deb Depends), "
   for name in "${@:2}"; do
@@ -88,7 +88,7 @@ for format in "${formats[@]}"; do
     # a linked library, and the marks of packages.txt
     mapfile -t runtime < <("$repo/scripts/setup.sh" --list runtime)
     mapfile -t dev < <("$repo/scripts/setup.sh" --list dev)
-    depends argos3-sim libc6 libgsl27 "${runtime[@]}"
+    depends argos3-sim libc6 'libgsl[0-9]*' "${runtime[@]}"
     depends argos3-sim-dev argos3-sim "${dev[@]}"
     depends argos3-sim-examples argos3-sim
     # the original's name, which packages of plug-ins depend on
