@@ -3,7 +3,8 @@
 
     break_names.py SITE
 
-Paths may break behind "/", other long names behind "_" and "::". Blocks of code stay as they are.
+Paths may break behind "/", other long names behind "_" and "::". Options, such as --set, break nowhere. Blocks of code
+stay as they are.
 """
 import pathlib
 import re
@@ -11,13 +12,19 @@ import sys
 
 LONG = 24  # letters that fit a phone in any place
 CODE = re.compile(r"(?<!<span></span>)(<code>)([^<]*)(</code>)")
+OPTION = re.compile(r"--?[A-Za-z][\w-]*[,;]?")
 HEADING = re.compile(r"(<h[1-4][^>]*>)([^<]*)(<)")
 
 
 def with_breaks(match):
     begin, text, end = match.groups()
     words = re.split(r"(\s+)", text)
-    return begin + "".join(re.sub(r"(/|::|_)(?=\w)", r"\1<wbr>", word) if len(word) > LONG else word for word in words) + end
+    for i, word in enumerate(words):
+        if len(word) > LONG:
+            words[i] = re.sub(r"(/|::|_)(?=\w)", r"\1<wbr>", word)
+        elif end == "</code>" and OPTION.fullmatch(word):
+            words[i] = f'<span class="option">{word}</span>'
+    return begin + "".join(words) + end
 
 
 def main():
