@@ -57,7 +57,6 @@ void CLiveRun::ReadAttributes(TConfigurationNode& tree, SLiveServerSettings& set
       THROW_ARGOSEXCEPTION(tree.GetLocation() << ": <live>: " << text);
     }
   };
-  Real speed = 1.0;
   std::string hosts;
   GetNodeAttributeOrDefault(tree, "port", settings.Port, settings.Port);
   settings.Access.Address = "127.0.0.1";
@@ -67,15 +66,18 @@ void CLiveRun::ReadAttributes(TConfigurationNode& tree, SLiveServerSettings& set
   GetNodeAttributeOrDefault(tree, "fps", settings.StatesPerSecond, settings.StatesPerSecond);
   check(settings.StatesPerSecond >= 0.1 && settings.StatesPerSecond <= 100.0,
         "\"fps\" must be from 0.1 to 100");
-  GetNodeAttributeOrDefault(tree, "speed", speed, speed);
-  check(speed >= 0.0 && speed <= kMaxSpeed, "\"speed\" must be from 0 to 1000000");
-  m_pace.SetSpeed(speed);
+  GetNodeAttributeOrDefault(tree, "speed", m_speed, m_speed);
+  check(m_speed >= 0.0 && m_speed <= kMaxSpeed, "\"speed\" must be from 0 to 1000000");
+  m_pace.SetSpeed(m_speed);
   GetNodeAttributeOrDefault(tree, "play", m_isPlaying, m_isPlaying);
   GetNodeAttributeOrDefault(tree, "open", m_opensPage, m_opensPage);
   GetNodeAttributeOrDefault(tree, "linger", m_linger, m_linger);
   check(m_linger >= 0.0 && m_linger <= 1e9, "\"linger\" must be from 0 to 1e9");
   GetNodeAttributeOrDefault(tree, "edit", m_mayEdit, m_mayEdit);
+  GetNodeAttributeOrDefault(tree, "control", m_hasControl, m_hasControl);
+  settings.HasControl = m_hasControl;
   GetNodeAttributeOrDefault(tree, "url_file", m_urlFileName, m_urlFileName);
+  m_goesOn = !m_urlFileName.empty() && m_isPlaying;
 }
 
 void CLiveRun::Init(TConfigurationNode& tree) {
@@ -105,7 +107,8 @@ TJson CLiveRun::MakeWelcome() {
           {"last_tick", m_cSimulator.GetMaxSimulationClock()},
           {"seed", m_cSimulator.GetRandomSeed()},
           {"can",
-           {{"edit", m_mayEdit && !isReplay},
+           {{"control", m_hasControl},
+            {"edit", m_mayEdit && !isReplay},
             {"replay", isReplay},
             {"seek", isReplay},
             {"change", !isReplay},
@@ -162,9 +165,11 @@ void CLiveRun::Loop() {
   while (true) {
     const TClock::time_point now = TClock::now();
     Serve(now);
-    if (m_isEnding || m_cSimulator.IsStopped() || (m_isFinished && HasLingered(now))) {
+    const bool isOver = m_isFinished && (m_goesOn || HasLingered(now));
+    if (m_isEnding || m_cSimulator.IsStopped() || isOver) {
       return;
     }
+    GoOnAlone();
     if (!MayTick()) {
       WaitForUser();
     } else if (!m_pace.IsDue(now)) {
@@ -212,6 +217,17 @@ void CLiveRun::WaitForUser() {
   m_link.WaitUntil(TClock::now() + kLongestWait, m_hasChanged);
   m_cSimulator.CallTickObserver();
   m_pace.Restart(TClock::now());
+}
+
+// nobody is there who could play it
+void CLiveRun::GoOnAlone() {
+  if (m_goesOn && !m_isFinished && m_link.HadViewers() && !m_link.HasViewers() &&
+      (!m_isPlaying || m_pace.GetSpeed() != m_speed)) {
+    m_isPlaying = true;
+    m_stepsLeft = 0;
+    m_pace.SetSpeed(m_speed);
+    m_pace.Restart(TClock::now());
+  }
 }
 
 // @return true if the time after the last viewer has passed
@@ -328,8 +344,8 @@ CLiveRun::TAction CLiveRun::FindAction(const std::string& command) {
 }
 
 void CLiveRun::DoCommand(const SLiveCommand& command) {
-  if (command.Do == "pinned") {
-    // of the server
+  // of the server, not of a viewer
+  if (command.Viewer == 0) {
     m_pinned = command.Arguments["entities"].get<std::vector<std::string>>();
     return;
   }

@@ -64,6 +64,7 @@ class CLiveRun : public CLiveEngine {
   TJson RedistributeRun(const TJson& arguments);
   TJson SeekTick(const TJson& arguments);
   TJson EndRun(const TJson& arguments);
+  void GoOnAlone();
   void CheckEditing() const;
   TJson OpenScript(const TJson& arguments);
   TJson ListParameters(const TJson& arguments);
@@ -86,8 +87,11 @@ class CLiveRun : public CLiveEngine {
   bool m_haveValuesChanged = true;  // since they were sent
   bool m_wasTicking = false;  // as of the last status
   bool m_opensPage = true;
+  bool m_hasControl = true;  // see SLiveServerSettings
+  bool m_goesOn = false;  // when the last viewer has left; viewers do not delay its end
   bool m_mayEdit = false;  // viewers, the scripts of robots
   std::string m_urlFileName;  // empty: none; "auto": any
+  Real m_speed = 1.0;  // at first
   Real m_linger = 30.0;  // s
   TClock::time_point m_lastViewer;  // when there was one
   std::vector<std::string> m_pinned;  // ids of entities whose values viewers want

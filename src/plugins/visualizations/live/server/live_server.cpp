@@ -37,6 +37,7 @@ class CLiveServer::CImpl {
         m_link(link),
         m_hub(m_settings.Access, m_settings.StatesPerSecond, link) {
     Listen();
+    m_hub.SetHasControl(m_settings.HasControl);
     m_hub.SetReadyHandler([this] { WaitForRates(); });
   }
 

@@ -14,6 +14,7 @@ struct SLiveServerSettings {
   UInt16 Port = 0; /**< 0: a free one */
   Real StatesPerSecond = 25.0; /**< for each viewer, unless it wants another rate */
   std::string Page; /**< HTML */
+  bool HasControl = true; /**< one of the viewers can have it; otherwise all only look */
 };
 
 /** Serves the page and the viewers on a thread of its own. */

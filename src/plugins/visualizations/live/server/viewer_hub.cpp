@@ -29,7 +29,7 @@ UInt32 CViewerHub::Add(std::shared_ptr<CViewerConnection> viewer) {
     return 0;
   }
   m_viewers[++m_lastNumber] = std::move(viewer);
-  if (m_control == 0) {
+  if (m_control == 0 && m_hasControl) {
     m_control = m_lastNumber;
   }
   m_link.SetNumViewers(m_viewers.size());
@@ -70,7 +70,7 @@ void CViewerHub::Remove(CViewerConnection& viewer) {
 }
 
 void CViewerHub::ChooseControl() {
-  if (m_viewers.count(m_control) > 0) {
+  if (!m_hasControl || m_viewers.count(m_control) > 0) {
     return;
   }
   m_control = m_viewers.empty() ? 0 : m_viewers.begin()->first;
@@ -110,6 +110,10 @@ void CViewerHub::OnMessage(CViewerConnection& viewer, const TJson& message) {
 
 void CViewerHub::OnCommand(CViewerConnection& viewer, const TJson& message) {
   const std::string name = message["do"].get<std::string>();
+  if (!m_hasControl && (name == "ask_control" || FreeCommands().count(name) == 0)) {
+    Answer(viewer, message["id"], "this run can only be watched: <live control=\"false\">");
+    return;
+  }
   if (m_control != viewer.GetNumber() && FreeCommands().count(name) == 0) {
     Answer(viewer, message["id"],
            "another viewer has control: ask for it, and wait until it is given to you");

@@ -46,6 +46,8 @@ class CViewerHub {
 
   /** @param handler  called when GetNextDueTime() may have changed. */
   void SetReadyHandler(std::function<void()> handler) { m_onReady = std::move(handler); }
+  /** @param hasControl  one of the viewers can have it; otherwise all only look. */
+  void SetHasControl(bool hasControl) { m_hasControl = hasControl; }
   void SetShow(SLiveShow show) { m_show = std::move(show); }
   const SLiveAccess& GetAccess() const { return m_access; }
   Real GetStatesPerSecond() const { return m_statesPerSecond; }
@@ -94,6 +96,7 @@ class CViewerHub {
   CBlockPacker m_packer;
   std::map<UInt32, std::shared_ptr<CViewerConnection>> m_viewers;  // by number
   UInt32 m_lastNumber = 0;
+  bool m_hasControl = true;
   UInt32 m_control = 0;  // number of the viewer that has it; 0: none
   std::deque<UInt32> m_asking;  // for it
   std::unique_ptr<SLiveState> m_state;  // the last one; null: none since there are viewers

@@ -14,6 +14,7 @@ export class RecordingPlayer implements Session {
   readonly connection = "none";
   readonly typesToAdd = [];
   readonly isPast = false;
+  readonly isOnlyWatched = true;
   readonly times = "all";
   state: RunState = "loading";
   position: number;

@@ -98,6 +98,8 @@ export interface Session {
   readonly viewers: Viewer[];
   readonly viewer: number;
   readonly control: number;
+  /** No viewer can have control. */
+  readonly isOnlyWatched: boolean;
   readonly connection: "none" | "connected" | "lost";
   readonly typesToAdd: string[];
   /** A state before the present one is shown. */

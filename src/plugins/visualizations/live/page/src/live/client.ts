@@ -28,7 +28,7 @@ interface Welcome {
   experiment?: string;
   tick_length?: number;
   last_tick?: number;
-  can?: { edit?: boolean; replay?: boolean; seek?: boolean; change?: boolean; drive?: boolean };
+  can?: { control?: boolean; edit?: boolean; replay?: boolean; seek?: boolean; change?: boolean; drive?: boolean };
   types_to_add?: string[];
   viewer?: number;
 }
@@ -123,6 +123,10 @@ export class LiveClient implements Session {
     return this.control === this.viewer;
   }
 
+  get isOnlyWatched(): boolean {
+    return this.can.control === false;
+  }
+
   get abilities(): Abilities {
     const noControl =
       this.connection !== "connected"
@@ -131,7 +135,9 @@ export class LiveClient implements Session {
           : "There is no connection to the run"
         : this.hasControl
           ? null
-          : "Another viewer has control: ask for it";
+          : this.isOnlyWatched
+            ? "This run can only be watched"
+            : "Another viewer has control: ask for it";
     const atEnd = noControl ?? (this.state === "ended" ? "The run has ended: reset it first" : null);
     const isReplay = this.can.change === false ? "This is a replay, which cannot be changed" : null;
     const received = this.times === "none" ? "Nothing else was received yet" : null;

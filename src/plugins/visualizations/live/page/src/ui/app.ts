@@ -792,7 +792,9 @@ export class App implements SessionListener {
     if (others.length > 0 || !hasControl) {
       children.push(h("span", { class: "count" }, plural(session.viewers.length, "viewer")));
     }
-    if (!hasControl) {
+    if (session.isOnlyWatched) {
+      children.push(h("span", { class: "tag", title: "No viewer has control of this run" }, "watch only"));
+    } else if (!hasControl) {
       children.push(
         button({
           icon: "hand",
