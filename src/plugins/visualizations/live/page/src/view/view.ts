@@ -355,6 +355,7 @@ export class View {
   }
 
   resize(): void {
+    ++this.changes; // a canvas with another size is empty
     const width = Math.max(1, this.canvas.clientWidth);
     const height = Math.max(1, this.canvas.clientHeight);
     const ratio = this.isSoftware ? 1 : Math.min(window.devicePixelRatio, 2);
