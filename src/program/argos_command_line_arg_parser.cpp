@@ -251,6 +251,17 @@ void ReadLivePort(const CLI::App& app, const std::string& text, std::optional<UI
   }
 }
 
+void ReadLiveSocket(const CLI::App& app, const std::string& text, std::string& file,
+                    CProblems& problems) {
+  if (app.count("--live-socket") == 0) {
+    return;
+  }
+  file = text == "true" ? "auto" : text;
+  if (file.empty()) {
+    problems.Add("--live-socket= needs the name of a file, as in --live-socket=run.url");
+  }
+}
+
 void ReadStep(const CLI::App& app, const std::string& text, UInt32& every, CProblems& problems) {
   std::optional<UInt32> step;
   ReadNumber(app, "--every", text, ~UInt32(0), "a number of ticks, at least 1", step, problems);
@@ -346,8 +357,14 @@ void CheckFiles(const CLI::App& app, const SOptions& options, CProblems& problem
 
 // both run the experiment
 void CheckRunners(const CLI::App& app, CProblems& problems) {
-  if (app.count("--live") > 0 && app.count("--replay-commands") > 0) {
-    problems.Add("only one of --live and --replay-commands may be given");
+  const char* const runners[] = {"--live", "--live-socket", "--replay-commands"};
+  for (size_t i = 0; i < std::size(runners); ++i) {
+    for (size_t j = i + 1; j < std::size(runners); ++j) {
+      if (app.count(runners[i]) > 0 && app.count(runners[j]) > 0) {
+        problems.Add(std::string("only one of ") + runners[i] + " and " + runners[j] +
+                     " may be given");
+      }
+    }
   }
 }
 
@@ -456,6 +473,7 @@ void CARGoSCommandLineArgParser::Parse(SInt32 argc, const char* const* argv) {
   ReadNumber(app, "--length", raw.Length, 1e18, "a number of seconds, at least 0", m_options.Length,
              problems);
   ReadLivePort(app, raw.Live, m_options.LivePort, problems);
+  ReadLiveSocket(app, raw.LiveSocket, m_options.LiveURLFile, problems);
   ReadOverrides(raw.Overrides, m_options.Overrides, problems);
   m_options.Replay.File = raw.Replay;
   CheckFiles(app, m_options, problems);

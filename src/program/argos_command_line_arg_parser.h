@@ -33,6 +33,7 @@ class CARGoSCommandLineArgParser {
     std::string ExperimentFile;
     SReplayRequest Replay; /**< of ACTION_REPLAY */
     std::optional<UInt16> LivePort; /**< show the run in a browser; 0: at a free port */
+    std::string LiveURLFile; /**< let viewers come and go; "auto": any file; empty: no */
     std::string RecordFile; /**< empty: the run is not recorded */
     std::string VideoFile; /**< empty: no film besides those of the file */
     std::string VideoSpeed; /**< a positive number; empty: that of the file */

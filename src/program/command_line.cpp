@@ -169,6 +169,13 @@ void ApplyRunOptions(CSimulator& simulator, const SOptions& options) {
   }
 }
 
+// viewers come and go, and the run does not wait for them
+void SetLiveSocket(CSimulator& simulator, const std::string& file) {
+  simulator.SetVisualization(
+      "live",
+      {{"url_file", file}, {"play", "true"}, {"speed", "0"}, {"linger", "0"}, {"open", "false"}});
+}
+
 // what runs the experiment in place of the file's visualization
 void SetVisualization(CSimulator& simulator, const SOptions& options) {
   if (options.LivePort) {
@@ -177,6 +184,8 @@ void SetVisualization(CSimulator& simulator, const SOptions& options) {
       attributes.emplace_back("port", std::to_string(*options.LivePort));
     }
     simulator.SetVisualization("live", attributes);
+  } else if (!options.LiveURLFile.empty()) {
+    SetLiveSocket(simulator, options.LiveURLFile);
   } else if (!options.CommandsFile.empty()) {
     simulator.SetVisualization("live", {{"commands", options.CommandsFile}});
     if (!options.Seed) {

@@ -157,6 +157,11 @@ TOptions MakeOutputOptions() {
        "at "
        "that port",
        EUse::Run},
+      {"--live-socket", "", &STexts::LiveSocket, kOutput,
+       "run without waiting for a viewer, and let viewers come and go: `argos3-campaign live` "
+       "lists "
+       "such runs; --live-socket=FILE: also write the URL into that file while the run lasts",
+       EUse::Run},
       {"--record", "FILE", &SOptions::RecordFile, kOutput,
        "record the run to this file, for --replay; adds <recording> to <outputs>", EUse::Run,
        EWords::File},

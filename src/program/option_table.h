@@ -33,7 +33,7 @@ enum class EOptionWords {
 /** What the user has given for options whose values are checked further, or that are no values. */
 struct SOptionTexts {
   bool Help = false, Version = false, Quiet = false;
-  std::string Replay, Live, LogLevel, Progress, Seed, Threads, Length, From, To, Every;
+  std::string Replay, Live, LiveSocket, LogLevel, Progress, Seed, Threads, Length, From, To, Every;
   std::vector<std::string> Overrides;
 };
 

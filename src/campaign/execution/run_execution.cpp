@@ -46,6 +46,14 @@ void ForgetPeakMemory() {
 void Configure(CSimulator& simulator, const SRunSetup& setup, const SRunRequest& request) {
   simulator.SetExperimentFileName(setup.ExperimentFile);
   simulator.SetRandomSeed(request.Seed);
+  if (setup.HasLiveViews) {
+    simulator.SetVisualization("live", {{"url_file", "auto"},
+                                        {"control", "false"},
+                                        {"play", "true"},
+                                        {"speed", "0"},
+                                        {"linger", "0"},
+                                        {"open", "false"}});
+  }
   for (const SSetting& setting : request.Settings) {
     simulator.AddOverride(setting.Path, MakeInputPathAbsolute(setting, setup.StartFolder));
   }

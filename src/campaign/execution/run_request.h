@@ -21,6 +21,7 @@ struct SRunSetup {
   SRunLimits Limits;
   EIsolation Isolation = EIsolation::OwnProcess;
   EKeptFiles Kept = EKeptFiles::None;
+  bool HasLiveViews = false; /**< viewers may come and go; `argos3-campaign live` lists the runs */
 };
 
 /** One run. */

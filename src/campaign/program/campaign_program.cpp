@@ -32,6 +32,7 @@ Examples:
                                               four runs at a time, other seeds than in the file
   argos3-campaign resume foraging.xml         go on after Ctrl-C, a crash or a power cut
   argos3-campaign status foraging.xml         how many runs are done, and which have failed
+  argos3-campaign live                        which runs can be watched in a browser, and where
   argos3-campaign retry foraging.xml --status crashed,timeout
                                               repeat failed runs
   argos3-campaign export foraging.xml --csv tables
@@ -113,6 +114,7 @@ int Act(int argc, const char* const* argv) {
   AddRunCommands(app, chosen);
   AddStatusCommand(app, chosen);
   AddRetryCommand(app, chosen);
+  AddLiveCommand(app, chosen);
   AddExportCommand(app, chosen);
   AddReportCommand(app, chosen);
   AddSubmitCommand(app, chosen);

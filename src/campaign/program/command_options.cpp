@@ -42,6 +42,8 @@ void AddExecutionOptions(CLI::App& command, SExecutionOptions& options) {
       ->type_name("N")
       ->check(CLI::Range(1U, kMaxJobs));
   command.add_flag("--quiet", options.IsQuiet, "print no progress");
+  command.add_flag("--live-socket", options.HasLiveViews,
+                   "let viewers come and go in each run: `argos3-campaign live` lists them");
 }
 
 void PrintWarnings(const std::string& lines) {
@@ -71,6 +73,7 @@ int ExecutePlan(const SCampaign& campaign, CResultStore& store, CRunPlan& plan, 
                         : campaign.Jobs > 0 ? campaign.Jobs
                                             : CountProcessors();
   managerOptions.IsQuiet = options.IsQuiet;
+  managerOptions.HasLiveViews = options.HasLiveViews;
   SCampaignEnd end;
   {
     CCampaignManager manager(campaign, store, plan, known, managerOptions);

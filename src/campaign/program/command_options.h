@@ -22,6 +22,7 @@ struct SExecutionOptions {
   UInt32 Jobs =
       0; /**< 0: those of the campaign, or as many as processors that this process may use */
   bool IsQuiet = false;
+  bool HasLiveViews = false; /**< of the runs */
 };
 
 /** Adds the campaign's file, the first argument of all commands. */

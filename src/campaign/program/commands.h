@@ -20,6 +20,7 @@ void AddRunCommands(CLI::App& app, TCampaignCommand& chosen); /**< run and resum
 void AddStatusCommand(CLI::App& app, TCampaignCommand& chosen);
 void AddRetryCommand(CLI::App& app, TCampaignCommand& chosen);
 void AddExportCommand(CLI::App& app, TCampaignCommand& chosen);
+void AddLiveCommand(CLI::App& app, TCampaignCommand& chosen);
 void AddReportCommand(CLI::App& app, TCampaignCommand& chosen);
 void AddSubmitCommand(CLI::App& app, TCampaignCommand& chosen);
 void AddMergeCommand(CLI::App& app, TCampaignCommand& chosen);

@@ -3,6 +3,7 @@ target_sources(argos3campaign PRIVATE
   program/campaign_program.cpp
   program/command_options.cpp
   program/export_command.cpp
+  program/live_command.cpp
   program/report_command.cpp
   program/retry_command.cpp
   program/run_command.cpp

@@ -118,6 +118,7 @@ CCampaignManager::CCampaignManager(const SCampaign& campaign, CResultStore& stor
       m_machine(GetMachine()),
       m_numKnown(known),
       m_watch(campaign) {
+  m_setup.HasLiveViews = options.HasLiveViews;
   for (const SCombination& combination : campaign.Combinations) {
     m_idOf.push_back(store.GetCombinationId(combination.ComputeKey()));
   }

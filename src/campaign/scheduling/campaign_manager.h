@@ -56,6 +56,7 @@ class CCampaignManager {
   struct SOptions {
     UInt32 Jobs = 1; /**< worker processes */
     bool IsQuiet = false; /**< no progress */
+    bool HasLiveViews = false; /**< of the runs */
   };
   static constexpr std::chrono::milliseconds kStoringPeriod{200};
   static constexpr size_t kStoringCount = 64;

@@ -45,8 +45,8 @@ senses and does, the log and the metrics. Several viewers may look at one run; o
 control. A viewer that looks only does not change the experiment, and slows no tick. See
 doc/live.md.
 
-On the command line: --live or --live=PORT, in place of what <visualization> has. A replay can be
-shown, too: argos3 --replay FILE --live.
+On the command line: --live or --live=PORT, in place of what <visualization> has; --live-socket for
+a run that does not wait for viewers. A replay can be shown, too: argos3 --replay FILE --live.
 
 REQUIRED XML CONFIGURATION
 
@@ -58,7 +58,7 @@ OPTIONAL XML CONFIGURATION
 
   <visualization>
     <live port="8000" address="127.0.0.1" play="true" speed="1" fps="25" hosts="lab.example.org"
-          open="false" linger="30">
+          open="false" linger="30" edit="true" url_file="run.url">
       <user_functions label="ids" library="build/libids" />
     </live>
   </visualization>
@@ -75,6 +75,12 @@ Attributes of <live>:
   open       bool; open the page where there is a display. Default: true
   linger     number >= 0, s; when the run is over and no viewer has been connected for so long,
              the program ends. Default: 30. A run without any viewer ends at once
+  edit       bool; the viewer with control may edit the Lua scripts of robots, which then run as
+             this user, with all that scripts may do. Files stay as they are. Default: false
+  control    bool; one of the viewers can have control. false: all only look. Default: true
+  url_file   path of a file that has the URL while the run lasts, and that only this user can
+             read; auto: a new file in a folder that `argos3-campaign live` lists. With play="true",
+             the run then goes on, at its speed, when the last viewer has left. Default: none
   commands   path of a recording: nothing is served; what viewers did in that run is done again,
              after the same ticks. On the command line, with the seed of the recording:
              --replay-commands FILE

@@ -84,6 +84,38 @@ TEST_CASE("campaign: the table does not depend on jobs and isolation", "[campaig
   }
 }
 
+TEST_CASE("campaign: runs that can be watched have the same results", "[campaign][program]") {
+  SetPluginPath();
+  if (!std::filesystem::exists(InBuildTree("lib/argos3/on_demand/libargos3_live.so"))) {
+    WARN("skipped: there is no live view");
+    return;
+  }
+  const std::string isolation = GENERATE("process", "thread");
+  CAPTURE(isolation);
+  std::vector<std::string> expected;
+  for (const bool isWatched : {false, true}) {
+    const CTestFolder folder;
+    setenv("XDG_RUNTIME_DIR", folder.Path(".").c_str(), 1);
+    folder.Write("c.xml", MakeDiffusionCampaign("isolation='" + isolation + "'"));
+    std::vector<std::string> arguments = {"run", "c.xml", "-j", "2"};
+    if (isWatched) {
+      arguments.push_back("--live-socket");
+    }
+    const SProgramRun run = folder.RunProgram("argos3-campaign", arguments);
+    INFO(run.Out << run.Err);
+    REQUIRE(run.Status == 0);
+    const std::vector<std::string> table = ReadTable(folder.Path("results.sqlite"));
+    expected = isWatched ? expected : table;
+    CHECK(table == expected);
+    CHECK_THAT(folder.RunProgram("argos3-campaign", {"live"}).Out,
+               StartsWith("no run on this computer"));
+    const SProgramRun opened = folder.RunProgram("argos3-campaign", {"live", "--open", "1"});
+    CHECK(opened.Status == 1);
+    CHECK_THAT(opened.Err, Contains("there is no run 1"));
+  }
+  unsetenv("XDG_RUNTIME_DIR");
+}
+
 TEST_CASE("campaign: runs that crash, hang, eat memory or print without end are named",
           "[campaign][program]") {
   if (!kCanLimitMemory) {

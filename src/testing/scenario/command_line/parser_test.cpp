@@ -76,6 +76,14 @@ TEST_CASE("command line: --live takes a port only behind '='", "[command_line]")
   CHECK_THAT(ErrorOf({"a.argos", "--html", "a.html"}), Contains("with --replay"));
 }
 
+TEST_CASE("command line: --live-socket lets viewers come and go", "[command_line]") {
+  CHECK(Parse({"a.argos"}).LiveURLFile.empty());
+  CHECK(Parse({"-z", "--live-socket", "a.argos"}).LiveURLFile == "auto");
+  CHECK(Parse({"a.argos", "--live-socket=run.url"}).LiveURLFile == "run.url");
+  CHECK_THAT(ErrorOf({"a.argos", "--live", "--live-socket"}),
+             Contains("only one of --live and --live-socket"));
+}
+
 TEST_CASE("command line: an experiment needs no option", "[command_line]") {
   const TParser::SOptions first = Parse({"a.argos", "--seed", "3", "-z"});
   CHECK(first.Action == TParser::ACTION_RUN_EXPERIMENT);

@@ -5,14 +5,20 @@
 #include <argos3/core/simulator/replay/replay.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/plugins/simulator/visualizations/qt-opengl/qtopengl_user_functions.h>
+#include <argos3/support/live_runs.h>
 #include <argos3/testing/support/experiment.h>
 #include <argos3/testing/support/temporary_folder.h>
 
 #include <catch2/catch.hpp>
 
+#include <sys/stat.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <memory>
 #include <random>
 #include <stdexcept>
@@ -186,6 +192,52 @@ TEST_CASE("live view: a viewer never needs more than 100 states to decode one", 
   }
   CHECK(IsOk(viewer->Do("end")));
   world.Finish();
+}
+
+TEST_CASE("live view: a run that viewers come to and leave goes on without them", "[live]") {
+  const CTemporaryFolder folder;
+  setenv("XDG_RUNTIME_DIR", folder.Path(".").c_str(), 1);
+  const UInt64 expected = RunHeadless(Diffusion(30));
+  CLiveWorld world({{"url_file", "auto"}, {"play", "true"}, {"speed", "20"}, {"linger", "0"}},
+                   Diffusion(30));
+  const std::vector<SLiveRunEntry> runs = ListLiveRuns();
+  REQUIRE(runs.size() == 1);
+  CHECK(runs[0].URL == world.GetURL());
+  CHECK_THAT(runs[0].Experiment, Contains("diffusion_10.argos"));
+  CHECK(runs[0].Seed == 124);
+  struct stat status {};
+  REQUIRE(stat(runs[0].File.c_str(), &status) == 0);
+  CHECK((status.st_mode & 0777) == 0600);
+  // of a run that was killed
+  const std::string left = std::filesystem::path(runs[0].File).parent_path() / "1-1.live";
+  std::ofstream(left) << "url http://127.0.0.1:1/#0\n";
+  CHECK(ListLiveRuns().size() == 1);
+  CHECK_FALSE(std::filesystem::exists(left));
+  {
+    auto viewer = Join(world);
+    CHECK(IsOk(viewer->Do("pause")));
+    CHECK(IsOk(viewer->Do("speed", {{"factor", 0.01}})));
+    viewer->ReceiveUntil([&] { return viewer->GetStatus().value("run", "") == "paused"; });
+  }
+  // who still looks does not delay the end
+  const auto watching = Join(world);
+  CHECK(world.Finish() == expected);
+  CHECK(ListLiveRuns().empty());
+  unsetenv("XDG_RUNTIME_DIR");
+}
+
+TEST_CASE("live view: where no viewer may have control, all only look", "[live]") {
+  CLiveWorld world({{"play", "true"}, {"speed", "20"}, {"control", "false"}, {"linger", "0"}},
+                   Diffusion(20));
+  auto viewer = Join(world);
+  for (const char* command : {"pause", "end", "ask_control", "move", "give_control"}) {
+    CHECK_THAT(GetError(viewer->Do(command)), Contains("only be watched"));
+  }
+  CHECK(viewer->GetStatus()["control"] == 0);
+  CHECK(IsOk(viewer->Do("pin", {{"entity", "fb0"}})));
+  CHECK(viewer->WaitFor("values")["entity"] == "fb0");
+  viewer.reset();
+  CHECK(world.Finish() == RunHeadless(Diffusion(20)));
 }
 
 TEST_CASE("live view: strangers are refused", "[live]") {

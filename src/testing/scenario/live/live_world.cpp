@@ -1,5 +1,7 @@
 #include "live_world.h"
 
+#include "live_client.h"
+
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/utility/logging/log_control.h>
 #include <argos3/testing/support/paths.h>
@@ -35,6 +37,16 @@ CLiveWorld::CLiveWorld(const TAttributes& attributes, std::function<void(CSimula
 }
 
 CLiveWorld::~CLiveWorld() {
+  if (std::uncaught_exceptions() > 0) {
+    // a test has failed, and its viewers are gone
+    try {
+      CLiveClient viewer(m_url);
+      viewer.Hello();
+      viewer.Do("end");
+    } catch (const std::exception&) {
+      // it has ended
+    }
+  }
   if (m_thread.joinable()) {
     m_thread.join();
   }
