@@ -3,6 +3,7 @@
 #include "lua_world.h"
 
 #include <argos3/core/simulator/loop_functions.h>
+#include <argos3/core/wrappers/lua/lua_script.h>
 #include <argos3/testing/support/captured_logs.h>
 
 #include <catch2/catch.hpp>
@@ -439,6 +440,30 @@ TEST_CASE("lua controller: the script can be changed at run time", "[lua][contro
   CHECK(world.Get("which") == "second");
   CHECK(world.Get("mode") == "fast");
   CHECK(world.Get("robot.params.script") == second);
+}
+
+TEST_CASE("lua controller: another text of the script runs, or leaves the former one as it was",
+          "[lua][controller]") {
+  SFunctions functions = kQuiet;
+  functions.Init = "n = 0";
+  functions.Step = "n = n + 1";
+  CLuaWorld world(Running(functions));
+  world.Step(3);
+  CLuaController& controller = world.GetController();
+  const std::shared_ptr<const SLuaScript> file = controller.GetScript();
+  functions.Init = "error('no')";
+  const auto broken = file->MakeVariant(functions.ToScript());
+  CHECK_THROWS_WITH(controller.Restart(broken), Contains("init()") && Contains("no"));
+  CHECK(controller.IsOK());
+  CHECK(controller.GetScript() == file);
+  world.Step(2);
+  CHECK(world.Get("n") == "5");
+  functions.Init = "n = 100";
+  controller.Restart(file->MakeVariant(functions.ToScript()));
+  world.Step();
+  CHECK(world.Get("n") == "101");
+  CHECK_THROWS_WITH(file->MakeVariant("\x1bLua"), Contains("precompiled"));
+  CHECK_THROWS_WITH(file->MakeVariant("x = = 1"), Contains("robot.lua:1:"));
 }
 
 TEST_CASE("lua controller: removing a robot runs destroy()", "[lua][controller]") {
