@@ -29,7 +29,7 @@ class CLEDColors : public CCI_Actuator {
   virtual void SetSingleIntensity(UInt32 led, UInt8 intensity);
   virtual void SetAllIntensities(UInt8 intensity);
 
-  /** robot.<label>.set_single_color(i, color), set_all_colors(color); LEDs count from 1 */
+  /** set_single_color(i, color), set_all_colors(color); LEDs count from 1. */
   void CreateLuaState(lua_State* state) override;
 
  protected:

@@ -126,7 +126,7 @@ class CPlacedSensors : public BASE, public READINGS {
 
  private:
   const char* GetLuaName() const override;
-  /** robot.<LuaName>[i] = { value, angle or offset } */
+  /** A list of tables { value, angle or offset }, in the order of the robot's sensors. */
   void WriteReadings(CLuaTable& table) const override;
 };
 

@@ -20,7 +20,7 @@ class CPlainReadings : public CTableSensor {
   std::vector<Real> m_tReadings;
 
  private:
-  /** robot.<GetLuaName()>[i], numbers. */
+  /** A list of numbers, in the order of the robot's sensors. */
   void WriteReadings(CLuaTable& table) const override;
 };
 
