@@ -194,9 +194,19 @@ class CExplainer {
     for (const char* const kind : {"field", "method"}) {
       m_field += FindName(message, kind);
     }
+    for (const char* const kind : {"local", "upvalue"}) {
+      m_variable += FindName(message, kind);
+    }
   }
 
   bool IsNamed() const { return !m_global.empty() || !m_field.empty(); }
+  /** Whether a line gives the variable that the message names a value. */
+  bool Assigns(std::string_view line) const {
+    const std::vector<SChain> chains = FindChains(line);
+    return std::any_of(chains.begin(), chains.end(), [this](const SChain& chain) {
+      return chain.IsAssigned && chain.Names == std::vector<std::string>{m_variable};
+    });
+  }
 
   /** @param isCertain  false: of other lines than that which failed. */
   std::string ExplainLine(std::string_view line, bool isCertain) const {
@@ -227,7 +237,35 @@ class CExplainer {
   lua_State* m_state;
   std::string m_global;
   std::string m_field;
+  std::string m_variable;  // local, or upvalue
 };
+
+// "attempt to index a number value (local 'reading')", in a loop over a list of numbers
+std::string ExplainNumber(const std::string& message, const std::vector<std::string_view>& lines,
+                          std::size_t failed) {
+  const std::string variable = FindName(message, "local");
+  if (variable.empty() || message.find("index a number value") == std::string::npos) {
+    return "";
+  }
+  for (std::size_t i = std::min(lines.size(), failed); i > 0; --i) {
+    const std::vector<SChain> chains = FindChains(lines[i - 1]);
+    const auto isVariable = [&variable](const SChain& chain) {
+      return chain.Names == std::vector<std::string>{variable};
+    };
+    const auto list = std::find_if(chains.begin(), chains.end(), [](const SChain& chain) {
+      return chain.Names[0] == kRobot && chain.Names.size() > 1;
+    });
+    if (list != chains.end() && std::any_of(chains.begin(), list, isVariable) &&
+        lines[i - 1].find("ipairs") != std::string_view::npos) {
+      std::string name = kRobot;
+      for (std::size_t part = 1; part < list->Names.size(); ++part) {
+        name += '.' + list->Names[part];
+      }
+      return "; line " + std::to_string(i) + ": " + name + " is a list of numbers, without fields";
+    }
+  }
+  return "";
+}
 
 bool IsAboutNil(const std::string& message) {
   return message.find("nil value") != std::string::npos ||
@@ -242,7 +280,9 @@ std::string ExplainMissingName(lua_State* state, const std::string& message,
                                const std::string& file, int line) {
   std::string text;
   std::string problem;
-  if (!IsAboutNil(message) || file.empty() || !ReadInputFile(file, text, problem)) {
+  const bool isAboutNil = IsAboutNil(message);
+  if ((!isAboutNil && message.find("index a number value") == std::string::npos) || file.empty() ||
+      !ReadInputFile(file, text, problem)) {
     return "";
   }
   std::vector<std::string_view> lines;
@@ -251,7 +291,18 @@ std::string ExplainMissingName(lua_State* state, const std::string& message,
     lines.push_back(std::string_view(text).substr(start, end - start));
     start = end + 1;
   }
+  if (!isAboutNil) {
+    return ExplainNumber(message, lines, static_cast<std::size_t>(line));
+  }
   const CExplainer explainer(state, message);
+  for (std::size_t i = lines.size(); i > 0; --i) {
+    if (explainer.Assigns(lines[i - 1])) {
+      const std::string explanation = explainer.ExplainLine(lines[i - 1], true);
+      if (!explanation.empty()) {
+        return "; line " + std::to_string(i) + ": " + explanation;
+      }
+    }
+  }
   for (std::size_t i = std::min(lines.size(), static_cast<std::size_t>(line)); i > 0; --i) {
     const bool isFailed = i == static_cast<std::size_t>(line);
     const std::string explanation = explainer.ExplainLine(lines[i - 1], isFailed);

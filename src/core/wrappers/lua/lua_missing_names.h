@@ -8,10 +8,11 @@ struct lua_State;
 namespace argos {
 
 /**
- * Explains an error that a misspelt name has caused, such as "attempt to index a nil value".
+ * Explains an error that a misspelt name has caused, such as "attempt to index a nil value", or
+ * fields of numbers that a sensor gives.
  *
  * Reads the line of the script that failed; if the message names only a local variable, or nothing,
- * also the lines before it.
+ * also the lines that give it a value, and those before it.
  *
  * @param message  Lua's message, without a traceback.
  * @param file     script; empty if the code is not in a file.

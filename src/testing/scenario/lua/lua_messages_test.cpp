@@ -54,6 +54,13 @@ TEST_CASE("lua messages: a name without a value is explained by the nearest", "[
        {"local rab = robot.range_and_bering -- comment\nlog('x')\nlog(rab[1])",
         "s.lua:5: attempt to index a nil value (local 'rab'); line 3: robot has no "
         "\"range_and_bering\"; did you mean \"range_and_bearing\"?\n"},
+       // not the first name that is missing, but that of the variable
+       {"local speed = robot.params.sped\nlocal stay = robot.params.wait\nlog(1 + stay)",
+        "(local 'stay'); line 4: robot.params has no \"wait\"; it has: "},
+       {"robot.distances = {1, 2}\nfor _, m in ipairs(robot.distances) do\nlog(m.value) end",
+        "s.lua:5: attempt to index a number value (local 'm'); line 4: robot.distances is a list "
+        "of "
+        "numbers, without fields\n"},
        {"robot.wheels.set_velocty(1, 1)",
         "s.lua:3: attempt to call a nil value (field 'set_velocty'); robot.wheels has no "
         "\"set_velocty\"; did you mean \"set_velocity\"?\n"},
