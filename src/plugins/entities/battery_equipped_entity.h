@@ -33,7 +33,7 @@ class CBatteryDischargeModel : public CBaseConfigurableResource {
   virtual void operator()() = 0;
 
  protected:
-  CBatteryEquippedEntity* m_pcBattery = nullptr;  // not owned
+  CBatteryEquippedEntity* m_pcBattery = nullptr;  // is not owned
 };
 
 /**
@@ -111,7 +111,7 @@ class CBatteryEquippedEntity : public CEntity {
   Real m_fullCharge = 1.0;
   Real m_availableCharge = 1.0;
   CTickWatch m_tick;
-  CBodyMotion m_motion;  // since the end of the previous tick
+  CBodyMotion m_motion;  // motion since the end of the previous tick
 };
 
 }  // namespace argos

@@ -38,8 +38,8 @@ class CBodyMotion {
   }
 
  private:
-  const CEmbodiedEntity* m_body = nullptr;  // not owned
-  CVector3 m_position;  // of the origin anchor, world frame, m
+  const CEmbodiedEntity* m_body = nullptr;  // is not owned
+  CVector3 m_position;  // position of the origin anchor, world frame, m
   CQuaternion m_orientation;
 };
 

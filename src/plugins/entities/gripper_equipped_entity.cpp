@@ -12,7 +12,7 @@ namespace argos {
 
 namespace {
 
-constexpr Real kDefaultThreshold = 0.5;  // as in ARGoS 3
+constexpr Real kDefaultThreshold = 0.5;  // value of ARGoS 3
 
 }  // namespace
 

@@ -16,7 +16,7 @@ struct SGroundSensorPlace {
     TYPE_GRAYSCALE /**< reads from 0, black, to 1, white */
   };
 
-  CVector2 Offset; /**< in the xy plane of the anchor's frame, m */
+  CVector2 Offset; /**< offset in the xy plane of the anchor's frame, m */
   ESensorType Type = TYPE_GRAYSCALE;
   UInt32 Anchor = 0; /**< index of the anchor in the layout */
 };
@@ -41,7 +41,7 @@ struct SGroundSensorLayout {
 
 /** A ground sensor, for users; see CGroundSensorEquippedEntity::GetSensors(). */
 struct SGroundSensor {
-  CVector2 Offset; /**< in the xy plane of the anchor's frame, m */
+  CVector2 Offset; /**< offset in the xy plane of the anchor's frame, m */
   SGroundSensorPlace::ESensorType Type;
   SAnchor& Anchor;
 

@@ -68,7 +68,7 @@ class CLEDEntity : public CMediumMember<CLEDEntity, CLEDMedium> {
  private:
   CColor m_color;
   CColor m_initColor;
-  const CEmbodiedEntity* m_bodyOpenBeneath = nullptr;  // not owned
+  const CEmbodiedEntity* m_bodyOpenBeneath = nullptr;  // is not owned
 };
 
 /** Put an LED into its cell, unless it is black. */

@@ -32,7 +32,7 @@ class CLEDEquippedEntity : public CComposableEntity, private CLazyComponents {
   /** An LED and its place. */
   struct SActuator {
     CLEDEntity& LED;
-    CVector3 Offset; /**< in the anchor's frame, m */
+    CVector3 Offset; /**< offset in the anchor's frame, m */
     SAnchor& Anchor;
 
     typedef std::vector<SActuator*> TList;
@@ -43,9 +43,9 @@ class CLEDEquippedEntity : public CComposableEntity, private CLazyComponents {
 
   /** Places of the LEDs, common to a type of robot. */
   struct SPlace {
-    CVector3 Offset; /**< in the anchor's frame, m */
+    CVector3 Offset; /**< offset in the anchor's frame, m */
     UInt32 Anchor = 0; /**< index of the anchor in the layout */
-    CColor Color; /**< at the start and after Reset() */
+    CColor Color; /**< colour at the start and after Reset() */
     bool IsSeenFromBeneath = false; /**< through the robot's own body, from below its base */
   };
   struct SLayout {

@@ -10,7 +10,7 @@ namespace argos {
 
 /** A light sensor, for users; see CLightSensorEquippedEntity::GetSensors(). */
 struct SLightSensor {
-  CVector3 Position; /**< in the anchor's frame, m */
+  CVector3 Position; /**< position in the anchor's frame, m */
   CVector3 Direction; /**< away from the body, in the anchor's frame; its length is the range, m */
   SAnchor& Anchor;
 

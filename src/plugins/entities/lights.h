@@ -21,7 +21,7 @@ class CLights : public CSpaceExtension {
   void Remove(CLightEntity& light);
 
  private:
-  std::vector<CLightEntity*> m_lights;  // not owned
+  std::vector<CLightEntity*> m_lights;  // are not owned
 };
 
 }  // namespace argos

@@ -19,7 +19,7 @@ class CMagnetEquippedEntity : public CComposableEntity {
   /** A magnet and its place. */
   struct SInstance {
     CMagnetEntity& Magnet;
-    CVector3 Offset; /**< in the anchor's frame, m */
+    CVector3 Offset; /**< offset in the anchor's frame, m */
     SAnchor& Anchor;
 
     typedef std::vector<SInstance> TVector;

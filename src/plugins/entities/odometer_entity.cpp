@@ -83,7 +83,7 @@ void COdometerEntity::Measure() {
   }
 }
 
-// with a velocity lag, a part of the last tick's speeds is still in this one
+// a velocity lag leaves a part of the last tick's speeds in this one
 void COdometerEntity::SubtractDrift(Real lag) {
   const Real* const ground = m_wheels->GetWheelVelocities();
   const Real* const ordered = m_wheels->GetOrderedVelocities();

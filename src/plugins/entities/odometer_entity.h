@@ -47,10 +47,10 @@ class COdometerEntity : public CEntity {
   void SubtractDrift(Real lag);
   SDriveCommand ReadCommand() const;
 
-  const CWheeledEntity* m_wheels;  // of the parent
-  CBodyMotion m_motion;  // since the end of the previous tick
+  const CWheeledEntity* m_wheels;  // wheels of the parent
+  CBodyMotion m_motion;  // motion since the end of the previous tick
   CTickWatch m_tick;
-  SDriveCommand m_lastCommand;  // of the previous tick
+  SDriveCommand m_lastCommand;  // command of the previous tick
   std::vector<Real> m_distances;  // m, (wheels)
   // speeds in the previous tick, m/s, (wheels): over the ground, and ordered
   std::vector<Real> m_lastGround, m_lastOrdered;

@@ -12,7 +12,7 @@ namespace argos {
 
 namespace {
 
-// for drawing only
+// these serve drawing only
 constexpr Real kLEDDiameter = 0.02;  // m
 constexpr CColor kMovableColor(74, 126, 187);
 constexpr CColor kFixedColor(146, 150, 156);

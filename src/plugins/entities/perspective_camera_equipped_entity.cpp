@@ -13,7 +13,7 @@ namespace argos {
 
 namespace {
 
-// as in ARGoS 3
+// values of ARGoS 3
 constexpr Real kPerspectiveAperture = 30.0;  // degrees
 constexpr Real kDefaultFocalLength = 0.035;  // m
 constexpr Real kDefaultRange = 2.0;  // m

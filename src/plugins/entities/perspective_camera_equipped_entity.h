@@ -96,7 +96,7 @@ class CPerspectiveCameraEquippedEntity : public CEntity {
   CVector3 m_offset;  // anchor's frame, m
   CQuaternion m_orientation;  // anchor's frame
   CRadians m_pan, m_tilt;
-  CQuaternion m_mountAndTurn;  // of the view, anchor's frame
+  CQuaternion m_mountAndTurn;  // orientation of the view, anchor's frame
 };
 
 }  // namespace argos

@@ -86,7 +86,7 @@ void CQuadRotorEntity::UpdateDigest(CDigest& digest) const {
   digest.Add(m_method);
   Add(digest, m_position.Position, m_position.Yaw);
   Add(digest, m_speed.Velocity, m_speed.RotSpeed);
-  // only then, so that digests of other runs are those of versions without it
+  // otherwise it is not hashed, so that digests of other runs are those of versions without it
   if (m_isAttached) {
     digest.Add(m_isAttached);
   }

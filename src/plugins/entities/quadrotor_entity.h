@@ -24,7 +24,7 @@ class CQuadRotorEntity : public CEntity {
 
   /** World frame. */
   struct SPositionControlData {
-    CVector3 Position; /**< of the origin anchor, m */
+    CVector3 Position; /**< position of the origin anchor, m */
     CRadians Yaw;
   };
 

@@ -88,10 +88,10 @@ class CRABEquippedEntity : public CMediumMember<CRABEquippedEntity, CRABMedium> 
   // a derived class may set them itself; MoveTo() follows them at the next Update()
   size_t m_unMsgSize = 0;  // bytes
   Real m_fRange = 0.0;  // m
-  SAnchor* m_psAnchor = nullptr;  // of m_pcEntityBody; null before Init()
+  SAnchor* m_psAnchor = nullptr;  // anchor of m_pcEntityBody; null before Init()
   CEmbodiedEntity* m_pcEntityBody = nullptr;
-  CVector3 m_cPosOffset;  // in the anchor's frame, m
-  CQuaternion m_cRotOffset;  // in the anchor's frame
+  CVector3 m_cPosOffset;  // offset in the anchor's frame, m
+  CQuaternion m_cRotOffset;  // offset in the anchor's frame
   CByteArray m_cData;
 
  private:

@@ -12,7 +12,7 @@ namespace argos {
 /** A ray that is fixed in the frame of an anchor. */
 struct SSensorRay {
   CVector3 Offset; /**< start in the anchor's frame, m */
-  CVector3 Direction; /**< from start to end in the anchor's frame, m */
+  CVector3 Direction; /**< leads from start to end in the anchor's frame, m */
   UInt32 Anchor = 0; /**< index of the anchor in the layout */
 
   /** Changes the ray. @return true if it differed. */
@@ -34,7 +34,7 @@ struct SRayBlock {
   static constexpr size_t kSize = 8;
 
   Real OffsetX[kSize], OffsetY[kSize]; /**< start in the anchor's frame, m */
-  Real DirectionX[kSize], DirectionY[kSize]; /**< from start to end in the anchor's frame, m */
+  Real DirectionX[kSize], DirectionY[kSize]; /**< lead from start to end in the anchor's frame, m */
 
   static constexpr size_t GetNumBlocks(size_t rays) { return (rays + kSize - 1) / kSize; }
 };

@@ -17,7 +17,7 @@ namespace {
 
 constexpr UInt32 kDefaultMemory = 16;  // bytes
 constexpr UInt32 kMaxMemory = 1 << 20;  // bytes; a larger value is assumed to be a mistake
-// for drawing only
+// these serve drawing only
 constexpr Real kDiameter = 0.03;  // m
 constexpr Real kThickness = 0.002;  // m
 constexpr CColor kColor(226, 168, 56);

@@ -79,10 +79,10 @@ class CSimpleRadioEntity : public CMediumMember<CSimpleRadioEntity, CSimpleRadio
  private:
   Real m_range = 0.0;  // m
   std::vector<TMessage> m_messages;  // received
-  size_t m_numOld = 0;  // how many of them the next DropOldMessages() drops
+  size_t m_numOld = 0;  // number of them that the next DropOldMessages() drops
   std::vector<CByteArray> m_outbox;
   CSpareElements<TMessage> m_spare;
-  CSpareElements<CByteArray> m_spareBytes;  // of messages that have been read
+  CSpareElements<CByteArray> m_spareBytes;  // bytes of messages that have been read
   UInt32 m_numberInMedium = 0;
 };
 

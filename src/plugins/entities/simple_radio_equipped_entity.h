@@ -13,8 +13,8 @@ namespace argos {
 template <>
 struct SMountedInstance<CSimpleRadioEntity> {
   CSimpleRadioEntity& Radio;
-  CVector3 Offset; /**< in the anchor's frame, m */
-  CQuaternion OrientationOffset; /**< in the anchor's frame */
+  CVector3 Offset; /**< offset in the anchor's frame, m */
+  CQuaternion OrientationOffset; /**< offset in the anchor's frame */
   SAnchor& Anchor;
 
   typedef std::vector<SMountedInstance> TVector;

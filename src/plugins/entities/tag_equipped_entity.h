@@ -13,8 +13,8 @@ namespace argos {
 template <>
 struct SMountedInstance<CTagEntity> {
   CTagEntity& Tag;
-  CVector3 PositionOffset; /**< in the anchor's frame, m */
-  CQuaternion OrientationOffset; /**< in the anchor's frame */
+  CVector3 PositionOffset; /**< offset in the anchor's frame, m */
+  CQuaternion OrientationOffset; /**< offset in the anchor's frame */
   SAnchor& Anchor;
 
   typedef std::vector<SMountedInstance> TVector;

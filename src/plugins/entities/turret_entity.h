@@ -85,7 +85,7 @@ class CTurretEntity : public CEntity {
   CRadians m_desiredRotation;
   Real m_desiredSpeed = 0.0;  // rad/s
   Real m_speed = 0.0;  // rad/s, commanded in the last tick
-  CRadians m_lastError;  // of position control in the last tick
+  CRadians m_lastError;  // error of position control in the last tick
   bool m_hasLastError = false;
 };
 

@@ -21,7 +21,7 @@ class CEntityPoints {
  public:
   struct SPoint {
     CVector3 Position; /**< m, world frame, when it was added */
-    ENTITY* Entity; /**< not owned */
+    ENTITY* Entity; /**< is not owned */
   };
 
   /** Removes all points, and allocates for a number of them. */
@@ -81,8 +81,8 @@ class CEntityPoints {
   static constexpr size_t kPointsPerCell = 4;
 
   bool m_isComplete = false;
-  std::vector<SPoint> m_unsorted;  // in the order of Add()
-  std::vector<SPoint> m_points;  // in the order of the cells
+  std::vector<SPoint> m_unsorted;  // have the order of Add()
+  std::vector<SPoint> m_points;  // have the order of the cells
   CPlanarGrid<> m_grid;
   CCountingSort m_sort;
 };

@@ -16,7 +16,7 @@ struct SIndexChoice {
 
   /** A grid over an arena. */
   struct SCells {
-    CVector3 Extent; /**< of the arena, m, each > 0 */
+    CVector3 Extent; /**< extents of the arena, m, each > 0 */
     SInt32 Number[3]; /**< along x, y, z */
   };
 

@@ -21,7 +21,7 @@ namespace argos {
 template <typename ENTITY>
 class CMediumMembers {
  public:
-  static constexpr UInt32 kWaiting = ~UInt32(0);  // of entities without a number
+  static constexpr UInt32 kWaiting = ~UInt32(0);  // number of entities that have none yet
 
   void Add(ENTITY& entity) {
     m_waiting.push_back(&entity);
@@ -96,8 +96,8 @@ class CMediumMembers {
   }
 
  private:
-  std::vector<ENTITY*> m_members;  // by number; not owned
-  std::vector<ENTITY*> m_waiting;  // not owned
+  std::vector<ENTITY*> m_members;  // are indexed by number; not owned
+  std::vector<ENTITY*> m_waiting;  // are not owned
   bool m_anyRemoved = false;
   UInt32 m_numbering = 0;
 };

@@ -26,7 +26,7 @@ class CMediumUser {
 
   const CControllableEntity& GetRobot() const { return m_robot; }
 
-  bool HasOrder = false; /**< to be executed once */
+  bool HasOrder = false; /**< an order waits, to be executed once */
 
  private:
   friend class CMediumUsers;

@@ -18,7 +18,7 @@ constexpr Real kMinScale = 1e-30;
 
 constexpr size_t kRowGrain = 16;
 constexpr size_t kColumnGrain = 64;
-constexpr size_t kRowsAtOnce = 8;  // whose eliminations are interleaved
+constexpr size_t kRowsAtOnce = 8;  // rows whose eliminations are interleaved
 
 Real Flush(Real value) {
   return value < kNothing ? 0.0 : value;
@@ -53,7 +53,7 @@ CPheromoneField::CPheromoneField(const SGrid& grid, Real evaporation, Real diffu
       m_cells(grid.NumX * grid.NumY, 0.0) {}
 
 bool CPheromoneField::Locate(SStencil& stencil, Real x, Real y) const {
-  // in cells from the lowest corner; the comparison treats NaN as outside
+  // unit: cells from the lowest corner; the comparison treats NaN as outside
   const Real u = (x - m_grid.MinX) / m_grid.CellX;
   const Real v = (y - m_grid.MinY) / m_grid.CellY;
   const bool isInside = u >= 0.0 && v >= 0.0 && u <= static_cast<Real>(m_grid.NumX) &&

@@ -14,12 +14,12 @@ namespace argos {
 
 namespace {
 
-constexpr Real kMaxLayerCells = 1 << 26;  // per layer: half a gigabyte
+constexpr Real kMaxLayerCells = 1 << 26;  // limit of a layer: half a gigabyte
 
 }  // namespace
 
 struct CPheromoneMedium::SState {
-  std::vector<CPheromoneField> Fields;  // by layer; empty until the arena is known
+  std::vector<CPheromoneField> Fields;  // are indexed by layer; empty until the arena is known
   CMediumUsers Users;  // all are CUsers
 };
 

@@ -102,7 +102,7 @@ class CPheromoneMedium : public CMedium {
   std::string m_owner;  // element in the file, for messages
   Real m_cellSize = 0.05;  // m
   bool m_hasSize = false, m_hasCenter = false;  // false: the arena's
-  CVector2 m_size, m_center;  // of the region, m
+  CVector2 m_size, m_center;  // describe the region, m
   std::vector<SLayer> m_layers;
   std::unique_ptr<SState> m_state;
 };

@@ -10,7 +10,7 @@ namespace argos {
 namespace {
 
 constexpr Real kMinSide = 1e-3;  // m
-constexpr Real kCellsPerPoint = 2.0;  // at most: more would be empty
+constexpr Real kCellsPerPoint = 2.0;  // is the upper limit: more would be empty
 constexpr Real kMinCells = 64.0;
 constexpr Real kMaxUserCells = 1 << 18;
 

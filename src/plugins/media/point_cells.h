@@ -69,7 +69,7 @@ class CPointCells {
   // cells of the hash that are farther than this from the origin are one
   static constexpr SInt32 kFarCell = 1 << 30;
 
-  // of the hash
+  // constants of the hash
   SInt32 HashI(Real x) const { return ClampToCells(x * m_inverseX, -kFarCell, kFarCell); }
   SInt32 HashJ(Real y) const { return ClampToCells(y * m_inverseY, -kFarCell, kFarCell); }
   UInt32 Bucket(SInt32 i, SInt32 j) const {
@@ -114,10 +114,10 @@ class CPointCells {
   CRange<CVector3> m_arena;  // m
 
   bool m_hashed = false;
-  CPlanarGrid<> m_grid;  // if not hashed
+  CPlanarGrid<> m_grid;  // is used if points are not hashed
   Real m_inverseX = 1.0, m_inverseY = 1.0;  // 1/m, of the sides of a hashed cell
   UInt32 m_hashShift = 63;
-  CCountingSort m_sort;  // of the points by cell or bucket
+  CCountingSort m_sort;  // sorts the points by cell or bucket
   std::vector<UInt32> m_order;  // (points), by place
   std::vector<SPlanarCell> m_cells;  // (points), by place, if hashed
 };

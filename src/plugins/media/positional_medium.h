@@ -133,7 +133,7 @@ class CPositionalMedium : public CMedium, public ENTITY::CRegistry {
     return m_index != nullptr ? all.Entities : m_waiting;
   }
 
-  // without a list of them: there may be no memory for one
+  // makes no list of them: there may be no memory for one
   void RemoveAll() {
     class CClear : public CPositionalIndex<ENTITY>::COperation {
      public:
@@ -190,8 +190,8 @@ class CPositionalMedium : public CMedium, public ENTITY::CRegistry {
   SIndexChoice m_choice;
   std::vector<ENTITY*> m_waiting;  // added before the index was made; not owned
   std::unique_ptr<CPositionalIndex<ENTITY>> m_index;  // null until the arena is known
-  std::unique_ptr<CUpdater> m_gridUpdater;  // for a grid
-  size_t m_numEntities = 0;  // or more: how many points there may be
+  std::unique_ptr<CUpdater> m_gridUpdater;  // updates a grid
+  size_t m_numEntities = 0;  // is an upper limit of the number of points
   bool m_keepsPoints = false;
   CEntityPoints<ENTITY> m_points;
 };

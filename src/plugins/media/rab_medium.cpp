@@ -46,7 +46,7 @@ void CRABMedium::PostSpaceInit() {
     const CRABEquippedEntity* First;
     size_t Count;
   };
-  std::map<size_t, SSize> sizes;  // by bytes of a message
+  std::map<size_t, SSize> sizes;  // are indexed by bytes of a message
   std::vector<CRABEquippedEntity*> devices = m_state->Members.ListAll();
   std::sort(devices.begin(), devices.end(), SEntityComparator());
   for (const CRABEquippedEntity* device : devices) {

@@ -77,7 +77,7 @@ class CRABRouting {
     UInt32 Device;
     UInt32 MessageSize;
   };
-  // what each thread uses
+  // memory of each thread
   struct SScratch {
     std::vector<UInt32> Pairs;  // places of the other devices
     CSightFan Fan;
@@ -111,11 +111,11 @@ class CRABRouting {
   std::vector<Real> m_rank;  // a device examines those of higher rank
   std::vector<size_t> m_pairStart;  // (placed devices + 1): ranges in m_hearings
   std::vector<UInt32> m_numHearings;  // (placed devices)
-  std::vector<THearing> m_hearings;  // at most one per pair
+  std::vector<THearing> m_hearings;  // contain at most one per pair
   std::vector<SScratch> m_scratch;  // (threads)
   std::vector<UInt32> m_senderStart;  // (devices + 1): ranges in m_senders
   std::vector<UInt32> m_cursor;  // (devices), scratch
-  std::vector<UInt32> m_senders;  // by receiver, ascending
+  std::vector<UInt32> m_senders;  // are sorted by receiver, ascending
 };
 
 }  // namespace argos

@@ -19,10 +19,10 @@ struct CRFIDMedium::SState {
 
   SIndexChoice Index;
   CPointCells Cells;
-  std::vector<CVector3> Places;  // of the tags at the last sorting, m, world frame, by number
-  UInt32 Numbering = 0;  // of the tags, at the last sorting
+  std::vector<CVector3> Places;  // places of the tags at the last sorting, by number, m
+  UInt32 Numbering = 0;  // numbering of the tags at the last sorting
   std::vector<UInt32> Finite;  // numbers of tags at finite positions
-  std::vector<Real> X, Y;  // of these tags, m
+  std::vector<Real> X, Y;  // coordinates of these tags, m
   Real Reach = 0.0;  // m, used to choose the cells
 };
 
@@ -141,7 +141,7 @@ void CRFIDMedium::TakeActs() {
 void CRFIDMedium::Write(CUser& user) {
   std::vector<SFound>& found = m_state->Found;
   FindTags(found, user.Place, user.GetReach(), user.GetRobot().GetRootEntity());
-  // if several are at equal distance, the one that was created first counts
+  // among several at equal distance, the one that was created first counts
   const auto nearest = std::min_element(
       found.begin(), found.end(),
       [](const SFound& a, const SFound& b) { return a.SquareDistance < b.SquareDistance; });

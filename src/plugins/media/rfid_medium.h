@@ -29,9 +29,9 @@ class CRFIDMedium : public CMedium, public CRFIDTagEntity::CRegistry {
 
     Real GetReach() const { return m_reach; }
 
-    CVector3 Place; /**< of the device when it writes, m, world frame */
+    CVector3 Place; /**< place of the device when it writes, m, world frame */
     size_t Offset = 0; /**< first byte to write */
-    CByteArray Bytes; /**< to write */
+    CByteArray Bytes; /**< are to be written */
     /**
      * Result of this tick's order: id of the tag; empty if none was in reach or the bytes did not
      * fit.

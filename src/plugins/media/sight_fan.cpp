@@ -15,7 +15,7 @@ constexpr Real kLess = 1.0 - 1e-6;
 constexpr Real kMargin = 1e-6;  // m, the same for places along a line
 constexpr Real kHeightMargin = 1e-9;  // m, and for heights
 constexpr UInt32 kMaxBuckets = 256;
-// with so few lines, all are compared with each solid
+// up to so many lines are all compared with each solid
 constexpr size_t kFewLines = 8;
 
 // A number in [0,4] that grows with the angle from the x axis, by 0.5 to 1 for each radian: within

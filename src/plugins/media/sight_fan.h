@@ -50,20 +50,20 @@ class CSightFan {
   bool IsClear(size_t number) const { return m_isClear[number] != 0; }
 
  private:
-  enum class EState : UInt8 { Clear, Doubtful, Blocked };  // by how much is known to be in the way
-  // without constructors, so that arrays are resized for free
+  enum class EState : UInt8 { Clear, Doubtful, Blocked };  // says how much is in the way
+  // it has no constructors, so that arrays are resized for free
   struct SAdded {
     const SEnd* End;
     bool ToEnd;
   };
   struct SLine {
-    Real DX, DY;  // from the eye to the end, m
+    Real DX, DY;  // lead from the eye to the end, m
     Real SquareLength;  // m^2, seen from above
     // m^2; a point whose dot product with (DX, DY) is between these is outside the bodies at the
     // ends by more than a rounding
     Real First, Last;
     Real DZ;  // m, from the eye to the end
-    UInt32 Body;  // at the end
+    UInt32 Body;  // body at the end
     UInt32 Number;
     EState State;
   };
@@ -81,10 +81,10 @@ class CSightFan {
 
   const SEnd* m_eye = nullptr;
   std::vector<SAdded> m_added;
-  std::vector<SLine> m_lines;  // by direction
+  std::vector<SLine> m_lines;  // are sorted by direction
   std::vector<UInt32> m_bucketStart;  // (buckets + 1): ranges in m_lines
   std::vector<UInt32> m_buckets;  // (lines), scratch
-  std::vector<UInt8> m_isClear;  // in the order of Add()
+  std::vector<UInt8> m_isClear;  // has the order of Add()
   UInt32 m_numBuckets = 1;
   Real m_bucketsPerQuadrant = 0.25;
   size_t m_numOpen = 0;  // lines that are not blocked

@@ -11,11 +11,11 @@ namespace argos {
 
 struct CSimpleRadioMedium::SState {
   CMediumMembers<CSimpleRadioEntity> Members;
-  std::vector<CSimpleRadioEntity*> Senders;  // of this tick, in order
+  std::vector<CSimpleRadioEntity*> Senders;  // senders of this tick, in order
   std::vector<UInt32> Finite;  // numbers of radios at finite positions
-  std::vector<Real> X, Y;  // of these radios, m, world frame
+  std::vector<Real> X, Y;  // coordinates of these radios, m, world frame
   CPointCells Cells;
-  UInt64 NumDelivered = 0;  // in this tick
+  UInt64 NumDelivered = 0;  // number in this tick
 };
 
 CSimpleRadioMedium::CSimpleRadioMedium() : m_state(std::make_unique<SState>()) {}

@@ -49,7 +49,7 @@ std::vector<CVector3> FirstPlaces(CLuaArguments& arguments, size_t least) {
   if (!arguments.IsNextTable()) {
     arguments.ThrowNextMustBe(expected);
   }
-  constexpr int kList = 1;  // on the stack of the call
+  constexpr int kList = 1;  // place on the stack of the call
   lua_State* const state = arguments.GetState();
   std::vector<CVector3> places;
   const size_t count = lua_rawlen(state, kList);

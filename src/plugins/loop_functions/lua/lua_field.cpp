@@ -104,7 +104,7 @@ class CLuaReader : public CFieldReader {
 
   CControllableEntity& m_robot;
   std::string m_name;
-  std::shared_ptr<SWarning> m_warning;  // of all robots
+  std::shared_ptr<SWarning> m_warning;  // warning of all robots
 };
 
 class CLuaField : public CField {

@@ -55,7 +55,7 @@ class CLuaLoopFunctions : public CLoopFunctions {
 
   TConfigurationNode m_params;
   std::shared_ptr<const SLuaScript> m_script;
-  // before the state, which refers to them
+  // these precede the state, which refers to them
   std::unique_ptr<CLuaSimulation> m_simulation;
   std::unique_ptr<CLuaDrawing> m_drawing;
   std::unique_ptr<CLuaState> m_state;

@@ -44,14 +44,14 @@ class CRowTexts {
 
  private:
   std::string m_texts;
-  std::vector<std::size_t> m_ends;  // of each text in m_texts
+  std::vector<std::size_t> m_ends;  // end of each text in m_texts
 };
 
 /** What CFieldReader::Read() fills. */
 struct SFieldRow {
   double* Numbers; /**< one for each number of the field, NaN before the call */
-  CRowTexts& Texts; /**< for columns of texts: Numbers[i] = Texts.Add(text) */
-  const SColumn* Columns; /**< of the table, for the columns of the field */
+  CRowTexts& Texts; /**< serves columns of texts: Numbers[i] = Texts.Add(text) */
+  const SColumn* Columns; /**< belong to the table, for the columns of the field */
 };
 
 /**
@@ -141,8 +141,8 @@ struct SFieldName {
   SBoundField Bind(CEntity& root) const;
 
   std::string Name;
-  std::string Label; /**< before ':' */
-  std::string Argument; /**< after ':' */
+  std::string Label; /**< precedes ':' */
+  std::string Argument; /**< follows ':' */
   std::unique_ptr<CField> Field;
 };
 

@@ -49,7 +49,7 @@ class CLoopMeter : public CSpaceExtension {
   // the processor time of a single thread is at most the wall time: it is read inside of it
   const SUse& Measure() {
     const UInt32 tick = *m_context->Clock;
-    // while the metrics of the first state are computed, the loop has not begun
+    // the loop has not begun while the metrics of the first state are computed
     if (!m_isRunning || tick == m_firstTick) {
       m_isRunning = true;
       m_firstTick = tick;
@@ -74,7 +74,7 @@ class CLoopMeter : public CSpaceExtension {
   const SSimulationContext* m_context = nullptr;
   bool m_isRunning = false;
   UInt32 m_firstTick = 0;
-  UInt32 m_tick = 0;  // of m_use
+  UInt32 m_tick = 0;  // tick of m_use
   TWallClock::time_point m_start;
   TWallClock::time_point m_next;  // no measurement before
   Real m_startCPUTime = 0.0;

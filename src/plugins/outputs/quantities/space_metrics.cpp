@@ -73,7 +73,7 @@ class CRobotBodies {
 
  private:
   CSpace* m_space = nullptr;
-  std::optional<UInt64> m_version;  // of the list of robots
+  std::optional<UInt64> m_version;  // version of the list of robots
   std::vector<CEmbodiedEntity*> m_bodies;
 };
 
@@ -167,9 +167,9 @@ class CCollisions : public CBuiltInMetric {
   }
 
   CRobotBodies m_bodies;
-  std::vector<const SBodyDescription*> m_originals;  // by body
-  std::vector<const SBodyDescription*> m_grown;  // by body; null without a description
-  std::map<const SBodyDescription*, SGrown> m_descriptions;  // by the original; never iterated
+  std::vector<const SBodyDescription*> m_originals;  // are indexed by body
+  std::vector<const SBodyDescription*> m_grown;  // are indexed by body; null without a description
+  std::map<const SBodyDescription*, SGrown> m_descriptions;  // keyed by original; never iterated
 };
 
 }  // namespace

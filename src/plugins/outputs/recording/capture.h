@@ -30,12 +30,12 @@ class CCapture {
   void TakeFloor(CSpace& space, SFrameUpdate& update);
   std::shared_ptr<const SRecordedFloor> ReadFloor(CSpace& space, CFloorEntity& floor) const;
 
-  std::vector<CTrackedEntity> m_entities;  // in the order of the space
-  std::unordered_map<std::string, UInt32> m_types;  // by their bytes
+  std::vector<CTrackedEntity> m_entities;  // have the order of the space
+  std::unordered_map<std::string, UInt32> m_types;  // are keyed by their bytes
   bool m_isRestart = true;
-  std::shared_ptr<const SRecordedFloor> m_floor;  // of the last update
-  const CFloorEntity* m_floorEntity = nullptr;  // of m_floor
-  UInt64 m_floorVersion = 0;  // of m_floor
+  std::shared_ptr<const SRecordedFloor> m_floor;  // floor of the last update
+  const CFloorEntity* m_floorEntity = nullptr;  // entity of m_floor
+  UInt64 m_floorVersion = 0;  // version of m_floor
 };
 
 /** Sets the metrics of an update to those of now. */

@@ -31,7 +31,7 @@ class CRecordedFields {
 
   CEntityRows m_rows;
   SRowBlock m_block;
-  std::vector<UInt32> m_numbers;  // of the entity of each row, in the recording
+  std::vector<UInt32> m_numbers;  // number in the recording of the entity of each row
   std::size_t m_numEntities = 0;
 };
 

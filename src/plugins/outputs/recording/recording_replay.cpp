@@ -49,7 +49,7 @@ class CReplayLoopFunctions : public CLoopFunctions {
     }
   }
 
-  // beyond the edges their colours continue; NaN gives the first pixel
+  // colours continue beyond the edges; NaN gives the first pixel
   static size_t ToPixel(Real share, UInt32 pixels) {
     const Real pixel = share * pixels;
     return pixel > 0.0 ? static_cast<size_t>(std::min<Real>(pixel, pixels - 1)) : 0;

@@ -57,10 +57,10 @@ class CRecordingReplay : public CReplay {
   UInt32 m_nextTick = 0;  // states before it are skipped, but for the last one
   bool m_hasEnded = false;
 
-  std::vector<std::shared_ptr<const SRecordedType>> m_types;  // as in the frame
-  std::vector<std::string> m_typeBytes;  // of m_types
-  std::vector<CReplayedEntity> m_entities;  // in the order of the space
-  UInt64 m_entitiesVersion = 0;  // of m_entities
+  std::vector<std::shared_ptr<const SRecordedType>> m_types;  // types of the frame
+  std::vector<std::string> m_typeBytes;  // bytes of m_types
+  std::vector<CReplayedEntity> m_entities;  // have the order of the space
+  UInt64 m_entitiesVersion = 0;  // version of m_entities
   std::shared_ptr<const SRecordedFloor> m_floor;
   std::string m_drawing;
   std::shared_ptr<SReplayedColumns> m_columns = std::make_shared<SReplayedColumns>();

@@ -18,7 +18,7 @@ namespace argos {
 
 namespace {
 
-// what views read of it: the engines, which would use the rest, do not exist
+// views read this; the engines, which would use the rest, do not exist
 std::shared_ptr<const SBodyDescription> DescribeBody(const SRecordedType& type) {
   const CVector3 size = type.Box.MaxCorner - type.Box.MinCorner;
   const CVector3 center = 0.5 * (type.Box.MaxCorner + type.Box.MinCorner);

@@ -69,7 +69,7 @@ class CStandInEntity : public CComposableEntity, public CFieldSource {
   CStandInBody* m_body = nullptr;  // components, which the base owns
   CControllableEntity* m_robot = nullptr;
   CLEDEquippedEntity* m_leds = nullptr;
-  std::vector<SAnchor*> m_anchors;  // as in the type
+  std::vector<SAnchor*> m_anchors;  // anchors of the type
   CReplayedFields m_fields;
 };
 

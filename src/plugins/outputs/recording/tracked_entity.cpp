@@ -45,7 +45,7 @@ void CTrackedEntity::FindParts(CComposableEntity& entity) {
   }
 }
 
-// of directional LEDs, those that the appearance has
+// directional LEDs that the appearance has
 UInt32 CTrackedEntity::CountLEDs() const {
   if (m_leds != nullptr) {
     return static_cast<UInt32>(m_leds->GetNumLEDs());

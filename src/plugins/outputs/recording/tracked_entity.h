@@ -62,7 +62,7 @@ class CTrackedEntity {
   SRecordedType::EKind m_kind = SRecordedType::EKind::Other;
   UInt32 m_numLEDs = 0;
   size_t m_numComponents = 0;
-  std::vector<const SAnchor*> m_anchors;  // on which parts of the appearance are mounted
+  std::vector<const SAnchor*> m_anchors;  // parts of the appearance are mounted on these
   const CComposableEntity* m_composable = nullptr;  // null: none
   const CPositionalEntity* m_place = nullptr;  // null: has a body, or no pose
   const CLightEntity* m_light = nullptr;  // null: none

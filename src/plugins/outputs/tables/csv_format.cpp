@@ -25,7 +25,7 @@ namespace {
 // begins the line before that with the names of the columns
 constexpr std::string_view kUnits = "# units: ";
 
-constexpr std::size_t kMaxNumberLength = 32;  // of the text of a number, characters
+constexpr std::size_t kMaxNumberLength = 32;  // length of the text of a number, characters
 
 /**
  * Writes a number as decimal text; nothing for NaN.
@@ -109,7 +109,7 @@ class CCSVFormat : public CTableFormat {
     const std::size_t numOld = m_schema.Columns.size();
     m_schema.AddColumns(columns);
     if (!m_file.CanReplace()) {
-      // what was written cannot be changed: the numbers of the new columns are left out
+      // written rows cannot be changed: the numbers of the new columns are left out
       m_schema.Columns.resize(numOld);
       LOGERR << "[WARNING] \"" << m_path << "\" is no regular file, so the metric \""
              << columns.front().Name
@@ -211,7 +211,7 @@ class CCSVFormat : public CTableFormat {
       to += prefix.size();
       to += robot.copy(to, robot.size());
       to = WriteValues(block, row, to);
-      // in place of the comma after the last value
+      // it replaces the comma after the last value
       to[-1] = '\n';
       m_text.SetEnd(to);
     }

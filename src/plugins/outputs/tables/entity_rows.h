@@ -66,8 +66,8 @@ class CEntityRows {
   /** A field of the table. */
   struct SPart {
     SFieldName Name;
-    std::vector<SColumn> Columns;  // of all entities, in order of their first appearance
-    std::size_t Start = 0;  // of its numbers in a row
+    std::vector<SColumn> Columns;  // columns of all entities, in order of their first appearance
+    std::size_t Start = 0;  // place of its numbers in a row
     std::size_t NumNumbers = 0;
     bool WasExtraColumnReported = false;
   };
@@ -75,14 +75,14 @@ class CEntityRows {
   /** A field of an entity. */
   struct SCell {
     std::unique_ptr<CFieldReader> Reader;  // null: no values
-    std::vector<std::size_t> Places;  // of its columns among those of the part; empty: the same
+    std::vector<std::size_t> Places;  // places of its columns in those of the part; empty: same
   };
 
   struct SEntityRows {
     CEntity* Entity;
-    ssize_t Index;  // of the entity, which tells it from a later one at the same address
-    UInt32 Number;  // of this entity in the file
-    std::vector<SCell> Cells;  // by part
+    ssize_t Index;  // index of the entity, which tells it from a later one at the same address
+    UInt32 Number;  // number of this entity in the file
+    std::vector<SCell> Cells;  // are indexed by part
   };
 
   struct SRoot {
@@ -115,10 +115,10 @@ class CEntityRows {
   std::size_t m_numNumbers = 0;
   bool m_areColumnsKnown = false;
   std::vector<SEntityRows> m_entities;
-  std::vector<SRoot> m_roots;  // of the space at the last change
+  std::vector<SRoot> m_roots;  // roots of the space at the last change
   UInt64 m_robotsVersion = 0;
   bool m_wereEntitiesListed = false;
-  std::vector<std::string> m_newIds;  // not in a block yet
+  std::vector<std::string> m_newIds;  // are not in a block yet
   UInt32 m_nextNumber = 0;
   std::vector<double> m_scratch;
 };

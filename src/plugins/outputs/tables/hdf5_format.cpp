@@ -211,7 +211,7 @@ class CHDF5Format : public CTableFormat {
     try {
       Close();
     } catch (...) {
-      // who wants to know calls Close() before
+      // a caller that wants to know calls Close() before
       return;
     }
   }
@@ -445,17 +445,17 @@ class CHDF5Format : public CTableFormat {
   }
 
   std::string m_path;
-  std::string m_reason;  // of a failure; empty: not known
+  std::string m_reason;  // reason of a failure; empty: not known
   STableSchema m_schema;
-  int m_descriptor = -1;  // of the file, to reserve space
-  std::unique_ptr<CHandle> m_file;  // before the columns, which are closed first
-  std::vector<std::unique_ptr<CColumn>> m_own;  // by EOwn
-  std::unique_ptr<CColumn> m_seeds;  // of each run
+  int m_descriptor = -1;  // descriptor of the file, to reserve space
+  std::unique_ptr<CHandle> m_file;  // precedes the columns, which are closed first
+  std::vector<std::unique_ptr<CColumn>> m_own;  // are indexed by EOwn
+  std::unique_ptr<CColumn> m_seeds;  // seeds of the runs
   std::vector<std::unique_ptr<CColumn>> m_columns;
   UInt32 m_numSeeds = 0;
   std::vector<double> m_numbers;
   std::vector<std::string_view> m_robotTexts;
-  std::vector<std::vector<std::string_view>> m_texts;  // by column
+  std::vector<std::vector<std::string_view>> m_texts;  // are indexed by column
 };
 
 }  // namespace

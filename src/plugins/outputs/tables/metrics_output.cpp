@@ -50,7 +50,7 @@ class CMetricsOutput : public CTableBase {
     CTableBase::Finish(simulator);
   }
 
-  // after an error the row of the last tick is still missing
+  // the row of the last tick is still missing after an error
   void Destroy() override {
     try {
       AppendPending(CurrentSimulator());

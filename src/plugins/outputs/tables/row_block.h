@@ -15,17 +15,17 @@ namespace argos {
 struct STableSchema {
   /** A field whose columns are computed from the numbers of a row. */
   struct SDerivation {
-    const CField* Field; /**< not owned */
-    std::size_t Start; /**< of its numbers in the row */
+    const CField* Field; /**< is not owned */
+    std::size_t Start; /**< place of its numbers in the row */
   };
 
-  std::vector<SColumn> Columns; /**< after run, tick, time and robot */
-  std::vector<std::size_t> Places; /**< of each column, in the numbers of a row */
-  std::size_t NumNumbers = 0; /**< of a row */
+  std::vector<SColumn> Columns; /**< follow run, tick, time and robot */
+  std::vector<std::size_t> Places; /**< place of each column in the numbers of a row */
+  std::size_t NumNumbers = 0; /**< numbers in a row */
   std::vector<SDerivation> Derivations;
   bool HasRobots = true; /**< the rows are those of robots, or other entities */
   int Digits = 0; /**< significant ones of numbers in texts; 0: as many as needed */
-  std::string Version; /**< of the program that writes it */
+  std::string Version; /**< version of the program that writes it */
   /** Key and value of what is known about the run; a key may be repeated. */
   std::vector<std::pair<std::string, std::string>> Header;
 
@@ -43,7 +43,7 @@ struct SRowBlock {
   /** The rows of one tick. */
   struct STick {
     UInt32 Run; /**< number of resets before */
-    UInt32 Seed; /**< of the run */
+    UInt32 Seed; /**< seed of the run */
     UInt32 Tick;
     double Time; /**< s */
     std::size_t NumRows;
@@ -55,7 +55,7 @@ struct SRowBlock {
   CRowTexts Texts;
   /** Ids of robots with rows from this block on; their numbers follow those of earlier blocks. */
   std::vector<std::string> NewRobots;
-  std::vector<SColumn> NewColumns; /**< of numbers: rows from this block on have them, too */
+  std::vector<SColumn> NewColumns; /**< contain numbers: rows from this block on have them, too */
   std::size_t NumRows = 0;
 
   void Clear() {

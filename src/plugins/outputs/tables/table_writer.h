@@ -54,7 +54,7 @@ class CTableWriter {
 
   static constexpr std::size_t kMaxWaiting = 4;  // blocks
   static constexpr std::size_t kFullRows = 8192;
-  static constexpr std::chrono::seconds kOldest{1};  // that rows wait for others
+  static constexpr std::chrono::seconds kOldest{1};  // longest time that rows wait for others
 
   void Work();
   void WriteBlock(SRowBlock& block);
@@ -68,7 +68,7 @@ class CTableWriter {
   std::chrono::steady_clock::time_point m_lastPush;
   bool m_wasFailureThrown = false;
 
-  std::mutex m_mutex;  // of all below
+  std::mutex m_mutex;  // guards all below
   std::condition_variable m_changed;
   std::vector<TBlock> m_waiting;  // the next one first
   std::vector<TBlock> m_free;

@@ -24,7 +24,7 @@ enum ESection : int {
 
 constexpr UInt32 kMaxPixels = 1 << 14;  // along one side of the floor
 constexpr size_t kBytesPerPixel = 3;
-constexpr size_t kMaxValues = size_t(1) << 24;  // of all columns
+constexpr size_t kMaxValues = size_t(1) << 24;  // number of values of all columns
 
 void WriteMetrics(const std::vector<SRecordedMetric>& metrics, CByteWriter& out) {
   out.WriteNumber(metrics.size());

@@ -55,9 +55,9 @@ class CFrameEncoder {
   CPoseColumns m_poses;
   CRayColumns m_rays;
   CNamedColumns m_columns;
-  std::vector<UInt32> m_words;  // of the last frame
-  std::shared_ptr<const SRecordedFloor> m_floor;  // of the last frame
-  std::string m_drawing;  // of the last frame
+  std::vector<UInt32> m_words;  // words of the last frame
+  std::shared_ptr<const SRecordedFloor> m_floor;  // floor of the last frame
+  std::string m_drawing;  // drawing of the last frame
   std::string m_body;
   std::string m_section;
 };

@@ -90,7 +90,7 @@ void CGrowingFile::CheckReplaceable(const std::string& path, std::string_view ma
   }
 }
 
-// under another name until it can be read, so that there is no moment without a readable file
+// it has another name until it can be read, so that there is no moment without a readable file
 void CGrowingFile::CreateRegular(const std::string& path, std::string_view magic,
                                  std::string_view start) {
   const std::string part = path + kPartSuffix;

@@ -10,7 +10,7 @@ namespace argos {
 
 namespace {
 
-// what no number on the grid is
+// no number on the grid has this value
 constexpr SInt64 kNoNumber = SInt64(1) << 62;
 
 // adding it moves the whole part of a number below 2^51 to the low bits, rounded to the nearest

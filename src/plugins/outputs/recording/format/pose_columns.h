@@ -41,7 +41,7 @@ class CPoseColumns {
 
   EPrecision m_precision;
   std::array<CPredictedColumn, kNumbers> m_columns;
-  std::vector<SInt64> m_values;  // of one column
+  std::vector<SInt64> m_values;  // values of one column
   std::vector<Real> m_numbers;  // (poses, kNumbers)
 };
 

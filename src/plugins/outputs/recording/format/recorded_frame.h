@@ -24,7 +24,7 @@ struct SRecordedType {
   };
 
   EKind Kind = EKind::Other;
-  std::string Tag; /**< as in XML: "foot-bot", "box", ... */
+  std::string Tag; /**< tag in XML: "foot-bot", "box", ... */
   bool IsRobot = false; /**< has a controller */
   bool IsMovable = false;
   bool Flies = false; /**< has propellers: views then show the height of the arena */
@@ -81,8 +81,8 @@ struct SRecordedFloor {
 
 /** A column of a field that users choose to record in addition, such as a reading. */
 struct SRecordedColumn {
-  std::string Field; /**< as users name it, such as "readings:proximity" */
-  std::string Name; /**< of the column, such as "proximity_1" */
+  std::string Field; /**< users name it so, such as "readings:proximity" */
+  std::string Name; /**< name of the column, such as "proximity_1" */
   std::string Unit;
   bool IsText = false; /**< values are places in Texts */
   std::vector<Real> Values; /**< one for each entity; NaN where an entity has none */
@@ -117,14 +117,14 @@ struct SFrameUpdate {
   std::vector<UInt32> Removed; /**< numbers in the last frame, ascending */
   std::vector<SRecordedEntity> Added;
 
-  std::vector<SBodyPose> Poses; /**< of all entities, in their order, see GetNumPoses() */
+  std::vector<SBodyPose> Poses; /**< poses of all entities, in their order, see GetNumPoses() */
   std::vector<UInt32> Words; /**< the same, see GetNumWords() */
   std::vector<SRecordedRay> Rays;
   std::shared_ptr<const SRecordedFloor> Floor; /**< null: none; another object if it changed */
   std::vector<SRecordedColumn> Columns;
   std::vector<SRecordedMetric> Metrics;
-  std::vector<SRecordedCommand> Commands; /**< since the last frame */
-  std::string Drawing; /**< what users' code draws, in a form that the caller knows */
+  std::vector<SRecordedCommand> Commands; /**< commands since the last frame */
+  std::string Drawing; /**< drawings of users' code, in a form that the caller knows */
 
   /** Ready for the next tick; keeps memory. */
   void Clear();
@@ -136,9 +136,9 @@ struct SFrameUpdate {
 struct SRecordedFrame {
   UInt32 Tick = 0;
   std::vector<SRecordedType> Types;
-  std::vector<SRecordedEntity> Entities; /**< in the order of the space */
+  std::vector<SRecordedEntity> Entities; /**< have the order of the space */
   UInt64 EntitiesVersion = 0; /**< changes with Entities and Types */
-  std::vector<SBodyPose> Poses; /**< as in SFrameUpdate, and the following */
+  std::vector<SBodyPose> Poses; /**< are those of SFrameUpdate, and so are the following */
   std::vector<UInt32> Words;
   std::vector<SRecordedRay> Rays;
   std::shared_ptr<const SRecordedFloor> Floor;

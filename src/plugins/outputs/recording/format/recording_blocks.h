@@ -44,12 +44,12 @@ enum class EBlock : UInt32 {
 /** What precedes the content of a block. */
 struct SBlockHeader {
   EBlock Kind = EBlock::Info;
-  UInt32 FirstTick = 0; /**< of frames */
+  UInt32 FirstTick = 0; /**< first tick of frames */
   UInt32 LastTick = 0;
-  UInt64 FloorPlace = 0; /**< of the block with the floor at the first tick; 0: no floor */
-  UInt32 Size = 0; /**< of the content, bytes */
-  UInt32 PackedSize = 0; /**< of the compressed content, bytes */
-  UInt64 Checksum = 0; /**< of the compressed content */
+  UInt64 FloorPlace = 0; /**< place of the block with the floor at the first tick; 0: no floor */
+  UInt32 Size = 0; /**< size of the content, bytes */
+  UInt32 PackedSize = 0; /**< size of the compressed content, bytes */
+  UInt64 Checksum = 0; /**< checksum of the compressed content */
 };
 
 /** "ARGOSREC" and the version. */
@@ -74,7 +74,7 @@ class CBlockPacker {
   std::string_view Pack(const SBlockHeader& header, std::string_view content);
 
  private:
-  void* m_context;  // of zstd
+  void* m_context;  // context of zstd
   int m_level;
   std::string m_block;
 };

@@ -16,9 +16,9 @@ struct SRecordingInfo {
   std::string Experiment; /**< the XML as run, after overrides */
   std::vector<std::pair<std::string, std::string>> Overrides; /**< path and value */
   UInt32 Seed = 0;
-  std::string Version; /**< of the simulator */
-  std::string Build; /**< how it was built */
-  std::string Date; /**< of the start, UTC, ISO 8601 */
+  std::string Version; /**< version of the simulator */
+  std::string Build; /**< says how it was built */
+  std::string Date; /**< date of the start, UTC, ISO 8601 */
   Real TickLength = 0.1; /**< s */
   UInt32 Every = 1; /**< ticks from frame to frame, but for the last one */
   EPrecision Precision = EPrecision::Grid;

@@ -71,18 +71,18 @@ class CRecordingReader {
 
   std::string m_path;
   int m_file = -1;
-  UInt64 m_size = 0;  // of the file, bytes
+  UInt64 m_size = 0;  // size of the file, bytes
   SRecordingInfo m_info;
-  std::vector<SBlock> m_blocks;  // of frames
+  std::vector<SBlock> m_blocks;  // blocks of frames
   std::string m_warning;
 
   std::optional<CFrameDecoder> m_decoder;
   size_t m_nextBlock = 0;
-  std::string m_content;  // of the present block
+  std::string m_content;  // content of the present block
   CByteReader m_frames{""};  // the rest of m_content
   bool m_isKeyNext = false;
   UInt64 m_floorPlace = 0;
-  std::shared_ptr<const SRecordedFloor> m_floor;  // of m_floorPlace
+  std::shared_ptr<const SRecordedFloor> m_floor;  // floor at m_floorPlace
   UInt32 m_from = 0;  // states before this tick are skipped
 };
 

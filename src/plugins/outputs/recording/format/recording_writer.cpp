@@ -112,13 +112,13 @@ class CRecordingWriter::CBlocks {
   CGrowingFile m_file;
   CBlockPacker m_packer;
   CFrameEncoder m_encoder;
-  std::string m_frames;  // of the block
+  std::string m_frames;  // frames of the block
   UInt32 m_numFrames = 0;
-  SBlockHeader m_header;  // of the block
-  std::shared_ptr<const SRecordedFloor> m_lastFloor;  // of the last frame
-  std::shared_ptr<const SRecordedFloor> m_writtenFloor;  // of m_header.FloorPlace
+  SBlockHeader m_header;  // header of the block
+  std::shared_ptr<const SRecordedFloor> m_lastFloor;  // floor of the last frame
+  std::shared_ptr<const SRecordedFloor> m_writtenFloor;  // floor at m_header.FloorPlace
   std::string m_index;
-  UInt64 m_lastPlace = 0;  // of a block of frames
+  UInt64 m_lastPlace = 0;  // place of a block of frames
   UInt64 m_numCodedBytes = 0;
   UInt64 m_size = 0;
 };

@@ -8,7 +8,7 @@ namespace argos {
 
 namespace {
 
-constexpr UInt32 kMaxLEDs = 1 << 16;  // of an entity
+constexpr UInt32 kMaxLEDs = 1 << 16;  // number of an entity's LEDs
 
 enum ETypeFlags : UInt8 { IS_ROBOT = 1, IS_MOVABLE = 2, FLIES = 4, HAS_APPEARANCE = 8 };
 
