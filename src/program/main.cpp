@@ -1,12 +1,10 @@
 #include <argos3/program/command_line.h>
+#include <argos3/support/failed_writes.h>
 
 #include <fcntl.h>
-#include <signal.h>
 #include <unistd.h>
 
 namespace {
-
-extern "C" void DoNothing(int) {}
 
 // a file that the program opens must not get the number of a standard stream that was closed, or
 // the logs would be written into it
@@ -20,22 +18,12 @@ bool OpenStandardStreams() {
   return true;
 }
 
-// with a handler, writing to a closed pipe, or beyond the limit of a file's size, is an error of
-// the write instead of the end of the process. Programs that users' code starts do not inherit it
-void SurviveFailedWrites() {
-  struct sigaction action {};
-  action.sa_handler = &DoNothing;
-  action.sa_flags = SA_RESTART;
-  sigaction(SIGPIPE, &action, nullptr);
-  sigaction(SIGXFSZ, &action, nullptr);
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
   if (!OpenStandardStreams()) {
     return 1;
   }
-  SurviveFailedWrites();
+  argos::SurviveFailedWrites();
   return argos::RunCommandLine(argc, argv, "/proc/self/exe");
 }
