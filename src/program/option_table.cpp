@@ -65,11 +65,13 @@ constexpr char kExitStatus[] =
   exit(), its status.
 )";
 
-// of plug-ins that the core knows
+// lists the kinds of plug-ins that the core knows
 std::string ListKinds() {
   std::string words;
   for (const SPluginKind& kind : ListPluginKinds()) {
-    words += !kind.Of.empty() ? "" : (words.empty() ? "" : ", ") + kind.Word;
+    if (kind.Of.empty()) {
+      words += (words.empty() ? "" : ", ") + kind.Word;
+    }
   }
   Replace(words, "visualizations", "visualizations (or outputs)");
   const std::string lines = Wrapped(words, 2);

@@ -30,7 +30,7 @@ constexpr off_t kMaxCopyBytes = off_t(1) << 28;
 
 struct SShield {
   std::atomic<bool> IsUp = false;
-  std::string Folder;  // where changed files are, by their absolute paths
+  std::string Folder;  // contains changed files, by their absolute paths
   std::mutex Mutex;
   std::set<std::string> Removed;  // absolute paths
 };
@@ -111,7 +111,7 @@ class CShieldedPath {
   const std::string& GetOriginal() const { return m_absolute; }
   const std::string& GetCopy() const { return m_copy; }
 
-  // what is read at that path; null with errno if there is nothing
+  // finds the file that is read at that path; null with errno if there is none
   const char* ToReadable() const {
     if (m_isOutside) {
       return m_path;
@@ -128,7 +128,7 @@ class CShieldedPath {
     return m_path;
   }
 
-  // what is opened for writing at that path; null with errno if that is an error
+  // finds the file that is written at that path; null with errno if that is an error
   const char* ToWritable(int flags) const {
     if (m_isOutside || HasCopy()) {
       return ToReadable();
@@ -293,7 +293,7 @@ int Rename(int oldFolder, const char* oldPath, int newFolder, const char* newPat
   const int result =
       source == from.GetCopy()
           ? NEXT(rename)(source, to.GetCopy().c_str())
-          : NEXT(mkdir)(to.GetCopy().c_str(), S_IRWXU);  // of a folder: without content
+          : NEXT(mkdir)(to.GetCopy().c_str(), S_IRWXU);  // copies a folder without its contents
   if (result == 0) {
     from.MarkRemoved();
   }
@@ -301,7 +301,7 @@ int Rename(int oldFolder, const char* oldPath, int newFolder, const char* newPat
 }
 
 __attribute__((constructor)) void RaiseInPrograms() {
-  // in programs that the checked code starts
+  // this acts in programs that the checked code starts
   const char* const folder = std::getenv("ARGOS_SHIELD_FOLDER_OF_CHECK");
   if (folder != nullptr) {
     GetShield().Folder = folder;

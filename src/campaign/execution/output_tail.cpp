@@ -1,6 +1,7 @@
 #include <argos3/campaign/execution/output_tail.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace argos {
 
@@ -24,7 +25,8 @@ std::string_view End(const std::string& text, size_t size) {
 }  // namespace
 
 void COutputTail::Add(std::string_view text) {
-  const UInt64 left = m_limit == 0 ? text.size() : m_numBytes < m_limit ? m_limit - m_numBytes : 0;
+  const UInt64 limit = m_limit == 0 ? std::numeric_limits<UInt64>::max() : m_limit;
+  const UInt64 left = limit - std::min(m_numBytes, limit);
   const size_t within = static_cast<size_t>(std::min<UInt64>(left, text.size()));
   m_numBytes += text.size();
   AppendTail(m_within, text.substr(0, within), kSize);

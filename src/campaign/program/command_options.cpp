@@ -69,9 +69,8 @@ void ThrowUnlessHasResults(const SCampaign& campaign) {
 int ExecutePlan(const SCampaign& campaign, CResultStore& store, CRunPlan& plan, UInt64 known,
                 const SExecutionOptions& options) {
   CCampaignManager::SOptions managerOptions;
-  managerOptions.Jobs = options.Jobs > 0    ? options.Jobs
-                        : campaign.Jobs > 0 ? campaign.Jobs
-                                            : CountProcessors();
+  const UInt32 jobs = options.Jobs > 0 ? options.Jobs : campaign.Jobs;
+  managerOptions.Jobs = jobs > 0 ? jobs : CountProcessors();
   managerOptions.IsQuiet = options.IsQuiet;
   managerOptions.HasLiveViews = options.HasLiveViews;
   SCampaignEnd end;

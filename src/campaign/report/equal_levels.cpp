@@ -128,8 +128,10 @@ std::string NameLevels(const SEqualLevels& equal, size_t numLevels) {
   std::string names;
   const size_t named = std::min(equal.Levels.size(), kMaxNamedLevels);
   for (size_t i = 0; i < named; ++i) {
-    const bool isLast = i + 1 == equal.Levels.size();
-    names += (i == 0 ? "" : isLast ? " and " : ", ") + equal.Levels[i]->Value;
+    if (i > 0) {
+      names += i + 1 == equal.Levels.size() ? " and " : ", ";
+    }
+    names += equal.Levels[i]->Value;
   }
   const size_t others = equal.Levels.size() - named;
   return "the levels " + names + (others > 0 ? fmt::format(" and {} others", others) : "");

@@ -41,8 +41,10 @@ SConfidenceInterval ComputeNormalRankInterval(const CPairwisePoints& points, Rea
   // the level of two sides whose upper tail is that of the sides asked for
   const Real tails = alternative == EAlternative::TwoSided ? 2.0 : 1.0;
   const Real tail = (1.0 - level) / tails;
-  const Real z = tail < 0.5 ? ComputeCentralNormalQuantile(1.0 - 2.0 * tail)
-                            : (tail > 0.5 ? -ComputeCentralNormalQuantile(2.0 * tail - 1.0) : 0.0);
+  Real z = 0.0;
+  if (tail != 0.5) {
+    z = std::copysign(ComputeCentralNormalQuantile(std::abs(1.0 - 2.0 * tail)), 0.5 - tail);
+  }
   const Real centre = 0.5 * static_cast<Real>(points.GetCount());
   // the statistic exceeds its mean by centre - k behind k points
   const Real skipped = std::floor(centre - 0.5 - z * deviation);

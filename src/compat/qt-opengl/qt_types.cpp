@@ -3,6 +3,7 @@
 #include <argos3/core/simulator/visualization/drawing.h>
 #include <argos3/plugins/simulator/visualizations/qt-opengl/qt_conversions.h>
 
+#include <algorithm>
 #include <array>
 #include <locale>
 #include <sstream>
@@ -14,7 +15,7 @@ namespace {
 constexpr Real kPixelsPerPoint = 96.0 / 72.0;
 
 UInt8 ToChannel(int value) {
-  return static_cast<UInt8>(value < 0 ? 0 : value > 255 ? 255 : value);
+  return static_cast<UInt8>(std::clamp(value, 0, 255));
 }
 
 CColor ToColor(const QColor& color) {

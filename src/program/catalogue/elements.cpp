@@ -15,9 +15,11 @@ EValueType TypeOf(const SRequestedAttribute& attribute) {
   if (type != EValueType::AnyNumber || attribute.Expected.empty()) {
     return type;
   }
-  return attribute.Expected.rfind("an integer from 0", 0) == 0 ? EValueType::NaturalNumber
-         : attribute.Expected.rfind("an integer", 0) == 0      ? EValueType::WholeNumber
-                                                               : EValueType::RealNumber;
+  if (attribute.Expected.rfind("an integer from 0", 0) == 0) {
+    return EValueType::NaturalNumber;
+  }
+  return attribute.Expected.rfind("an integer", 0) == 0 ? EValueType::WholeNumber
+                                                        : EValueType::RealNumber;
 }
 
 bool IsNumber(EValueType type) {

@@ -48,7 +48,7 @@ size_t EndOf(const std::string& text, size_t begin) {
   return std::min(at + 1, text.size());
 }
 
-// behind the line, and those that continue it after a backslash
+// finds the place behind the line, and those that continue it after a backslash
 size_t EndOfLine(const std::string& text, size_t begin) {
   size_t end = text.find('\n', begin);
   while (end != std::string::npos && text[end - 1] == '\\') {
@@ -74,7 +74,9 @@ std::string PlainComment(const std::string& comment) {
       text += endsParagraph ? "" : "\n";
       endsParagraph = true;
     } else {
-      text += endsParagraph ? "" : line[0] == '@' ? "\n" : " ";
+      if (!endsParagraph) {
+        text += line[0] == '@' ? '\n' : ' ';
+      }
       text += line;
       endsParagraph = false;
     }

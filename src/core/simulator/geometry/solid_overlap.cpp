@@ -40,9 +40,9 @@ class CConvex {
  public:
   explicit CConvex(const SPlacedSolid& solid) : m_shape(*solid.Shape) {
     const CQuaternion orientation = solid.Orientation * m_shape.Orientation;
-    for (UInt32 axis = 0; axis < 3; ++axis) {
-      m_axes[axis] = axis == 0 ? CVector3::X : axis == 1 ? CVector3::Y : CVector3::Z;
-      m_axes[axis].Rotate(orientation);
+    m_axes = {CVector3::X, CVector3::Y, CVector3::Z};
+    for (CVector3& axis : m_axes) {
+      axis.Rotate(orientation);
     }
     CVector3 offset = m_shape.Offset;
     offset.Rotate(solid.Orientation);

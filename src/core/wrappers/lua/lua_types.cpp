@@ -37,12 +37,8 @@ struct STraits<CVector3> {
   static constexpr const char* kTypeId = "argos3.vector3";
   static constexpr const char* kName = "vector3";
   static constexpr const char* kKeys = "xyz";
-  static Real Get(const CVector3& v, int i) {
-    return i == 0 ? v.GetX() : i == 1 ? v.GetY() : v.GetZ();
-  }
-  static void Set(CVector3& v, int i, Real x) {
-    i == 0 ? v.SetX(x) : i == 1 ? v.SetY(x) : v.SetZ(x);
-  }
+  static Real Get(const CVector3& v, int i) { return v[i]; }
+  static void Set(CVector3& v, int i, Real x) { v[i] = x; }
 };
 
 template <>
@@ -51,10 +47,13 @@ struct STraits<CQuaternion> {
   static constexpr const char* kName = "quaternion";
   static constexpr const char* kKeys = "wxyz";
   static Real Get(const CQuaternion& q, int i) {
-    return i == 0 ? q.GetW() : i == 1 ? q.GetX() : i == 2 ? q.GetY() : q.GetZ();
+    const Real parts[] = {q.GetW(), q.GetX(), q.GetY(), q.GetZ()};
+    return parts[i];
   }
   static void Set(CQuaternion& q, int i, Real x) {
-    i == 0 ? q.SetW(x) : i == 1 ? q.SetX(x) : i == 2 ? q.SetY(x) : q.SetZ(x);
+    Real parts[] = {q.GetW(), q.GetX(), q.GetY(), q.GetZ()};
+    parts[i] = x;
+    q.Set(parts[0], parts[1], parts[2], parts[3]);
   }
 };
 
