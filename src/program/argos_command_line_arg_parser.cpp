@@ -27,7 +27,7 @@ std::string Title() {
 
 using SOptions = CARGoSCommandLineArgParser::SOptions;
 
-// where the texts of the options begin
+// column of the texts of the options
 constexpr size_t kHelpColumn = 32;
 
 // the text of an option in lines, which CLI11 indents
@@ -57,7 +57,7 @@ CLI::Option* AddOption(CLI::App& app, const SCommandLineOption& row, bool& value
   return app.add_flag(row.Names, value);
 }
 
-// if given repeatedly, it is reported
+// reports an option that was given repeatedly
 CLI::Option* AddOption(CLI::App& app, const SCommandLineOption& row, std::string& value) {
   if (row.Value.empty()) {
     // a word that follows is not its value: "true" without "=..."

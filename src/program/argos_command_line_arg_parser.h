@@ -31,7 +31,7 @@ class CARGoSCommandLineArgParser {
     EAction Action = ACTION_UNKNOWN;
     /** Of ACTION_RUN_EXPERIMENT; of queries and schemas, its libraries are loaded. */
     std::string ExperimentFile;
-    SReplayRequest Replay; /**< of ACTION_REPLAY */
+    SReplayRequest Replay; /**< belongs to ACTION_REPLAY */
     std::optional<UInt16> LivePort; /**< show the run in a browser; 0: at a free port */
     std::string LiveURLFile; /**< let viewers come and go; "auto": any file; empty: no */
     std::string RecordFile; /**< empty: the run is not recorded */
@@ -39,10 +39,10 @@ class CARGoSCommandLineArgParser {
     std::string VideoSpeed; /**< a positive number; empty: that of the file */
     std::string CommandsFile; /**< recording whose commands are repeated; empty: none */
     std::string HTMLFile; /**< into which a recording is exported; empty: none */
-    std::string Query; /**< of ACTION_QUERY_PLUGINS */
-    bool Json = false; /**< of ACTION_QUERY_PLUGINS: as JSON */
-    std::string SchemaFormat; /**< of ACTION_MAKE_SCHEMA: "rng" or "rnc" */
-    std::string Generate; /**< of ACTION_GENERATE */
+    std::string Query; /**< belongs to ACTION_QUERY_PLUGINS */
+    bool Json = false; /**< ACTION_QUERY_PLUGINS answers as JSON */
+    std::string SchemaFormat; /**< ACTION_MAKE_SCHEMA makes "rng" or "rnc" */
+    std::string Generate; /**< belongs to ACTION_GENERATE */
     bool NoColor = false;
     bool NoVisualization = false;
     bool Digest = false;

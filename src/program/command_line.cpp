@@ -176,7 +176,7 @@ void SetLiveSocket(CSimulator& simulator, const std::string& file) {
       {{"url_file", file}, {"play", "true"}, {"speed", "0"}, {"linger", "0"}, {"open", "false"}});
 }
 
-// what runs the experiment in place of the file's visualization
+// makes the part that runs the experiment in place of the file's visualization
 void SetVisualization(CSimulator& simulator, const SOptions& options) {
   if (options.LivePort) {
     std::vector<std::pair<std::string, std::string>> attributes;

@@ -40,7 +40,7 @@ constexpr unsigned int kPatience = 10;
 // s; for the other steps, which wait only for locks that nothing releases any more
 constexpr unsigned int kShortPatience = 1;
 constexpr int kMaxFrames = 40;
-constexpr int kMaxOwnFrames = 20;  // of the handler
+constexpr int kMaxOwnFrames = 20;  // frames of the handler
 // bytes beside the end of a stack that an overflow touches first
 constexpr std::uintptr_t kGuardReach = 64 * 1024;
 
@@ -216,7 +216,7 @@ void PrintHeader(int signal, const siginfo_t& info, const ucontext_t& context) {
   Print(text);
 }
 
-// what has been logged in this tick, and the C streams, of which std::cout is one
+// writes the log of this tick, and the C streams, of which std::cout is one
 void WriteUnwritten() {
   TryStep(kPatience, [] {
     LOG.WriteAfterCrash(g_logFile);

@@ -12,10 +12,10 @@ namespace argos {
 /** With which actions an option may be given. */
 enum class EOptionUse {
   Always,
-  Run, /**< with an experiment or a replay */
-  Simulation, /**< with an experiment */
+  Run, /**< needs an experiment or a replay */
+  Simulation, /**< needs an experiment */
   Replay,
-  Query /**< with --query */
+  Query /**< needs --query */
 };
 
 /** What completes the value of an option in a shell. */

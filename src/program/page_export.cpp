@@ -53,7 +53,7 @@ std::string ToBase64(const std::string& bytes) {
   return text;
 }
 
-// before the scripts of the page, which look for it
+// it precedes the scripts of the page, which look for it
 std::size_t FindPlace(const std::string& page) {
   const std::size_t body = page.find("<body");
   const std::size_t end = body == std::string::npos ? body : page.find('>', body);

@@ -17,7 +17,7 @@ struct SProgress {
   UInt32 Ticks = 0;
   UInt32 MaxTicks = 0; /**< 0 = unlimited */
   Real TickLength = 0.0; /**< s */
-  Real WallSeconds = 0.0; /**< since the start of the run */
+  Real WallSeconds = 0.0; /**< time since the start of the run */
 };
 
 /**

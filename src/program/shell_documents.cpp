@@ -92,7 +92,7 @@ std::string MakeManPage() {
 
 namespace {
 
-// in a group, such as -zc, the last short option takes the value
+// the last short option of a group, such as -zc, takes the value
 std::string BashPattern(const SCommandLineOption& option) {
   const std::string name = option.GetShortName();
   return name.empty() ? option.GetLongName()

@@ -63,7 +63,7 @@ std::vector<std::string> MakeEnvironment(const std::string& folder) {
 }
 
 int Wait(pid_t process) {
-  // as system() does: a signal of the terminal ends the child, and then the folder is removed
+  // like system(): a signal of the terminal ends the child, and then the folder is removed
   struct sigaction ignore {};
   ignore.sa_handler = SIG_IGN;
   struct sigaction oldInterrupt {};

@@ -126,16 +126,15 @@ SAnswer CCatalogue::Find(const std::string& query) {
   }
   std::vector<SMatch> containing;
   std::vector<std::string> withInitials;
-  for (const SPluginKind& kind : m_kinds) {
-    for (const SPluginText& plugin : kind.Plugins) {
-      if (IsMeant({&kind, &plugin}, query)) {
-        answer.Matches.push_back({&kind, &plugin});
-      } else if (plugin.Label.find(query) != std::string::npos) {
-        containing.push_back({&kind, &plugin});
-      }
-      if (InitialsOf(TagOf(plugin.Label)) == StringToLowerCase(query)) {
-        withInitials.push_back(TagOf(plugin.Label));
-      }
+  for (const SMatch& match : AllOf(m_kinds)) {
+    const std::string& label = match.Plugin->Label;
+    if (IsMeant(match, query)) {
+      answer.Matches.push_back(match);
+    } else if (label.find(query) != std::string::npos) {
+      containing.push_back(match);
+    }
+    if (InitialsOf(TagOf(label)) == StringToLowerCase(query)) {
+      withInitials.push_back(TagOf(label));
     }
   }
   if (answer.Matches.empty()) {
@@ -173,7 +172,7 @@ std::vector<std::string> CCatalogue::Suggest(const std::string& query) {
       }
     }
   }
-  // also a misspelt part of a name
+  // a part of a name may be misspelt
   std::vector<std::string> parts = WordsOf(NearestNames(query, words));
   parts.insert(parts.begin(), query);
   for (const std::string& part : parts) {

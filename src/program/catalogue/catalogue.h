@@ -9,12 +9,6 @@
 
 namespace argos {
 
-/** A plug-in, and the kind to which it belongs. */
-struct SMatch {
-  const SPluginKind* Kind;
-  const SPluginText* Plugin;
-};
-
 /** An element of experiment files, or one of its attributes. */
 struct SElementMatch {
   TElementPath Path;
@@ -26,9 +20,9 @@ struct SElementMatch {
 struct SAnswer {
   std::vector<const SPluginKind*> Lists; /**< whole kinds */
   std::vector<SMatch> Matches; /**< plug-ins to describe */
-  std::vector<SElementMatch> Elements; /**< with that tag, or that attribute */
+  std::vector<SElementMatch> Elements; /**< have that tag, or that attribute */
   std::vector<std::string> Others; /**< tags of others that may be meant */
-  std::vector<std::string> Suggestions; /**< if nothing else was found */
+  std::vector<std::string> Suggestions; /**< are given if nothing else was found */
 
   bool IsFound() const { return !Lists.empty() || !Matches.empty() || !Elements.empty(); }
 };

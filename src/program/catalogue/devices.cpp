@@ -32,7 +32,7 @@ std::vector<const std::type_info*> BasesOf(const std::type_info& type) {
   return bases;
 }
 
-// without namespaces
+// drops namespaces
 std::string NameOf(const std::type_info& type) {
   const std::string name = DemangledName(type);
   const size_t colons = name.find('<') == std::string::npos ? name.rfind("::") : std::string::npos;
@@ -64,7 +64,7 @@ SInterfaceClass InterfaceOf(const std::string& label) {
   return FindInterfaceClass(typeid(object));
 }
 
-// of a robot's example: all but what each robot has
+// contents of a robot's example, but for what each robot has
 std::string ContentsOf(const SSample& robot) {
   CConfigurationDocument document;
   document.Parse(robot.Text, "(example)");
@@ -118,17 +118,18 @@ const std::vector<std::string>& CDevices::GetRobots() {
     return m_robots;
   }
   m_areRobotsKnown = true;
-  for (const SPluginKind& kind : m_kinds) {
-    for (const SPluginText& plugin : kind.Plugins) {
-      const std::vector<SSample> examples = m_samples.Of("arena", {plugin.Label});
-      bool isRobot = kind.Word == "entities" && IsRobot(plugin.Label);
-      if (kind.Word == "entities" && !isRobot && !examples.empty()) {
-        m_contents[plugin.Label] = ContentsOf(examples.front());
-        isRobot = IsRobot(plugin.Label);
-      }
-      if (isRobot) {
-        m_robots.push_back(plugin.Label);
-      }
+  for (const auto& [kind, plugin] : AllOf(m_kinds)) {
+    if (kind->Word != "entities") {
+      continue;
+    }
+    const std::vector<SSample> examples = m_samples.Of("arena", {plugin->Label});
+    bool isRobot = IsRobot(plugin->Label);
+    if (!isRobot && !examples.empty()) {
+      m_contents[plugin->Label] = ContentsOf(examples.front());
+      isRobot = IsRobot(plugin->Label);
+    }
+    if (isRobot) {
+      m_robots.push_back(plugin->Label);
     }
   }
   return m_robots;
@@ -152,7 +153,7 @@ const SDeviceFacts& CDevices::Describe(const SPluginKind& kind, const std::strin
   return facts;
 }
 
-// without and with the parts that examples have; parts may depend on each other, as in examples
+// tries robots without and with the parts of examples, which may depend on each other
 void CDevices::TryOn(const std::string& robot, const SSample& device, SDeviceFacts& facts) {
   const std::string error = TryIn(Robots(robot, ""), device, facts);
   if (error.empty()) {
@@ -197,13 +198,13 @@ std::string CDevices::TryIn(const std::string& arena, const SSample& device, SDe
 
 std::vector<SDeviceOfRobot> CDevices::ListDevicesOf(const std::string& robot) {
   std::vector<SDeviceOfRobot> devices;
-  for (const SPluginKind& kind : m_kinds) {
-    for (size_t i = 0; kind.IsOfDevices() && i < kind.Plugins.size(); ++i) {
-      const std::string& label = kind.Plugins[i].Label;
-      for (const SFit& fit : Describe(kind, label).Robots) {
-        if (fit.Robot == robot) {
-          devices.push_back({&kind, label, fit.Part});
-        }
+  for (const auto& [kind, plugin] : AllOf(m_kinds)) {
+    if (!kind->IsOfDevices()) {
+      continue;
+    }
+    for (const SFit& fit : Describe(*kind, plugin->Label).Robots) {
+      if (fit.Robot == robot) {
+        devices.push_back({kind, plugin->Label, fit.Part});
       }
     }
   }

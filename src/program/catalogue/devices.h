@@ -72,11 +72,11 @@ class CDevices {
   const std::vector<SPluginKind>& m_kinds;
   CSamples m_samples;
   CPublicHeaders m_headers;
-  CSampleLoader m_loader;  // after the headers: it changes the working directory
+  CSampleLoader m_loader;  // follows the headers: it changes the working directory
   bool m_areRobotsKnown = false;
   std::vector<std::string> m_robots;
-  std::map<std::string, std::string> m_contents;  // of robots that need some, by label
-  std::map<std::pair<std::string, std::string>, SDeviceFacts> m_facts;  // by section and label
+  std::map<std::string, std::string> m_contents;  // contents of robots that need some, by label
+  std::map<std::pair<std::string, std::string>, SDeviceFacts> m_facts;  // keyed by section, label
 };
 
 }  // namespace argos

@@ -75,11 +75,11 @@ std::string Attribute(const std::string& element, const std::string& name,
                  {"text", JsonQuoted(attribute.Manual.Text)}});
 }
 
-// of an element and all inside it. apart: tags of what has an answer of its own
+// adds those of an element and all inside it. apart: tags of what has an answer of its own
 void AddAttributes(const SElement& element, const std::string& path,
                    const std::set<std::string>& apart, TItems& items) {
   for (const auto& [name, attribute] : element.Attributes) {
-    // that is a part of the label
+    // it is a part of the label
     if (name != "implementation") {
       items.push_back(Attribute(path, name, attribute));
     }
@@ -98,12 +98,12 @@ std::string Attributes(const SElement& element, const std::string& path,
   return Enclosed('[', items, ']');
 }
 
-// of the plug-ins that have elements
+// lists tags of plug-ins that have elements
 std::set<std::string> TagsOf(const std::vector<SPluginKind>& kinds) {
   std::set<std::string> tags;
-  for (const SPluginKind& kind : kinds) {
-    for (size_t i = 0; !kind.Section.empty() && i < kind.Plugins.size(); ++i) {
-      tags.insert(TagOf(kind.Plugins[i].Label));
+  for (const SMatch& match : AllOf(kinds)) {
+    if (!match.Kind->Section.empty()) {
+      tags.insert(TagOf(match.Plugin->Label));
     }
   }
   return tags;

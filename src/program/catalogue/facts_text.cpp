@@ -33,8 +33,10 @@ std::string DescribeOrigin(const SMatch& match) {
   const std::string& name = match.Kind->Name;
   const bool isPlural = name.back() == 's';
   const bool hasVowel = std::string("aeiou").find(name.front()) != std::string::npos;
-  std::string text = isPlural ? "" : hasVowel ? "An " : "A ";
-  text += name;
+  std::string text = name;
+  if (!isPlural) {
+    text.insert(0, hasVowel ? "An " : "A ");
+  }
   text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
   if (!IsOwn(plugin)) {
     text += plugin.Author.empty() ? "" : " by " + plugin.Author;
@@ -89,7 +91,7 @@ std::string DescribeClass(const SDeviceFacts& facts) {
   return text + '\n';
 }
 
-// what a robot's table has, and what the header says
+// shows a robot's table, and what the header says
 std::string DescribeLua(const SDeviceFacts& facts) {
   const std::string& comment = facts.Class.Lua;
   std::string text = "IN LUA\n\n";
@@ -118,7 +120,7 @@ std::string DescribeRobots(const SDeviceFacts& facts) {
     return text + Wrapped("None of the loaded libraries: " + cause, kIndent) + '\n';
   }
   std::vector<std::string> robots;
-  std::map<std::string, std::vector<std::string>> needy;  // by what they need
+  std::map<std::string, std::vector<std::string>> needy;  // indexed by the part that they need
   for (const SFit& fit : facts.Robots) {
     robots.push_back(fit.Robot);
     if (!fit.Part.empty()) {

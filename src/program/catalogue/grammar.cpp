@@ -97,16 +97,14 @@ void FindMissed(const SRequestedElement& element, std::pair<std::string, std::st
 class CManuals {
  public:
   explicit CManuals(const std::vector<SPluginKind>& kinds) {
-    for (const SPluginKind& kind : kinds) {
-      for (const SPluginText& plugin : kind.Plugins) {
-        const SElementName name = SElementName::FromLabel(plugin.Label);
-        if (kind.Word == "elements" || kind.Word == "loop_functions") {
-          m_ofTags.emplace(kind.Word == "elements" ? name.Tag : kind.Word, CManual(plugin.Long));
-        } else {
-          const std::string& part = kind.Of.empty() ? kind.Word : kind.Of;
-          m_ofPlugins.emplace(std::pair(kind.Section.empty() ? part : kind.Section, name),
-                              CManual(plugin.Long));
-        }
+    for (const auto& [kind, plugin] : AllOf(kinds)) {
+      const SElementName name = SElementName::FromLabel(plugin->Label);
+      if (kind->Word == "elements" || kind->Word == "loop_functions") {
+        m_ofTags.emplace(kind->Word == "elements" ? name.Tag : kind->Word, CManual(plugin->Long));
+      } else {
+        const std::string& part = kind->Of.empty() ? kind->Word : kind->Of;
+        m_ofPlugins.emplace(std::pair(kind->Section.empty() ? part : kind->Section, name),
+                            CManual(plugin->Long));
       }
     }
   }
@@ -137,18 +135,20 @@ class CManuals {
  private:
   // null if there is none
   const CManual* Find(const SElementName& name, const std::string& parent) const {
-    // what is distributed is in the arena, and outputs may be among the views
-    const std::string section = parent == "entity"    ? "arena"
-                                : parent == "outputs" ? "visualization"
-                                                      : parent;
-    const auto plugin = m_ofPlugins.find({section, name});
+    // the arena contains what is distributed, and outputs may be among the views
+    static const std::map<std::string, std::string> kSections = {{"entity", "arena"},
+                                                                 {"outputs", "visualization"}};
+    const auto section = kSections.find(parent);
+    const auto plugin =
+        m_ofPlugins.find({section == kSections.end() ? parent : section->second, name});
     const auto tag = m_ofTags.find(name.Tag);
-    return plugin != m_ofPlugins.end() ? &plugin->second
-           : tag != m_ofTags.end()     ? &tag->second
-                                       : nullptr;
+    if (plugin != m_ofPlugins.end()) {
+      return &plugin->second;
+    }
+    return tag != m_ofTags.end() ? &tag->second : nullptr;
   }
 
-  // what other manuals say: that of a plug-in with this tag, those with rows of this tag, those
+  // finds the text in other manuals: that of a plug-in with this tag, those with rows of it, those
   // with examples of it, and those of its section
   SAttributeText FindElsewhere(const std::string& section, const std::string& tag,
                                const std::string& attribute) const {
@@ -170,7 +170,7 @@ class CManuals {
     return {};
   }
 
-  std::map<std::pair<std::string, SElementName>, CManual> m_ofPlugins;  // by section
+  std::map<std::pair<std::string, SElementName>, CManual> m_ofPlugins;  // indexed by section
   std::map<std::string, CManual> m_ofTags;
 };
 
@@ -202,7 +202,7 @@ void ShareChildren(const std::vector<SElement*>& elements, bool always) {
   }
 }
 
-// of attributes that only samples of another implementation have
+// completes types of attributes that only samples of another implementation have
 void ShareTypes(SElement& section) {
   for (auto& [name, element] : section.Children) {
     for (const auto& [other, twin] : section.Children) {

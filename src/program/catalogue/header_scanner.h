@@ -8,9 +8,9 @@ namespace argos {
 
 /** A declaration of a class or of a file. */
 struct SHeaderItem {
-  std::string Code; /**< what precedes its body or the semicolon, on one line; or "public:", ... */
-  std::string Body; /**< what is between the braces of the body; "" if there is none */
-  std::string Comment; /**< before or behind it, as text: no asterisks, tags in words */
+  std::string Code; /**< text before its body or the semicolon, on one line; or "public:", ... */
+  std::string Body; /**< text between the braces of the body; "" if there is none */
+  std::string Comment; /**< stands before or behind it: no asterisks, tags in words */
 };
 
 /**

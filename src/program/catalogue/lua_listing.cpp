@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kDeepest = 5;
 
-// of the value on top of the stack
+// names the type of the value on top of the stack
 std::string TypeOf(lua_State* state) {
   if (luaL_getmetafield(state, -1, "__name") == LUA_TSTRING) {
     std::string name = lua_tostring(state, -1);

@@ -71,7 +71,7 @@ void CManual::ReadExamples(const std::string& text) {
     try {
       document->Parse("<example>" + block + "</example>", "(example)");
     } catch (const CARGoSException&) {
-      continue;  // with dots in it, or prose
+      continue;  // it has dots, or is prose
     }
     TConfigurationNodeIterator it;
     for (it = it.begin(&document->GetRoot()); it != it.end(); ++it) {

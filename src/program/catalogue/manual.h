@@ -37,7 +37,7 @@ class CManual {
   /* A line of a table. */
   struct SRow {
     std::string Tag;  // "": of any
-    std::string Name;  // of an attribute, or of an element
+    std::string Name;  // name of an attribute, or of an element
     std::string Text;
   };
 
@@ -49,7 +49,7 @@ class CManual {
 
   std::vector<std::unique_ptr<CConfigurationDocument>> m_documents;
   std::vector<TConfigurationNode> m_examples;
-  std::set<std::string> m_tags;  // of all elements in examples
+  std::set<std::string> m_tags;  // tags of all elements in examples
   std::vector<SRow> m_rows;
 };
 

@@ -80,6 +80,16 @@ std::vector<SPluginKind> ListPluginKinds() {
   return all;
 }
 
+std::vector<SMatch> AllOf(const std::vector<SPluginKind>& kinds) {
+  std::vector<SMatch> all;
+  for (const SPluginKind& kind : kinds) {
+    for (const SPluginText& plugin : kind.Plugins) {
+      all.push_back({&kind, &plugin});
+    }
+  }
+  return all;
+}
+
 bool IsOwn(const SPluginText& plugin) {
   return plugin.Author == kOwnAuthor;
 }

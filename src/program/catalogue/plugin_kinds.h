@@ -12,17 +12,26 @@ namespace argos {
 /** The plug-ins of one kind. */
 struct SPluginKind {
   std::string Word; /**< argument of -q: "sensors" */
-  std::string Name; /**< of one of them: "sensor" */
-  std::string Section; /**< of experiment files that contains them; empty: none does */
+  std::string Name; /**< name of one of them: "sensor" */
+  std::string Section; /**< section of experiment files that contains them; empty: none */
   std::string Header;
-  std::vector<SPluginText> Plugins; /**< by label; what they leave out ("undefined") is empty */
+  std::vector<SPluginText> Plugins; /**< in order of labels; "undefined" texts are empty */
   std::string Of = ""; /**< label of the owning plug-in; empty: the core */
 
   bool IsOfDevices() const { return Word == "sensors" || Word == "actuators"; }
 };
 
+/** A plug-in, and the kind to which it belongs. */
+struct SMatch {
+  const SPluginKind* Kind;
+  const SPluginText* Plugin;
+};
+
 /** All kinds with all registered plug-ins, in the order in which they are shown. */
 std::vector<SPluginKind> ListPluginKinds();
+
+/** The plug-ins of all kinds, which must exist as long as the result is used. */
+std::vector<SMatch> AllOf(const std::vector<SPluginKind>& kinds);
 
 /** "leds" of "leds (default)"; other labels as they are. */
 inline std::string TagOf(const std::string& label) {

@@ -106,7 +106,7 @@ CPublicHeaders::CPublicHeaders() {
   if (fs::exists(include / "argos3/core", failure)) {
     folders.insert(include.string());
   } else {
-    // in the folder of a build each library has a folder of its own
+    // each library has a folder of its own in the folder of a build
     for (const auto& entry : fs::directory_iterator(include, failure)) {
       folders.insert(entry.path().string());
     }
@@ -141,7 +141,7 @@ void CPublicHeaders::AddFolder(const std::string& folder, bool onlyInterfaces) {
     }
   }
   for (const fs::path& header : headers) {
-    // as users include it; a build has further folders above "argos3"
+    // users include it so; a build has further folders above "argos3"
     const std::string path = header.string();
     const size_t start = path.rfind("/argos3/");
     AddHeader(onlyInterfaces && start != std::string::npos

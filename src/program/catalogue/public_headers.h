@@ -9,8 +9,8 @@ namespace argos {
 
 /** A declaration in a header, and its comment. */
 struct SDeclaration {
-  std::string Code; /**< on one line, without body: "Real Range = 0.0" */
-  std::string Text; /**< of the comment, units included; paragraphs end with a newline */
+  std::string Code; /**< has one line and no body: "Real Range = 0.0" */
+  std::string Text; /**< comment, units included; paragraphs end with a newline */
 };
 
 /** A type inside a class: what a controller reads. */
@@ -22,7 +22,7 @@ struct STypeText {
 
 /** What a header says of a class, and of the bases of that class below CCI_Sensor. */
 struct SClassText {
-  std::string Header; /**< as in #include: "argos3/.../ci_leds_actuator.h"; "" if not found */
+  std::string Header; /**< path for #include: "argos3/.../ci_leds_actuator.h"; "" if not found */
   std::string Text;
   std::string Lua; /**< comments about what the class adds to the table "robot" */
   std::vector<SDeclaration> Methods; /**< public ones that controllers call */
@@ -67,7 +67,7 @@ class CPublicHeaders {
   void AddHeader(const std::string& header, const std::string& text);
   static void AddMembers(const SDefinition& definition, SClassText& description);
 
-  std::map<std::string, SDefinition> m_classes;  // by name
+  std::map<std::string, SDefinition> m_classes;  // indexed by name
 };
 
 /** The installation of the running core library: the folder above lib/argos3. */

@@ -93,26 +93,23 @@ std::string SSampleExperiment::ToXml() const {
 }
 
 CSamples::CSamples(const std::vector<SPluginKind>& kinds) {
-  for (const SPluginKind& kind : kinds) {
-    for (const SPluginText& plugin : kind.Plugins) {
-      if (!kind.Section.empty()) {
-        m_sections.emplace(plugin.Label, kind.Section);
-      }
+  const std::vector<SMatch> all = AllOf(kinds);
+  for (const auto& [kind, plugin] : all) {
+    if (!kind->Section.empty()) {
+      m_sections.emplace(plugin->Label, kind->Section);
     }
   }
   // the examples of robots in their own manuals come first: those in others' are special
   for (const bool isForEntities : {true, false}) {
-    for (const SPluginKind& kind : kinds) {
-      for (const SPluginText& plugin : kind.Plugins) {
-        const CManual manual((kind.Word == "entities") == isForEntities ? plugin.Long : "");
-        for (TConfigurationNode example : manual.GetExamples()) {
-          AddExample(kind, example);
-        }
+    for (const auto& [kind, plugin] : all) {
+      const CManual manual((kind->Word == "entities") == isForEntities ? plugin->Long : "");
+      for (TConfigurationNode example : manual.GetExamples()) {
+        AddExample(*kind, example);
       }
     }
   }
-  for (const SPluginKind& kind : kinds) {
-    AddMissing(kind);
+  for (const auto& [kind, plugin] : all) {
+    AddMissing(*kind, *plugin);
   }
 }
 
@@ -172,23 +169,20 @@ void CSamples::Add(const std::string& section, TConfigurationNode& element) {
   }
 }
 
-void CSamples::AddMissing(const SPluginKind& kind) {
-  for (const SPluginText& plugin : kind.Plugins) {
-    const SElementName name = SElementName::FromLabel(plugin.Label);
-    if (!kind.Section.empty() && Of(kind.Section, name).empty()) {
-      const std::string attribute =
-          !name.Implementation.empty() ? fmt::format(R"( implementation="{}")", name.Implementation)
-          : kind.Section == "overlays" ? ""
-                                       : R"( id="sample")";
-      m_samples.push_back({kind.Section, name, "<" + name.Tag + attribute + " />"});
+void CSamples::AddMissing(const SPluginKind& kind, const SPluginText& plugin) {
+  const SElementName name = SElementName::FromLabel(plugin.Label);
+  if (!kind.Section.empty() && Of(kind.Section, name).empty()) {
+    std::string attribute = kind.Section == "overlays" ? "" : R"( id="sample")";
+    if (!name.Implementation.empty()) {
+      attribute = fmt::format(R"( implementation="{}")", name.Implementation);
     }
-    const auto owner = m_sections.find(kind.Of);
-    if (owner != m_sections.end()) {
-      m_samples.push_back(
-          {owner->second,
-           {kind.Of},
-           fmt::format(R"(<{0} id="sample"><{1} /></{0}>)", kind.Of, plugin.Label)});
-    }
+    m_samples.push_back({kind.Section, name, "<" + name.Tag + attribute + " />"});
+  }
+  const auto owner = m_sections.find(kind.Of);
+  if (owner != m_sections.end()) {
+    m_samples.push_back({owner->second,
+                         {kind.Of},
+                         fmt::format(R"(<{0} id="sample"><{1} /></{0}>)", kind.Of, plugin.Label)});
   }
 }
 

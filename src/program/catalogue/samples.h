@@ -56,10 +56,10 @@ class CSamples {
   void AddExample(const SPluginKind& kind, TConfigurationNode& root);
   void AddChildren(const std::string& section, TConfigurationNode& parent);
   void Add(const std::string& section, TConfigurationNode& element);
-  void AddMissing(const SPluginKind& kind);
+  void AddMissing(const SPluginKind& kind, const SPluginText& plugin);
 
   std::vector<SSample> m_samples;
-  std::map<std::string, std::string> m_sections;  // by label of a plug-in
+  std::map<std::string, std::string> m_sections;  // indexed by label of a plug-in
   std::map<std::string, std::string> m_parts;
   std::set<std::string> m_mediaIds;
   std::string m_media;

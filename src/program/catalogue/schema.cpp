@@ -121,14 +121,11 @@ class CSchemaMaker {
 // null if there is none. Outputs may also be in <visualization>.
 const SPluginText* CSchemaMaker::FindPlugin(const std::string& section,
                                             const SElementName& name) const {
-  for (const SPluginKind& kind : m_grammar.GetDevices().GetKinds()) {
-    if (kind.Section == section || kind.Word == section ||
-        (section == "outputs" && kind.Section == "visualization")) {
-      for (const SPluginText& plugin : kind.Plugins) {
-        if (plugin.Label == name.ToLabel()) {
-          return &plugin;
-        }
-      }
+  for (const auto& [kind, plugin] : AllOf(m_grammar.GetDevices().GetKinds())) {
+    const bool isThere = kind->Section == section || kind->Word == section ||
+                         (section == "outputs" && kind->Section == "visualization");
+    if (isThere && plugin->Label == name.ToLabel()) {
+      return plugin;
     }
   }
   return nullptr;
@@ -138,7 +135,7 @@ std::string CSchemaMaker::Element(const SElementName& name, const SElement& elem
                                   const TElementPath& path, std::string text) {
   const SPluginText* const known = FindPlugin("elements", name);
   text = text.empty() && known != nullptr ? known->Brief : text;
-  // what users' code reads, and what was only looked for
+  // users' code reads these, and others were only looked for
   static const std::set<std::string> kOpen = {"params", "loop_functions", "user_functions"};
   if (!element.IsVisited || kOpen.count(name.Tag) > 0) {
     return Named("element", name.Tag, text, Reference("anything"));

@@ -10,7 +10,7 @@ namespace argos {
 
 namespace {
 
-// where texts begin in tables with very long names
+// column of texts in tables with very long names
 constexpr std::size_t kMaxColumn = 40;
 constexpr std::size_t kShallowIndent = 8;
 
