@@ -185,8 +185,11 @@ CPushSolver::SIsland CPushSolver::TakeIsland(size_t& body, size_t& contact) cons
 
 // @return the number of sweeps.
 UInt32 CPushSolver::Iterate(const SIsland& island, UInt32 mostSweeps) {
-  CContactIsland<Real> solver(m_islandBodies, m_islandContacts);
-  const UInt32 sweeps = solver.Solve(kPushTolerance * island.Need, mostSweeps);
+  const Real tolerance = kPushTolerance * island.Need;
+  const UInt32 sweeps =
+      CPushParts::IsLarge(m_islandBodies)
+          ? m_parts.Solve(m_islandBodies, m_islandContacts, tolerance, mostSweeps)
+          : CContactIsland<Real>(m_islandBodies, m_islandContacts).Solve(tolerance, mostSweeps);
   for (size_t i = 0; i < island.Bodies.size(); ++i) {
     const SIslandBody<Real>& moved = m_islandBodies[i];
     SBody& body = m_bodies[island.Bodies[i].Number];

@@ -4,6 +4,7 @@
 #include <argos3/core/utility/configuration/argos_exception.h>
 #include <argos3/core/utility/datatypes/datatypes.h>
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/kinematic_limits.h>
+#include <argos3/plugins/simulator/physics_engines/kinematics2d/push_parts.h>
 #include <argos3/plugins/simulator/physics_engines/planar/body_forest.h>
 #include <argos3/plugins/simulator/physics_engines/planar/contact_island.h>
 
@@ -182,6 +183,7 @@ class CPushSolver {
   // of the island that is solved; behind the bodies is what does not move
   std::vector<SIslandBody<Real>> m_islandBodies;
   std::vector<SIslandContact<Real>> m_islandContacts;
+  CPushParts m_parts;
 };
 
 template <typename CORRECT>

@@ -64,6 +64,7 @@ UInt32 CContactIsland<NUMBER>::Solve(NUMBER tolerance, UInt32 mostSweeps) {
       change = Run(m_sweeps + run);
     }
   }
+  m_change = change;
   return m_sweeps;
 }
 

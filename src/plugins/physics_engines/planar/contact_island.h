@@ -112,6 +112,8 @@ class CContactIsland {
    * that no impulse exceeds its bounds. @return the number of sweeps.
    */
   UInt32 Solve(NUMBER tolerance, UInt32 mostSweeps);
+  /** After Solve(): the greatest change of a velocity in the last sweep, m/s. */
+  NUMBER GetChange() const { return m_change; }
 
  private:
   /** What a sweep changed. */
@@ -134,6 +136,7 @@ class CContactIsland {
   std::span<SIslandBody<NUMBER>> m_bodies;
   std::span<SIslandContact<NUMBER>> m_contacts;
   NUMBER m_tolerance = NUMBER(0);  // m/s
+  NUMBER m_change = NUMBER(0);  // m/s
   UInt32 m_sweeps = 0, m_mostSweeps = 0;
 };
 
