@@ -41,6 +41,15 @@ constexpr Real kPushTolerance = 1e-6;
 /** Change of a motion at which it counts as steady, as a share of the greatest motion. */
 constexpr Real kPushSteady = 1e-4;
 constexpr Real kCorrectedSteady = 2e-3;
+/** Share of its mass that a body keeps when its contacts are corrected: the motion is known then.
+ */
+constexpr Real kMassOfCorrected = 0.3;
+/**
+ * From so many repetitions on, a body keeps this share of its mass in each: a row whose friction is
+ * just overcome, of bodies with many contacts, would take hundreds.
+ */
+constexpr UInt32 kManyRepetitions = 8;
+constexpr Real kLighter = 0.5;
 /**
  * Share of the strongest drive that would accelerate a body to the greatest motion. A smaller share
  * needs more sweeps until the forces are found, a larger one until the motion is steady.

@@ -15,8 +15,6 @@ constexpr Real kMinForce = 1e-3;
 // held, as shares of the greatest motion
 constexpr Real kSameTarget = 0.01;
 constexpr Real kHeld = 1e-3;
-// share of its mass that a body keeps when its contacts are corrected: the motion is known by then
-constexpr Real kMassOfCorrected = 0.3;
 
 STwist ToTwist(const Real* values) {
   return {values[kAxisX], values[kAxisY], values[kAxisTurn]};
@@ -351,7 +349,8 @@ bool CPushSolver::IsSteady(const SIsland& island, Real share) const {
 // All forces stay. Where a lever becomes shorter as a body turns, the torque of the contact holds
 // the body against turning on: without that, the motion would change to and fro between turning and
 // sliding, where it should be something of both.
-void CPushSolver::ReplaceContacts(const SIsland& island) {
+// @param massShare  of its mass that a body keeps.
+void CPushSolver::Restart(const SIsland& island, Real massShare) {
   for (const SMember& member : island.Bodies) {
     m_bodies[member.Number].Bend = 0.0;
   }
@@ -365,10 +364,10 @@ void CPushSolver::ReplaceContacts(const SIsland& island) {
   for (const SMember& member : island.Bodies) {
     SBody& body = m_bodies[member.Number];
     SIslandBody<Real>& moved = m_islandBodies[body.Place];
-    moved.Mass = kMassOfCorrected / body.Give;
+    moved.Mass = massShare / body.Give;
     moved.InverseMass = 1.0 / moved.Mass;
     if (body.TurnGive > 0.0) {
-      moved.Inertia = kMassOfCorrected / body.TurnGive + body.Bend;
+      moved.Inertia = massShare / body.TurnGive + body.Bend;
       moved.InverseInertia = 1.0 / moved.Inertia;
     }
     body.Start = body.Twist;

@@ -167,7 +167,7 @@ class CPushSolver {
   void CountContact(UInt32 body, Real lever);
   void SetUp(const SIsland& island, Real give);
   void SetUpContacts(const SIsland& island);
-  void ReplaceContacts(const SIsland& island);
+  void Restart(const SIsland& island, Real massShare);
   bool IsSteady(const SIsland& island, Real share) const;
   void StartFromResult(const SIsland& island);
   Real ComputePlannedMotion(const SContact& contact) const;
@@ -194,7 +194,9 @@ void CPushSolver::Solve(CORRECT&& correct) {
     SIsland island = TakeIsland(body, contact);
     UInt32 sweeps = 0;
     UInt32 corrections = 0;
-    for (bool isDone = !Prepare(island); !isDone;) {
+    UInt32 repetitions = 0;
+    Real massShare = 1.0;
+    for (bool isDone = !Prepare(island); !isDone; ++repetitions) {
       sweeps += Iterate(island, kPushSweeps - sweeps);
       const bool isSteady = IsSteady(island, corrections > 0 ? kCorrectedSteady : kPushSteady);
       bool isCorrected = false;
@@ -205,9 +207,12 @@ void CPushSolver::Solve(CORRECT&& correct) {
       }
       isDone =
           sweeps >= kPushSweeps || corrections >= kPushCorrections || (isSteady && !isCorrected);
+      massShare *= repetitions >= kManyRepetitions ? kLighter : 1.0;
       if (isCorrected) {
         ++corrections;
-        ReplaceContacts(island);
+        Restart(island, kMassOfCorrected);
+      } else if (massShare < 1.0) {
+        Restart(island, massShare);
       } else {
         StartFromResult(island);
       }

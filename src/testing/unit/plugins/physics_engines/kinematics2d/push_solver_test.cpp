@@ -79,6 +79,42 @@ TEST_CASE("push solver: a robot moves a row if its force overcomes the sum of fr
   }
 }
 
+TEST_CASE("push solver: rows of a block that touch sideways move as each would alone",
+          "[unit][kinematics2d]") {
+  constexpr int kRows = 20;
+  constexpr int kBoxes = 20;
+  CPushSolver solver;
+  std::vector<std::vector<UInt32>> rows(kRows);
+  const auto ratioOf = [](int row) { return kRatios[row % std::size(kRatios)]; };
+  // both ends of a face
+  const auto join = [&solver](UInt32 a, UInt32 b, Real x, Real y) {
+    solver.AddContact({a, b, x, y, 0.1, 0.1, 0.0});
+    solver.AddContact({a, b, x, y, -0.1, -0.1, 0.0});
+  };
+  for (int row = 0; row < kRows; ++row) {
+    for (int i = 0; i < kBoxes; ++i) {
+      rows[row].push_back(AddBox(solver, ratioOf(row) * kDrive / kBoxes, 1.49));
+      if (i > 0) {
+        join(rows[row][i - 1], rows[row][i], 1.0, 0.0);
+      }
+      if (row > 0) {
+        join(rows[row - 1][i], rows[row][i], 0.0, 1.0);
+      }
+    }
+    solver.AddContact({AddRobot(solver, kNeed), rows[row][0], 1.0, 0.0, 0.0, 0.0, 0.0});
+  }
+  solver.Solve();
+  for (int row = 0; row < kRows; ++row) {
+    for (const UInt32 box : rows[row]) {
+      CAPTURE(row, ratioOf(row), box);
+      const STwist& twist = solver.GetTwist(box);
+      CHECK_THAT(twist.X, WithinAbs(ratioOf(row) < 1.0 ? kNeed : 0.0, 1e-4 * kNeed));
+      CHECK_THAT(twist.Y, WithinAbs(0.0, 1e-4 * kNeed));
+      CHECK_THAT(twist.Turn, WithinAbs(0.0, 1e-4 * kNeed));
+    }
+  }
+}
+
 TEST_CASE("push solver: a couple turns a bar if its torque overcomes that of friction",
           "[unit][kinematics2d]") {
   constexpr Real kLever = 0.4;  // m
