@@ -7,7 +7,7 @@ namespace argos {
 namespace {
 
 // of sweeps over everything
-constexpr UInt32 kMostRounds = 40;
+constexpr UInt32 kMaxRoundsOfParts = 40;
 // share of the tolerance to which a part is solved
 constexpr Real kPartTolerance = 0.5;
 
@@ -17,7 +17,7 @@ UInt32 CPushParts::Solve(std::span<SBody> bodies, std::span<SContact> contacts, 
                          UInt32 mostSweeps) {
   CContactIsland<Real> all(bodies, contacts);
   Real sweeps = 0.0;
-  for (UInt32 round = 0; round < kMostRounds && sweeps < mostSweeps; ++round) {
+  for (UInt32 round = 0; round < kMaxRoundsOfParts && sweeps < mostSweeps; ++round) {
     sweeps += all.Solve(tolerance, 1);
     if (all.GetChange() <= tolerance) {
       return static_cast<UInt32>(sweeps);

@@ -15,14 +15,14 @@ constexpr Real kTurnError = 2e-3;
 // greatest one of a lever of what turns, in half narrowest sides
 constexpr Real kLeverError = 2e-2;
 // over which changes of levers are measured, rad
-constexpr Real kLeastTurn = 1e-3;
+constexpr Real kMinTurn = 1e-3;
 // of which contacts are linear enough to be corrected from there, rad
 constexpr Real kLongestTurn = 0.2;
 
 // How a lever changes while a body turns, m/rad. @param find  the lever for another motion.
 template <typename FIND>
 Real ComputeBend(const STwist& twist, Real lever, FIND&& find) {
-  const Real change = std::copysign(std::max(std::abs(twist.Turn), kLeastTurn), twist.Turn);
+  const Real change = std::copysign(std::max(std::abs(twist.Turn), kMinTurn), twist.Turn);
   return (lever - find(STwist{twist.X, twist.Y, twist.Turn - change})) / change;
 }
 
