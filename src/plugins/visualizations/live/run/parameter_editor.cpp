@@ -82,7 +82,8 @@ TJson CParameterEditor::Set(CEntity* root, const TJson& arguments) {
   SetValue(root, name, *value, true);
   size_t numRobots = root != nullptr ? 1 : 0;
   if (root != nullptr && isForAll) {
-    const std::type_info& type = typeid(*FindController(*root));
+    const CCI_Controller& changed = *FindController(*root);
+    const std::type_info& type = typeid(changed);
     for (CEntity* const other : m_simulator.GetSpace().GetRootEntityVector()) {
       CCI_Controller* const controller = FindController(*other);
       if (other != root && controller != nullptr && typeid(*controller) == type) {
