@@ -4,18 +4,15 @@
 
 #include <argos3/core/utility/datatypes/datatypes.h>
 #include <argos3/testing/support/paths.h>
+#include <argos3/testing/support/plot_picture.h>
 
 #include <catch2/catch.hpp>
 
-#include <FreeImage.h>
-
 #include <sys/wait.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
-#include <memory>
 #include <vector>
 
 namespace plot_test {
@@ -59,81 +56,6 @@ std::string Quote(const std::string& text) {
   }
   return quoted + "'";
 }
-
-constexpr UInt32 kAxisColor = 0x555555;
-constexpr UInt32 kFirstColor = 0x332288;  // of the first course or robot
-
-/** Pixels from the left and from the top, both ends included. */
-struct SPixelBox {
-  double Left, Top, Right, Bottom;
-  double GetWidth() const { return Right - Left; }
-  double GetHeight() const { return Bottom - Top; }
-};
-
-/** A PNG file in memory. */
-class CPicture {
- public:
-  explicit CPicture(const std::string& file)
-      : m_bitmap(FreeImage_Load(FIF_PNG, file.c_str()), &FreeImage_Unload) {
-    REQUIRE(m_bitmap != nullptr);
-  }
-  double GetWidth() const { return FreeImage_GetWidth(m_bitmap.get()); }
-  double GetHeight() const { return FreeImage_GetHeight(m_bitmap.get()); }
-  SPixelBox GetWhole() const { return {0.0, 0.0, GetWidth() - 1.0, GetHeight() - 1.0}; }
-
-  // the box around all pixels of a colour
-  SPixelBox FindBox(UInt32 color, const SPixelBox& area) const {
-    SPixelBox box{area.Right, area.Bottom, area.Left, area.Top};
-    for (double y = area.Top; y <= area.Bottom; ++y) {
-      for (double x = area.Left; x <= area.Right; ++x) {
-        if (HasColor(x, y, color)) {
-          box = {std::min(box.Left, x), std::min(box.Top, y), std::max(box.Right, x),
-                 std::max(box.Bottom, y)};
-        }
-      }
-    }
-    REQUIRE(box.Left <= box.Right);
-    return box;
-  }
-
-  // from the left axis to the end of the lower one: the first column, and the last row, of pixels
-  // with the colour of axes that are nearly as many as in any other
-  SPixelBox FindAxes() const {
-    const SPixelBox whole = GetWhole();
-    std::vector<double> columns(static_cast<size_t>(GetWidth()));
-    std::vector<double> rows(static_cast<size_t>(GetHeight()));
-    for (size_t y = 0; y < rows.size(); ++y) {
-      for (size_t x = 0; x < columns.size(); ++x) {
-        const bool isAxis = HasColor(static_cast<double>(x), static_cast<double>(y), kAxisColor);
-        columns[x] += isAxis ? 1.0 : 0.0;
-        rows[y] += isAxis ? 1.0 : 0.0;
-      }
-    }
-    const auto isLong = [](const std::vector<double>& counts) {
-      return [most = *std::max_element(counts.begin(), counts.end())](double count) {
-        return count > 0.9 * most;
-      };
-    };
-    const double left = static_cast<double>(
-        std::find_if(columns.begin(), columns.end(), isLong(columns)) - columns.begin());
-    const double bottom =
-        whole.Bottom -
-        static_cast<double>(std::find_if(rows.rbegin(), rows.rend(), isLong(rows)) - rows.rbegin());
-    return {left, FindBox(kAxisColor, {left, 0.0, left, bottom}).Top,
-            FindBox(kAxisColor, {left, bottom, whole.Right, bottom}).Right, bottom};
-  }
-
- private:
-  bool HasColor(double x, double y, UInt32 color) const {
-    RGBQUAD pixel{};
-    // FreeImage counts rows from the bottom
-    FreeImage_GetPixelColor(m_bitmap.get(), static_cast<unsigned>(x),
-                            static_cast<unsigned>(GetHeight() - 1.0 - y), &pixel);
-    return (UInt32(pixel.rgbRed) << 16 | UInt32(pixel.rgbGreen) << 8 | pixel.rgbBlue) == color;
-  }
-
-  std::unique_ptr<FIBITMAP, decltype(&FreeImage_Unload)> m_bitmap;
-};
 
 bool HasGnuplot() {
   return std::system("command -v gnuplot >/dev/null") == 0;
@@ -228,11 +150,11 @@ TEST_CASE("plots: the axes fill the picture, and a course goes from its first to
   folder.Write("2.csv", table);
   const std::string files = GENERATE("1.csv", "1.csv 2.csv");
   REQUIRE(Plot(folder, "metrics a_name_that_is_long_indeed " + files + " -o p.png").Status == 0);
-  const CPicture picture(folder.Path("p.png"));
+  const CPlotPicture picture(folder.Path("p.png"));
   const SPixelBox axes = picture.FindAxes();
   CHECK(axes.GetWidth() > 0.8 * picture.GetWidth());
   CHECK(axes.GetHeight() > 0.6 * picture.GetHeight());
-  const SPixelBox line = picture.FindBox(kFirstColor, axes);
+  const SPixelBox line = picture.FindBox(CPlotPicture::kFirstColor, axes);
   // the axis of time begins at the first value and ends at the last; 4 pixels for widths of lines
   CHECK_THAT(line.Left, WithinAbs(axes.Left, 4.0));
   CHECK_THAT(line.Right, WithinAbs(axes.Right, 4.0));
@@ -259,11 +181,11 @@ TEST_CASE("plots: a power of time is a straight line on logarithmic axes", "[out
   const SProgramRun run = Plot(folder, "metrics square 1.csv --log --xlog -o p.png");
   REQUIRE(run.Status == 0);
   CHECK_THAT(run.Err, Contains("argos3-plot: 1 time with a median of 0 or less left out."));
-  const CPicture picture(folder.Path("p.png"));
+  const CPlotPicture picture(folder.Path("p.png"));
   const SPixelBox axes = picture.FindAxes();
   CHECK(axes.GetWidth() > 0.8 * picture.GetWidth());
   CHECK(axes.GetHeight() > 0.7 * picture.GetHeight());
-  const SPixelBox line = picture.FindBox(kFirstColor, axes);
+  const SPixelBox line = picture.FindBox(CPlotPicture::kFirstColor, axes);
   // from end to end of the axis of time; that of values goes on by a factor of 1.2 on both sides
   const double decade = axes.GetHeight() / std::log10(1e4 * 1.2 * 1.2);
   CHECK_THAT(line.Left, WithinAbs(axes.Left, 4.0));
@@ -272,7 +194,8 @@ TEST_CASE("plots: a power of time is a straight line on logarithmic axes", "[out
   CHECK_THAT(line.Top, WithinAbs(axes.Top + decade * std::log10(1.2), 4.0));
   // half-way, at 10 s, the value is 100
   const double middle = (axes.Left + axes.Right) / 2.0;
-  const SPixelBox half = picture.FindBox(kFirstColor, {middle, axes.Top, middle, axes.Bottom});
+  const SPixelBox half =
+      picture.FindBox(CPlotPicture::kFirstColor, {middle, axes.Top, middle, axes.Bottom});
   CHECK_THAT((half.Top + half.Bottom) / 2.0, WithinAbs((line.Top + line.Bottom) / 2.0, 4.0));
 }
 
@@ -285,12 +208,12 @@ TEST_CASE("plots: paths are where the robots were", "[outputs][plots]") {
                "# argos3 3.0.0-1 table\n# arena: -2,-1 2,1\nrun,tick,time,robot,x,y\n"
                "0,0,0,a,-1,-0.5\n0,1,0.1,a,0,0\n0,2,0.2,a,1.5,0.75\n");
   REQUIRE(Plot(folder, "trajectories robots.csv -o p.png").Status == 0);
-  const CPicture picture(folder.Path("p.png"));
+  const CPlotPicture picture(folder.Path("p.png"));
   // the frame is the arena and 2 % of its greater side
   const SPixelBox frame = picture.FindAxes();
   CHECK(frame.GetWidth() > 0.8 * picture.GetWidth());
   CHECK_THAT(frame.GetWidth() / frame.GetHeight(), WithinAbs(4.16 / 2.16, 0.03));
-  const SPixelBox path = picture.FindBox(kFirstColor, frame);
+  const SPixelBox path = picture.FindBox(CPlotPicture::kFirstColor, frame);
   const double scale = frame.GetWidth() / 4.16;  // pixels for a metre
   // from the dot at the start to the circle at the end, whose radii are below 20 pixels
   CHECK_THAT(path.Left, WithinAbs(frame.Left + scale * (-1.0 + 2.08), 20.0));
@@ -314,7 +237,7 @@ TEST_CASE("plots: the paths of more than nine robots are shades from blue to gre
   }
   folder.Write("robots.csv", rows);
   REQUIRE(Plot(folder, "trajectories robots.csv -o p.png").Status == 0);
-  const CPicture picture(folder.Path("p.png"));
+  const CPlotPicture picture(folder.Path("p.png"));
   const SPixelBox frame = picture.FindAxes();
   const double scale = frame.GetHeight() / 2.04;  // pixels for a metre
   // the colour map "viridis" at 0, 0.425 and 0.85
