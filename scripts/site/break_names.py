@@ -12,26 +12,29 @@ import sys
 
 LONG = 24  # letters that fit a phone in any place
 CODE = re.compile(r"(?<!<span></span>)(<code>)([^<]*)(</code>)")
-OPTION = re.compile(r"--?[A-Za-z][\w-]*[,;]?")
+# what is no text of a page, and options in the text
+MARKUP = re.compile(r"(<title.*?</title>|<script.*?</script>|<style.*?</style>|<pre.*?</pre>|<[^>]*>)", re.DOTALL)
+OPTION = re.compile(r"(?<![\w-])(--[A-Za-z][\w-]*)")
 HEADING = re.compile(r"(<h[1-4][^>]*>)([^<]*)(<)")
 
 
 def with_breaks(match):
     begin, text, end = match.groups()
     words = re.split(r"(\s+)", text)
-    for i, word in enumerate(words):
-        if len(word) > LONG:
-            words[i] = re.sub(r"(/|::|_)(?=\w)", r"\1<wbr>", word)
-        elif end == "</code>" and OPTION.fullmatch(word):
-            words[i] = f'<span class="option">{word}</span>'
-    return begin + "".join(words) + end
+    return begin + "".join(re.sub(r"(/|::|_)(?=\w)", r"\1<wbr>", word) if len(word) > LONG else word for word in words) + end
+
+
+def with_options(text):
+    parts = MARKUP.split(text)
+    # the parts with an even number are between the markup
+    return "".join(part if i % 2 else OPTION.sub(r'<span class="option">\1</span>', part) for i, part in enumerate(parts))
 
 
 def main():
     for page in pathlib.Path(sys.argv[1]).rglob("*.html"):
         if page.relative_to(sys.argv[1]).parts[0] != "api":
             text = page.read_text(encoding="utf-8")
-            page.write_text(HEADING.sub(with_breaks, CODE.sub(with_breaks, text)), encoding="utf-8")
+            page.write_text(with_options(HEADING.sub(with_breaks, CODE.sub(with_breaks, text))), encoding="utf-8")
 
 
 main()

@@ -23,7 +23,7 @@ HARNESS = """<!DOCTYPE html><body><script>
 const pages = %s;
 function brokenWord(node, frame) {
   const range = frame.contentDocument.createRange();
-  for (const match of node.data.matchAll(/(?<![A-Za-z0-9])-{1,2}[A-Za-z0-9]+|[A-Za-z0-9]+/g)) {
+  for (const match of node.data.matchAll(/(?<![A-Za-z0-9-])--[A-Za-z0-9]+|[A-Za-z0-9]+/g)) {
     range.setStart(node, match.index);
     range.setEnd(node, match.index + match[0].length);
     const tops = new Set([...range.getClientRects()].filter(r => r.width > 0).map(r => Math.round(r.top / 4)));
