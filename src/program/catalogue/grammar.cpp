@@ -14,6 +14,7 @@ namespace {
 
 constexpr const char* kRoot = "argos-configuration";
 constexpr const char* kNoValue = "no_such_value";
+constexpr const char* kLibraryText = "path or name of the library that contains the plug-in.";
 
 // all elements of a tree; the order does not change while attributes are removed
 void CollectElements(TConfigurationNode& element, std::vector<TConfigurationNode>& all) {
@@ -121,10 +122,9 @@ class CManuals {
           facts.Manual = manual->TextOf(name.Tag, attribute);
         }
       }
-      facts.Manual =
-          facts.Manual.Text.empty() ? FindElsewhere(parent, name.Tag, attribute) : facts.Manual;
-      if (attribute == "library" && facts.Manual.Text.empty()) {
-        facts.Manual.Text = "path or name of the library that contains the plug-in.";
+      if (facts.Manual.Text.empty()) {
+        facts.Manual = attribute == "library" ? SAttributeText{"", "", kLibraryText}
+                                              : FindElsewhere(parent, name.Tag, attribute);
       }
     }
     for (auto& [child, facts] : element.Children) {

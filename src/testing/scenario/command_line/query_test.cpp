@@ -299,6 +299,9 @@ TEST_CASE("queries: attributes have types, units and defaults", "[command_line][
              Contains(attribute("bias_avg", "real", "m/s", "0")) &&
                  Contains(attribute("factor_stddev_left", "real", "", "that of factor_stddev")) &&
                  !Contains("\"name\": \"bias_avg\",\n          \"type\": \"text\""));
+  // not what another view says of a child of it
+  CHECK_THAT(folder.Run({"-q", "qt-opengl", "--json"}).Out,
+             Contains("path or name of the library that contains the plug-in."));
   // not those of the arena, which has an attribute of this name
   CHECK_THAT(folder.Run({"-q", "walls", "--json"}).Out,
              Contains(attribute("threshold", "real", "", "0.5")) && !Contains("redistribute"));
