@@ -119,7 +119,6 @@ TJson CLiveRun::MakeWelcome() {
 
 void CLiveRun::Announce() {
   const std::string url = m_server->GetURL();
-  CLogControl::Notify("Live view: " + url);
   if (!m_urlFileName.empty()) {
     SLiveRunEntry entry;
     entry.URL = url;
@@ -128,6 +127,7 @@ void CLiveRun::Announce() {
     entry.Process = static_cast<UInt64>(getpid());
     m_urlFile = std::make_unique<CLiveRunFile>(m_urlFileName, entry);
   }
+  CLogControl::Notify("Live view: " + url);
   if (m_opensPage) {
     OpenInBrowser(url);
   }

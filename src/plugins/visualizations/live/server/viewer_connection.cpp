@@ -65,7 +65,7 @@ void CViewerConnection::Accept(const TLiveRequest& request) {
   m_helloTimer.async_wait([weak = weak_from_this()](TError error) {
     const auto self = weak.lock();
     if (!error && self != nullptr && self->m_number == 0) {
-      self->Close("no token within 5 s");
+      self->Drop();
     }
   });
   m_socket.async_accept(request,
@@ -119,7 +119,7 @@ void CViewerConnection::OnMessage(const std::string& text) {
     OnHello(message);
   } else if (text.size() > kMaxMessageBytes && !IsScript(message)) {
     Close("a message has more than 64 KiB");
-  } else if (message.contains("ack") && m_unacknowledged > 0) {
+  } else if (message.contains("ack") && !message.contains("do") && m_unacknowledged > 0) {
     Acknowledge();
     m_hub.OnReady();
   } else if (!m_limit.Take(TClock::now())) {
