@@ -48,8 +48,14 @@ std::string MakeFrame(std::string_view payload, const SRawFrame& frame) {
 
 class CRawClient::CSocket {
  public:
-  asio::io_context Context;
-  tcp::socket Socket{Context};
+  tcp::socket Socket{GetContext()};
+
+ private:
+  // of all, so that each needs one file descriptor only
+  static asio::io_context& GetContext() {
+    static asio::io_context context;
+    return context;
+  }
 };
 
 CRawClient::CRawClient(const std::string& url) : m_socket(std::make_unique<CSocket>()) {
