@@ -189,6 +189,14 @@ test("tools: what a viewer has received is saved, and replayed", { skip, timeout
   await opened.waitForTick((tick) => tick === last, "the last state of the file");
   assert.deepEqual(await opened.close(), []);
 
+  await page.getByRole("button", { name: /^Save a picture, a film/ }).click();
+  await page.getByRole("button", { name: "Make a film of the picture from now on, WebM" }).click();
+  await tab.button("One tick ahead").click();
+  await page.waitForTimeout(1200);
+  const [film] = await Promise.all([page.waitForEvent("download"), tab.button("Save the film as a file").click()]);
+  await film.saveAs(join(folder, "film.webm"));
+  assert.equal(readFileSync(join(folder, "film.webm")).readUInt32BE(0), 0x1a45dfa3); // of Matroska
+
   const picture = await save(tab, "Save the picture, PNG");
   assert.equal(readFileSync(picture).subarray(1, 4).toString(), "PNG");
   assert.deepEqual(await tab.close(), []);
