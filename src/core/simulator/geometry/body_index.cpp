@@ -62,7 +62,8 @@ void ReplaceIf(std::atomic<Real>& value, Real candidate, BETTER isBetter) {
 
 }  // namespace
 
-void CBodyIndex::SetArea(const CRange<CVector3>& limits) {
+void CBodyIndex::SetArea(const CRange<CVector3>& limits, const SPeriodicity& period) {
+  m_period = period;
   m_area = {limits.GetMin().GetX(), limits.GetMin().GetY(), limits.GetMax().GetX(),
             limits.GetMax().GetY()};
   m_cellsChosenFor = 0;
@@ -229,6 +230,7 @@ void CBodyIndex::LinkWideIntoOverlay(UInt32 number) {
     const SCellRange cells = CellsOf(packed);
     const auto wide = static_cast<UInt32>(m_overlayWide.size());
     m_overlayWide.push_back({packed, cells.GetFirst()});
+    IncludeWide(packed);
     m_grid.ForCells(cells, [this, wide](UInt32 cell) { m_overlayWideCells.Add(cell, wide); });
   }
 }
@@ -367,7 +369,7 @@ void CBodyIndex::PackSmall(CThreadPool* pool) {
   std::atomic<Real> lowest{HUGE_VAL};
   std::atomic<Real> highest{-HUGE_VAL};
   ForRange(pool, m_entries.size(), [&](size_t begin, size_t end) {
-    SHeights heights;
+    SHeightRange heights;
     for (size_t k = begin; k < end; ++k) {
       if (k + kEntriesAhead < end) {
         const UInt32 later = m_entries[k + kEntriesAhead].Body;
@@ -390,7 +392,8 @@ void CBodyIndex::PackSmall(CThreadPool* pool) {
 
 void CBodyIndex::ListWide() {
   m_wide.clear();
-  m_wideHeights = SHeights();
+  m_wideHeights = SHeightRange();
+  m_wideOutreach = 0.0;
   bool anyMovable = false;
   for (size_t b = 0; b < m_bodies.size(); ++b) {
     const SBody& body = m_bodies[b];
@@ -403,12 +406,20 @@ void CBodyIndex::ListWide() {
       const SIndexedShape packed = Pack(static_cast<UInt32>(b), shape);
       m_wide.push_back({packed, CellsOf(packed).GetFirst()});
       m_wideHeights.Include(packed.ZMin, packed.ZMax);
+      IncludeWide(packed);
     }
   }
   m_wideCells.List(m_wide.size(), m_grid.GetNumCells(), [this](UInt32 wide, auto&& list) {
     m_grid.ForCells(CellsOf(m_wide[wide].Shape), list);
   });
   m_wideDirty = anyMovable;
+}
+
+void CBodyIndex::IncludeWide(const SIndexedShape& shape) {
+  const SPlanarVector half = ComputeHalfBounds(shape);
+  m_wideOutreach =
+      std::max({m_wideOutreach, shape.X + half.X - m_area.MaxX, shape.Y + half.Y - m_area.MaxY,
+                m_area.MinX - (shape.X - half.X), m_area.MinY - (shape.Y - half.Y)});
 }
 
 SCellRange CBodyIndex::CellsOf(const SIndexedShape& shape) const {

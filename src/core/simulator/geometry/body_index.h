@@ -4,7 +4,9 @@
 #include <argos3/core/simulator/geometry/body_description.h>
 #include <argos3/core/simulator/geometry/body_pose.h>
 #include <argos3/core/simulator/geometry/disc_list.h>
+#include <argos3/core/simulator/geometry/height_range.h>
 #include <argos3/core/simulator/geometry/indexed_shape.h>
+#include <argos3/core/simulator/geometry/periodicity.h>
 #include <argos3/core/simulator/geometry/ray_hit.h>
 #include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/math/range.h>
@@ -45,8 +47,12 @@ class CBodyIndex {
 
   CBodyIndex() = default;
 
-  /** Sets the ground area that the cells divide, m. Border cells hold the bodies outside of it. */
-  void SetArea(const CRange<CVector3>& limits);
+  /**
+   * Sets the ground area that the cells divide, m. Border cells hold the bodies outside of it.
+   * @param period  of the area: movable bodies are inside of it along its periodic axes. Queries
+   * find all images of bodies, at the places of these.
+   */
+  void SetArea(const CRange<CVector3>& limits, const SPeriodicity& period = SPeriodicity());
 
   /**
    * Adds a body. CEmbodiedEntity::EnterIndex() calls it.
@@ -76,13 +82,7 @@ class CBodyIndex {
   }
   /** Calls visit(CEmbodiedEntity&) for every body, by number. */
   template <typename VISIT>
-  void ForEachBody(VISIT&& visit) const {
-    for (const SBody& body : m_bodies) {
-      if (body.Entity != nullptr) {
-        visit(*body.Entity);
-      }
-    }
-  }
+  void ForEachBody(VISIT&& visit) const;
   size_t GetNumBodies() const { return m_numAlive; }
   size_t GetEndOfNumbers() const { return m_bodies.size(); } /**< numbers of bodies are less */
 
@@ -107,13 +107,7 @@ class CBodyIndex {
    */
   template <typename VISIT>
   void ForShapesInArea(const SPlanarArea& area, VISIT&& visit) const;
-  /** How near to a point of a ray a solid has to come, m. */
-  struct SRayReach {
-    Real Across; /**< seen from above */
-    Real Vertical; /**< distance from the point's height to the solid's span of heights */
-
-    SRayReach(Real across, Real vertical = HUGE_VAL) : Across(across), Vertical(vertical) {}
-  };
+  using SRayReach = argos::SRayReach;
   /**
    * Calls visit(const SIndexedShape&) for every solid that comes within @p reach of a point of
    * @p ray, and perhaps for others; wide solids perhaps repeatedly. Ignores the part of the ray
@@ -189,24 +183,8 @@ class CBodyIndex {
     SPlanarCell FirstCell;  // cell in which it is listed
   };
 
-  // range of the heights of several solids, m, world frame
-  struct SHeights {
-    Real Min = HUGE_VAL, Max = -HUGE_VAL;
-
-    void Include(Real min, Real max) {
-      Min = std::min(Min, min);
-      Max = std::max(Max, max);
-    }
-    // the part of a line, between fractions of the ray, that is at these heights or farther than
-    // the reach from them by less than a rounding; empty without solids
-    SRaySpan FindPart(const CRay3& ray, Real reach) const;
-  };
-
-  // checks, if invariants are checked, that it is the number of a body that is in the index
-  void CheckNumber([[maybe_unused]] UInt32 body) const {
-    ARGOS_ASSERT(body < m_bodies.size() && m_bodies[body].Entity != nullptr,
-                 "there is no body " << body << " in the index: the number is stale");
-  }
+  // where invariants are checked: that it is the number of a body that is in the index
+  void CheckNumber(UInt32 body) const;
 
   SCellRange CellsOf(const SIndexedShape& shape) const;
   // a wide solid counts in one of the cells in which a query finds it
@@ -219,9 +197,7 @@ class CBodyIndex {
   SIndexedShape Pack(UInt32 body, UInt16 shape) const;
   SIndexedShape Unpack(size_t place) const;  // a solid in the order of the cells
   // pose of the body frame, moved along with the link of a solid
-  static SBodyPose PoseOf(const SBody& body, const SShapeDescription& solid) {
-    return body.Links != nullptr ? Compose(*body.Origin, body.Links[solid.Link]) : *body.Origin;
-  }
+  static SBodyPose PoseOf(const SBody& body, const SShapeDescription& solid);
   void ReadPose(UInt32 body);
   void Describe(UInt32 body);
   void Forget(UInt32 body);
@@ -231,11 +207,31 @@ class CBodyIndex {
   void ListSorted(CThreadPool* pool, UInt32 numShapes);
   void PackSmall(CThreadPool* pool);
   void ListWide();
+  void IncludeWide(const SIndexedShape& shape);
   void ClearOverlay();
   void PutInOverlay(UInt32 body);
   void LinkIntoOverlay(UInt32 body);
   void LinkWideIntoOverlay(UInt32 body);
 
+  // calls query(dx, dy) for each displacement of an area to where bodies may be
+  template <typename QUERY>
+  void ForImages(const SPlanarArea& area, QUERY&& query) const;
+  // of the image of a solid from the solid itself, m
+  CVector3 FindDisplacement(const SIndexedShape& shape) const;
+  template <typename VISIT>
+  void ForImagesNear(Real x, Real y, Real reach, VISIT&& visit) const;
+  template <typename VISIT>
+  void ForImagesInArea(const SPlanarArea& area, VISIT&& visit) const;
+  template <typename VISIT, typename DONE>
+  void ForImagesAlongRay(const CRay3& ray, const SRayReach& reach, VISIT&& visit,
+                         DONE&& isDone) const;
+  template <typename VISIT>
+  void ForShapesNearHere(Real x, Real y, Real reach, VISIT&& visit) const;
+  template <typename VISIT>
+  void ForShapesInAreaHere(const SPlanarArea& area, VISIT&& visit) const;
+  template <typename VISIT, typename DONE>
+  void ForShapesAlongRayHere(const CRay3& ray, const SRayReach& reach, VISIT&& visit,
+                             DONE&& isDone) const;
   Real SmallReach() const { return std::max(m_maxSmallReach, m_tiltedReach); }
   bool IsStale(UInt32 body) const { return m_numStale > 0 && m_bodies[body].Stale; }
   // cells no farther than the margin, m, from an area
@@ -261,6 +257,7 @@ class CBodyIndex {
   Real IntersectBody(UInt32 body, const CRay3& ray) const;
 
   SPlanarArea m_area;
+  SPeriodicity m_period;
   CPlanarGrid<> m_grid;
   size_t m_cellsChosenFor = 0;  // number of bodies when cells were chosen
   Real m_cellsChosenReach = 0.0;  // m, m_maxSmallReach then
@@ -280,9 +277,10 @@ class CBodyIndex {
   std::vector<SPackedShape> m_shapes;  // shapes of small bodies, in cell order
   std::vector<SBoxSides> m_sides;  // sides of the same solids; empty unless m_hasSmallBoxes
   bool m_hasSmallBoxes = false;  // some small body had a solid that is a box
-  SHeights m_smallHeights;  // heights of m_shapes
-  std::vector<SWideShape> m_wide;  // shapes of all other bodies
-  SHeights m_wideHeights;  // heights of m_wide
+  SHeightRange m_smallHeights;  // of m_shapes
+  std::vector<SWideShape> m_wide;  // of all other bodies
+  SHeightRange m_wideHeights;  // of m_wide
+  Real m_wideOutreach = 0.0;  // m; how far wide bodies are outside of the area, at most
   CCellItems m_wideCells;  // numbers into m_wide
   bool m_wideDirty = true;
 
@@ -296,5 +294,7 @@ class CBodyIndex {
 }  // namespace argos
 
 #include <argos3/core/simulator/geometry/body_index_impl.h>
+
+#include <argos3/core/simulator/geometry/body_index_images.h>
 
 #endif

@@ -7,6 +7,20 @@
 
 namespace argos {
 
+inline void CBodyIndex::CheckNumber([[maybe_unused]] UInt32 body) const {
+  ARGOS_ASSERT(body < m_bodies.size() && m_bodies[body].Entity != nullptr,
+               "there is no body " << body << " in the index: the number is stale");
+}
+
+template <typename VISIT>
+void CBodyIndex::ForEachBody(VISIT&& visit) const {
+  for (const SBody& body : m_bodies) {
+    if (body.Entity != nullptr) {
+      visit(*body.Entity);
+    }
+  }
+}
+
 inline SIndexedShape CBodyIndex::Unpack(size_t place) const {
   const SPackedShape& packed = m_shapes[place];
   SBoxSides sides{1.0, 0.0, packed.Radius, packed.Radius};
@@ -15,6 +29,10 @@ inline SIndexedShape CBodyIndex::Unpack(size_t place) const {
   }
   return {packed.X,      packed.Y,    sides.Cos,   sides.Sin,   sides.HalfX,  sides.HalfY,
           packed.Radius, packed.ZMin, packed.ZMax, packed.Body, packed.Shape, packed.Kind};
+}
+
+inline SBodyPose CBodyIndex::PoseOf(const SBody& body, const SShapeDescription& solid) {
+  return body.Links != nullptr ? Compose(*body.Origin, body.Links[solid.Link]) : *body.Origin;
 }
 
 inline SCellRange CBodyIndex::CellsAround(const SPlanarArea& area, Real margin) const {
@@ -155,6 +173,15 @@ void CBodyIndex::VisitUnsorted(const SCellRange& small, const SCellRange& wide,
 
 template <typename VISIT>
 void CBodyIndex::ForShapesNear(Real x, Real y, Real reach, VISIT&& visit) const {
+  if (m_period.IsOn()) {
+    ForImagesNear(x, y, reach, visit);
+  } else {
+    ForShapesNearHere(x, y, reach, visit);
+  }
+}
+
+template <typename VISIT>
+void CBodyIndex::ForShapesNearHere(Real x, Real y, Real reach, VISIT&& visit) const {
   VisitNear(m_grid.CellsAround(x, y, reach + SmallReach()), m_grid.CellsAround(x, y, reach),
             [&](const SIndexedShape& shape) {
               const Real dx = shape.X - x;
@@ -169,6 +196,10 @@ void CBodyIndex::ForShapesNear(Real x, Real y, Real reach, VISIT&& visit) const 
 template <typename VISIT, typename TAKE_DISCS>
 void CBodyIndex::ListDiscsNear(const SDiscQuery& query, SDiscList& discs, TAKE_DISCS&& takeDiscs,
                                VISIT&& visit) const {
+  if (m_period.IsOn()) {
+    ForImagesNear(query.X, query.Y, query.Reach, visit);
+    return;
+  }
   const SCellRange small = m_grid.CellsAround(query.X, query.Y, query.Reach + SmallReach());
   if (!m_shapes.empty()) {
     if (m_numStale > 0) {
@@ -182,6 +213,15 @@ void CBodyIndex::ListDiscsNear(const SDiscQuery& query, SDiscList& discs, TAKE_D
 
 template <typename VISIT>
 void CBodyIndex::ForShapesInArea(const SPlanarArea& area, VISIT&& visit) const {
+  if (m_period.IsOn()) {
+    ForImagesInArea(area, visit);
+  } else {
+    ForShapesInAreaHere(area, visit);
+  }
+}
+
+template <typename VISIT>
+void CBodyIndex::ForShapesInAreaHere(const SPlanarArea& area, VISIT&& visit) const {
   // more by a rounding, so that a touched border counts
   const Real rounded = 1e-9;
   VisitNear(CellsAround(area, SmallReach() + rounded), CellsAround(area, rounded),
@@ -194,20 +234,19 @@ void CBodyIndex::ForShapesInArea(const SPlanarArea& area, VISIT&& visit) const {
             });
 }
 
-inline SRaySpan CBodyIndex::SHeights::FindPart(const CRay3& ray, Real reach) const {
-  if (Min > Max) {
-    return SRaySpan::None();
-  }
-  const Real rounded = reach + 1e-9;
-  const Real z = ray.GetStart().GetZ();
-  SRaySpan part{0.0, 1.0};
-  part.ClipToSlab(z, ray.GetEnd().GetZ() - z, Min - rounded, Max + rounded);
-  return part;
-}
-
 template <typename VISIT, typename DONE>
 void CBodyIndex::ForShapesAlongRay(const CRay3& ray, const SRayReach& reach, VISIT&& visit,
                                    DONE&& isDone) const {
+  if (m_period.IsOn()) {
+    ForImagesAlongRay(ray, reach, visit, isDone);
+  } else {
+    ForShapesAlongRayHere(ray, reach, visit, isDone);
+  }
+}
+
+template <typename VISIT, typename DONE>
+void CBodyIndex::ForShapesAlongRayHere(const CRay3& ray, const SRayReach& reach, VISIT&& visit,
+                                       DONE&& isDone) const {
   const Real x = ray.GetStart().GetX();
   const Real y = ray.GetStart().GetY();
   const Real dx = ray.GetEnd().GetX() - x;

@@ -44,13 +44,25 @@ Real IntersectPrism(const SShapeDescription& prism, const CRay3& ray) {
 
 }  // namespace
 
+// exact, because both numbers are computed in the same way
+CVector3 CBodyIndex::FindDisplacement(const SIndexedShape& shape) const {
+  if (!m_period.IsOn()) {
+    return CVector3();
+  }
+  const SIndexedShape own = Pack(shape.Body, shape.Shape);
+  return CVector3(m_period.X.RoundToPeriods(shape.X - own.X),
+                  m_period.Y.RoundToPeriods(shape.Y - own.Y), 0.0);
+}
+
 Real CBodyIndex::Intersect(const SIndexedShape& shape, const CRay3& ray) const {
   if (shape.Kind != SIndexedShape::EKind::Bounds) {
     return IntersectRay(shape, ray);
   }
   const SBody& body = m_bodies[shape.Body];
   const SShapeDescription& solid = body.Description->Shapes[shape.Shape];
-  const CRay3 local = ToSolidFrame(ray, PoseOf(body, solid), solid);
+  SBodyPose pose = PoseOf(body, solid);
+  pose.Position += FindDisplacement(shape);
+  const CRay3 local = ToSolidFrame(ray, pose, solid);
   if (solid.Kind == SShapeDescription::EKind::Sphere) {
     return IntersectSphere(solid.Radius, local);
   }
@@ -132,12 +144,16 @@ bool CBodyIndex::FindOccluder(SIndexedShape& found, const CRay3& segment, UInt32
   return isFound;
 }
 
-// fraction at which the ray enters a body, or kNoHit
+// fraction at which the ray enters a body, in the image nearest to the ray's end, or kNoHit
 Real CBodyIndex::IntersectBody(UInt32 body, const CRay3& ray) const {
   Real first = kNoHit;
   if (body != kNoBody) {
-    VisitBody(body,
-              [&](const SIndexedShape& shape) { first = std::min(first, Intersect(shape, ray)); });
+    const CVector3& end = ray.GetEnd();
+    VisitBody(body, [&](const SIndexedShape& shape) {
+      const SIndexedShape nearest = Displace(shape, m_period.X.RoundToPeriods(end.GetX() - shape.X),
+                                             m_period.Y.RoundToPeriods(end.GetY() - shape.Y));
+      first = std::min(first, Intersect(nearest, ray));
+    });
   }
   return first;
 }
@@ -170,8 +186,8 @@ Real CBodyIndex::ComputeReach(UInt32 number, Real x, Real y) const {
     return HUGE_VAL;
   }
   const SPose& pose = m_poses[number];
-  const Real dx = pose.X - x;
-  const Real dy = pose.Y - y;
+  const Real dx = m_period.X.Shorten(pose.X - x);
+  const Real dy = m_period.Y.Shorten(pose.Y - y);
   return std::sqrt(dx * dx + dy * dy) + (pose.Upright ? body.Reach : body.TiltedReach);
 }
 
@@ -184,7 +200,7 @@ UInt32 CBodyIndex::FindOverlap(const SBodyDescription& description, const CVecto
     const SBody& body = m_bodies[shape.Body];
     const SShapeDescription& solid = body.Description->Shapes[shape.Shape];
     const SBodyPose pose = PoseOf(body, solid);
-    return SPlacedSolid{&solid, pose.Position, pose.Orientation};
+    return SPlacedSolid{&solid, pose.Position + FindDisplacement(shape), pose.Orientation};
   };
   for (const SShapeDescription& solid : description.Shapes) {
     const SBodyPose placed = links != nullptr ? Compose(origin, links[solid.Link]) : origin;

@@ -3,6 +3,7 @@
 
 #include <argos3/core/utility/datatypes/datatypes.h>
 
+#include <cmath>
 #include <cstddef>
 
 namespace argos {
@@ -20,6 +21,14 @@ struct SDiscQuery {
   Real X, Y, Reach; /**< circle on the ground, m, world frame */
   Real MinZ, MaxZ; /**< heights that a disc must span, m */
   UInt32 IgnoredBody; /**< its number in the index */
+};
+
+/** How near to a point of a ray a solid has to come, m. */
+struct SRayReach {
+  Real Across; /**< seen from above */
+  Real Vertical; /**< from the point's height to the solid's span of heights */
+
+  SRayReach(Real across, Real vertical = HUGE_VAL) : Across(across), Vertical(vertical) {}
 };
 
 }  // namespace argos

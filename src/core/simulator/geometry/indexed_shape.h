@@ -28,6 +28,13 @@ struct SIndexedShape {
   EKind Kind;
 };
 
+/** @return the image of a solid that is displaced by (@p dx, @p dy), m. */
+inline SIndexedShape Displace(SIndexedShape shape, Real dx, Real dy) {
+  shape.X += dx;
+  shape.Y += dy;
+  return shape;
+}
+
 /**
  * A solid as the index stores it: all data of a disc, in less memory than an SIndexedShape; boxes
  * have their sides elsewhere.

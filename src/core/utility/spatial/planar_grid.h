@@ -91,11 +91,11 @@ class CPlanarGrid {
   /** Number of the cell that holds a point, m. */
   UInt32 CellAt(Real x, Real y) const { return GetNumber(m_x.CellOf(x), m_y.CellOf(y)); }
   /** The cells that an axis-aligned rectangle touches. @param reachX, reachY half its sides, m. */
-  SCellRange CellsAround(Real x, Real y, Real reachX, Real reachY) const {
+  [[gnu::always_inline]] SCellRange CellsAround(Real x, Real y, Real reachX, Real reachY) const {
     return {m_x.CellOf(x - reachX), m_x.CellOf(x + reachX), m_y.CellOf(y - reachY),
             m_y.CellOf(y + reachY)};
   }
-  SCellRange CellsAround(Real x, Real y, Real reach) const {
+  [[gnu::always_inline]] SCellRange CellsAround(Real x, Real y, Real reach) const {
     return CellsAround(x, y, reach, reach);
   }
 
