@@ -15,7 +15,8 @@ std::string SExperiment::ToXml() const {
       << "<physics_engines>" << Engines << "</physics_engines>\n"
       << "<media>" << Media << "</media>\n"
       << "<arena size='" << ArenaSize << "'"
-      << (ArenaCenter.empty() ? "" : " center='" + ArenaCenter + "'") << ">\n"
+      << (ArenaCenter.empty() ? "" : " center='" + ArenaCenter + "'") << ' ' << ArenaAttributes
+      << ">\n"
       << Arena << "\n</arena>\n"
       << "</argos-configuration>\n";
   return xml.str();

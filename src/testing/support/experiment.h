@@ -27,6 +27,7 @@ struct SExperiment {
   std::string Media = ""; /**< children of <media> */
   std::string ArenaSize = "10,10,2";
   std::string ArenaCenter = ""; /**< empty: as if the attribute is absent */
+  std::string ArenaAttributes = ""; /**< others, such as "periodic='x'" */
   std::string Arena = ""; /**< children of <arena> */
 
   std::string ToXml() const;

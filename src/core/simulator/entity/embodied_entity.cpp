@@ -64,6 +64,8 @@ void CEmbodiedEntity::SetInitPose(const CVector3& position, const CQuaternion& o
 
 void CEmbodiedEntity::Reset() {
   CEntity::Reset();
+  m_turnsX = m_turnsY = 0;
+  m_cInitOriginPosition = CurrentContext().Arena.Period.Wrap(m_cInitOriginPosition);
   if (m_tPhysicsModelVector.empty() || CurrentContext().IsSpaceResetting) {
     ResetWithoutEngines();
     return;
@@ -263,12 +265,36 @@ void CEmbodiedEntity::MoveModelsTo(const CVector3& position, const CQuaternion& 
   }
 }
 
+CVector3 CEmbodiedEntity::GetUnwrappedPosition() const {
+  const SPeriodicity& period = CurrentContext().Arena.Period;
+  return m_psOriginAnchor->Position +
+         CVector3(m_turnsX * period.X.Period, m_turnsY * period.Y.Period, 0.0);
+}
+
+void CEmbodiedEntity::CountTurns(const CVector3& next, const SPeriodicity& period) {
+  const CVector3 way = next - m_psOriginAnchor->Position;
+  const auto count = [](const SPeriodicAxis& axis, Real difference) {
+    return axis.IsOn() ? static_cast<SInt32>(std::nearbyint(difference / axis.Period)) : 0;
+  };
+  m_turnsX -= count(period.X, way.GetX());
+  m_turnsY -= count(period.Y, way.GetY());
+}
+
+void CEmbodiedEntity::WrapIntoArena() {
+  const SPeriodicity& period = CurrentContext().Arena.Period;
+  if (period.IsOn()) {
+    m_cInitOriginPosition = period.Wrap(m_cInitOriginPosition);
+    SetOriginPose(period.Wrap(m_psOriginAnchor->Position), m_psOriginAnchor->Orientation);
+  }
+}
+
 // one engine without limits is enough for a body in several, such as an immovable one
 SBodyPose CEmbodiedEntity::FindPossiblePose(const SBodyPose& pose) const {
-  SBodyPose possible = pose;
+  const SBodyPose inArena = {CurrentContext().Arena.Period.Wrap(pose.Position), pose.Orientation};
+  SBodyPose possible = inArena;
   for (const CPhysicsModel* model : m_tPhysicsModelVector) {
-    possible = model->FindPossiblePose(pose);
-    if (possible.Position == pose.Position && possible.Orientation == pose.Orientation) {
+    possible = model->FindPossiblePose(inArena);
+    if (possible.Position == inArena.Position && possible.Orientation == pose.Orientation) {
       break;
     }
   }

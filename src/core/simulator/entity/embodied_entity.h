@@ -13,6 +13,7 @@
 namespace argos {
 
 class CBodyIndex;
+struct SPeriodicity;
 struct SBodyDescription;
 
 /**
@@ -125,6 +126,21 @@ class CEmbodiedEntity : public CEntity {
   void SetOriginPose(const CVector3& position, const CQuaternion& orientation);
 
   /**
+   * Where the body would be without periodic sides of the arena, from where it started, m: its
+   * position, and a period for each time that it has left through a side. What MoveTo() skips is
+   * not counted.
+   */
+  CVector3 GetUnwrappedPosition() const;
+  /**
+   * Engines only, in a periodic arena, before SetOriginPose(@p next): counts the sides through
+   * which the body leaves on its way there, which is shorter than half of a period.
+   */
+  void CountTurns(const CVector3& next, const SPeriodicity& period);
+  /** Puts a body that is outside of a periodic arena at the same place inside, before it is added.
+   */
+  void WrapIntoArena();
+
+  /**
    * Poses of the links of an articulated body in the frame of the origin anchor, by number of the
    * link; null for rigid bodies. Pose i is that of the body frame if the whole body moved with
    * link i: position 0 and no rotation at the start, and always for link 0.
@@ -197,6 +213,7 @@ class CEmbodiedEntity : public CEntity {
   bool m_bMovable;
   bool m_rootFollows = true;
   SInt16 m_numFollowers = 0;
+  SInt32 m_turnsX = 0, m_turnsY = 0;  // through the sides of a periodic arena
   SAnchor* m_psOriginAnchor = nullptr;
   std::vector<SAnchor*> m_vecEnabledAnchors;
 

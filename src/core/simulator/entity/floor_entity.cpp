@@ -158,6 +158,8 @@ CColor CallPainter(CFloorPainter& painter, const UInt32* clock, const CVector2& 
 }  // namespace
 
 CColor CFloorEntity::GetColorAtPoint(Real x, Real y) {
+  x = m_context.Arena.Period.X.Wrap(x);
+  y = m_context.Arena.Period.Y.Wrap(y);
   if (m_source != FROM_IMAGE) {
     if (m_context.FloorPainter == nullptr) {
       THROW_ARGOSEXCEPTION("the floor \""

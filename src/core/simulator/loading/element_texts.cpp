@@ -100,7 +100,7 @@ REQUIRED XML
 
 OPTIONAL XML
 
-  <arena size="4,4,2" center="0,0,1" redistribute="true" walls="0.1,0.3">
+  <arena size="4,4,2" center="0,0,1" redistribute="true" walls="0.1,0.3" periodic="false">
     <distribute>
       <position method="uniform" min="-2,-2,0" max="2,2,0" />
       <orientation method="constant" values="0,0,0" />
@@ -120,6 +120,9 @@ ATTRIBUTES
                 searched in the working folder, then beside the file. doc/guide/placing.md has an example.
   start_at      a tick of that recording, such as "600", or a time, such as "60s".
   walls         "thickness,height", m: walls along the sides, within the size. Default: none. <walls> makes others.
+  periodic      "true" or "x,y", "x", "y", "false", default "false": which opposite sides are joined, those across the
+                x axis or the y axis. What leaves through one comes back through the other, and robots touch and sense
+                each other across it. With kinematics2d or dynamics2d, one engine, and without walls="...".
   positional_index, positional_grid_size  of ARGoS 3; have no effect here, which a warning says.
 )");
 

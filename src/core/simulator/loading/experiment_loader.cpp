@@ -6,6 +6,7 @@
 #include <argos3/core/simulator/geometry/body_index.h>
 #include <argos3/core/simulator/loading/experiment_parts.h>
 #include <argos3/core/simulator/loading/load_warnings.h>
+#include <argos3/core/simulator/loading/periodicity_check.h>
 #include <argos3/core/simulator/loading/loading_check.h>
 #include <argos3/core/simulator/loading/run_settings.h>
 #include <argos3/core/simulator/loading/script_check.h>
@@ -479,6 +480,7 @@ void CExperimentLoader::PostSpaceInit(CLoadErrors& errors) {
   if (!errors.IsEmpty()) {
     return;
   }
+  CheckPeriodicity(m_context, m_experiment.Document->GetRoot(), errors);
   FindBorders(m_context.Engines, m_context.Arena.Limits);
   for (CPhysicsEngine* engine : m_context.Engines) {
     errors.Try("physics engine \"" + engine->GetId() + "\"", [&] { engine->PostSpaceInit(); });

@@ -46,6 +46,9 @@ class CMedium : public CBaseConfigurableResource {
    */
   virtual bool UsesThreadPool() const { return false; }
 
+  /** @return true if the medium works across the sides of a periodic arena. */
+  virtual bool CanBePeriodic() const { return false; }
+
   /** Adds the state of the medium itself, without that of entities, to a digest of the world. */
   virtual void UpdateDigest(CDigest& /*digest*/) const {}
 

@@ -38,6 +38,7 @@ std::string DescribeNearest(const CPhysicsEngine::TVector& engines, const CVecto
 }  // namespace
 
 void CEngineAssignment::Add(CEmbodiedEntity& body, CPhysicsEngine* first) const {
+  body.WrapIntoArena();
   const CVector3& position = body.GetOriginAnchor().Position;
   CEntity& root = body.GetRootEntity();
   bool added = first != nullptr && first->AddEntity(root);

@@ -138,6 +138,11 @@ class CPhysicsEngine : public CBaseConfigurableResource {
 
   /** @return true if the engine stops bodies at walls of the region (SVolume::DescribeWalls()). */
   virtual bool StopsAtWalls() const { return false; }
+  /**
+   * @return true if bodies that leave the arena through a periodic side come back through the
+   * opposite one, and touch each other across it.
+   */
+  virtual bool CanBePeriodic() const { return false; }
   /** @return true if Update() uses GetGhosts() unless the user sets ghosts="false". */
   virtual bool CanFeelGhosts() const { return false; }
   /** Greatest distance beyond the border at which a ghost's solid matters within a tick, m. */

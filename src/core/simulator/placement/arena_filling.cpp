@@ -1,5 +1,6 @@
 #include <argos3/core/simulator/placement/arena_filling.h>
 
+#include <argos3/core/simulator/context/simulation_context.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/placement/planned_bodies.h>
 #include <argos3/core/simulator/placement/recorded_start.h>
@@ -44,7 +45,7 @@ CArenaFilling::CArenaFilling(CSpace& space, TConfigurationNode& arena, CLoadErro
 }
 
 void CArenaFilling::Redistribute() {
-  CPlannedBodies bodies(m_space.GetArenaLimits());
+  CPlannedBodies bodies(m_space.GetContext().Arena);
   m_space.ForRootsAsCreated([&](CEntity& root, size_t) {
     CEmbodiedEntity* const body = FindPlacedBody(root);
     if (root.GetIndex() < m_endOfSingles && body != nullptr &&

@@ -321,7 +321,8 @@ CDistribution::SPlaces CDistribution::ChoosePlaces() {
   std::vector<SBodyPose> poses;  // the index refers to them
   poses.reserve(m_quantity);
   CBodyIndex index;
-  index.SetArea(m_space.GetArenaLimits());
+  const SArena& arena = m_space.GetContext().Arena;
+  index.SetArea(arena.Limits, arena.Period);
   CEmbodiedEntity body(nullptr);  // stands for all of them
   for (UInt64 number = 0; number < m_quantity; ++number) {
     FindPlace(number, [&](const CVector3& position, const CQuaternion& orientation,
@@ -333,7 +334,7 @@ CDistribution::SPlaces CDistribution::ChoosePlaces() {
       }
       places.Positions.push_back(position);
       places.Angles.push_back(angles);
-      poses.push_back({position, orientation});
+      poses.push_back({arena.Period.Wrap(position), orientation});
       index.Add(body, poses.back(), *m_body, true);
       return true;
     });

@@ -1,5 +1,6 @@
 #include <argos3/core/simulator/placement/walls.h>
 
+#include <argos3/core/simulator/context/simulation_context.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/files/nearby_file.h>
@@ -130,7 +131,16 @@ std::vector<SWallPiece> ReadImageOf(TConfigurationNode& element) {
                           center, metersPerPixel, threshold);
 }
 
-std::vector<SWallPiece> ReadPieces(const CSpace& space, TConfigurationNode& element) {
+std::vector<SWallPiece> MakeWallsOfArena(CSpace& space, Real thickness) {
+  if (space.GetContext().Arena.Period.IsOn()) {
+    THROW_ARGOSEXCEPTION(
+        "these walls stand along all sides of the arena, but its \"periodic\" "
+        "joins some: draw the others with <walls points=\"...\">");
+  }
+  return MakeWallsAround(space.GetArenaLimits(), thickness);
+}
+
+std::vector<SWallPiece> ReadPieces(CSpace& space, TConfigurationNode& element) {
   std::vector<std::string> sources;
   for (const char* const source : {"points", "image", "svg"}) {
     if (NodeAttributeExists(element, source)) {
@@ -142,7 +152,7 @@ std::vector<SWallPiece> ReadPieces(const CSpace& space, TConfigurationNode& elem
                                          << "\" cannot be given together");
   }
   if (sources.empty()) {
-    return MakeWallsAround(space.GetArenaLimits(), ReadPositive(element, "thickness"));
+    return MakeWallsOfArena(space, ReadPositive(element, "thickness"));
   }
   if (sources[0] == "image") {
     return ReadImageOf(element);
@@ -257,7 +267,11 @@ void AddWallsAround(CSpace& space, TConfigurationNode& arena) {
            "positive, got \""
         << size << '"');
   }
-  AddPieces(space, MakeWallsAround(space.GetArenaLimits(), size.GetX()), "walls", 0.0, size.GetY());
+  try {
+    AddPieces(space, MakeWallsOfArena(space, size.GetX()), "walls", 0.0, size.GetY());
+  } catch (CARGoSException& ex) {
+    THROW_ARGOSEXCEPTION_NESTED(arena.GetLocation() << ": <arena walls=...>", ex);
+  }
 }
 
 }  // namespace argos

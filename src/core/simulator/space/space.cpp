@@ -84,6 +84,30 @@ void Reorder(std::vector<ITEM*>& list, const CRootPlaces& places, ROOT_OF&& root
   }
 }
 
+// which sides of the arena are joined, from an attribute such as "x,y"
+SPeriodicity ReadPeriodicity(TConfigurationNode& tree, const SArena& arena) {
+  SPeriodicity period;
+  std::string axes;
+  GetNodeAttributeOrDefault(tree, "periodic", axes, std::string("false"));
+  if (axes == "false") {
+    return period;
+  }
+  const bool isBoth = axes == "true" || axes == "x,y" || axes == "y,x";
+  if (!isBoth && axes != "x" && axes != "y") {
+    THROW_ARGOSEXCEPTION(tree.GetLocation()
+                         << ": <arena>: \"periodic\" must be \"true\", \"false\", \"x\", \"y\" or "
+                            "\"x,y\", found \""
+                         << axes << '"');
+  }
+  if (axes != "y") {
+    period.X = {arena.Limits.GetMin().GetX(), arena.Size.GetX()};
+  }
+  if (axes != "x") {
+    period.Y = {arena.Limits.GetMin().GetY(), arena.Size.GetY()};
+  }
+  return period;
+}
+
 }  // namespace
 
 CSpace::CSpace(SSimulationContext& context)
@@ -125,7 +149,8 @@ void CSpace::Init(TConfigurationNode& tree) {
     }
   }
   arena.Limits.Set(arena.Center - arena.Size * 0.5, arena.Center + arena.Size * 0.5);
-  m_bodyIndex->SetArea(arena.Limits);
+  arena.Period = ReadPeriodicity(tree, arena);
+  m_bodyIndex->SetArea(arena.Limits, arena.Period);
 }
 
 void CSpace::SetSimulationClock(UInt32 ticks) {
