@@ -29,6 +29,7 @@ size_t CountParts(size_t discs) {
 
 void CDiscPairs::SetObstacles(const std::vector<SFootprint>& obstacles) {
   m_obstacles = obstacles;
+  AppendImages(m_period, m_obstacles);
   if (!m_obstacles.empty()) {
     SPlanarArea area = SPlanarArea::Empty();
     for (const SFootprint& obstacle : m_obstacles) {
@@ -72,6 +73,28 @@ void CDiscPairs::Find(CThreadPool& pool, Real reach) {
       FindPairs(part);
     }
   });
+  if (m_period.IsOn()) {
+    FindPairsAcrossSeams();
+  }
+}
+
+// Each pair once. They are few, and in the order of places for any number of threads.
+void CDiscPairs::FindPairsAcrossSeams() {
+  for (UInt32 place = 0; place < m_sorted.size(); ++place) {
+    const SDisc& disc = m_sorted[place];
+    const Real radius = disc.Radius + m_reach;
+    ForImages(disc.X, disc.Y, radius, [&](Real dx, Real dy) {
+      if (dx == 0.0 && dy == 0.0) {
+        return;
+      }
+      ForNearHere(disc.X + dx, disc.Y + dy, radius, [&](UInt32 other) {
+        if (place < other) {
+          m_parts.back().Pairs.push_back({place, other});
+          m_isNear[place] = m_isNear[other] = 1;
+        }
+      });
+    });
+  }
 }
 
 void CDiscPairs::CoverDiscs(CThreadPool& pool) {

@@ -1,6 +1,7 @@
 #ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_PLANAR_DISC_PAIRS_H
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_PLANAR_DISC_PAIRS_H
 
+#include <argos3/core/simulator/geometry/periodicity.h>
 #include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/spatial/counting_sort.h>
 #include <argos3/core/utility/spatial/planar_grid.h>
@@ -42,6 +43,13 @@ class CDiscPairs {
     std::vector<SObstaclePair> ObstaclePairs;
   };
 
+  /**
+   * Joins sides: pairs across them are found, too. Before obstacles are set.
+   * @param period  of the area in which all discs are; at least four times as wide as a disc with
+   *                its reach.
+   */
+  void SetPeriod(const SPeriodicity& period) { m_period = period; }
+  /** Their images near the seams have numbers behind theirs. */
   void SetObstacles(const std::vector<SFootprint>& obstacles);
   const SFootprint& GetObstacle(UInt32 number) const {
     ARGOS_ASSERT(number < m_obstacles.size(), "there is no obstacle " << number);
@@ -89,6 +97,31 @@ class CDiscPairs {
    */
   template <typename VISIT>
   void ForNear(Real x, Real y, Real radius, VISIT&& visit) const {
+    if (!m_period.IsOn()) {
+      ForNearHere(x, y, radius, visit);
+      return;
+    }
+    ForImages(x, y, radius, [&](Real dx, Real dy) { ForNearHere(x + dx, y + dy, radius, visit); });
+  }
+  /** The greatest radius of a disc, m. */
+  Real GetMaxRadius() const { return m_maxRadius; }
+
+ private:
+  static constexpr Real kLeftOut = -1.0;
+
+  // calls query(dx, dy) for each displacement of a circle to where discs may be
+  template <typename QUERY>
+  void ForImages(Real x, Real y, Real radius, QUERY&& query) const {
+    const Real widest = radius + m_maxRadius + m_reach;
+    const SPeriodicAxis& alongX = m_period.X;
+    const SPeriodicAxis& alongY = m_period.Y;
+    m_period.ForDisplacements(
+        {x - widest, y - widest, x + widest, y + widest},
+        {alongX.Min, alongY.Min, alongX.Min + alongX.Period, alongY.Min + alongY.Period}, query);
+  }
+  // without images
+  template <typename VISIT>
+  void ForNearHere(Real x, Real y, Real radius, VISIT&& visit) const {
     const Real widest = radius + m_maxRadius + m_reach;
     m_grid.ForRows(m_grid.CellsAround(x, y, widest), [&](UInt32 first, UInt32 last) {
       const UInt32 end = m_sort.End(last);
@@ -104,9 +137,6 @@ class CDiscPairs {
     });
   }
 
- private:
-  static constexpr Real kLeftOut = -1.0;
-
   void CheckNumber([[maybe_unused]] UInt32 number) const {
     ARGOS_ASSERT(number < m_discs.size(), "there is no disc with the number " << number);
   }
@@ -115,6 +145,7 @@ class CDiscPairs {
   void Divide();
   void FindPairs(size_t part);
   void FindObstacles(UInt32 place, SPart& part);
+  void FindPairsAcrossSeams();
   void MarkNear(UInt32 place);
 
   /** What a run of discs extends over. */
@@ -123,6 +154,7 @@ class CDiscPairs {
     Real MaxRadius;
   };
 
+  SPeriodicity m_period;
   Real m_reach = 0.0;  // m
   Real m_maxRadius = 0.0;  // m, of the discs
   std::vector<SDisc> m_discs;  // by number

@@ -113,4 +113,22 @@ Real ComputeNarrowestHalf(const SBodyDescription& description) {
   return narrowest;
 }
 
+void AppendImages(const SPeriodicity& period, std::vector<SFootprint>& footprints) {
+  if (!period.IsOn()) {
+    return;
+  }
+  const size_t count = footprints.size();
+  for (size_t i = 0; i < count; ++i) {
+    const SFootprint footprint = footprints[i];
+    const SPlanarVector half = ComputeHalfBounds(footprint);
+    SPlanarArea bounds = SPlanarArea::Empty();
+    bounds.Include(footprint.X, footprint.Y, half.X + footprint.Radius, half.Y + footprint.Radius);
+    period.ForDisplacements(bounds, [&](Real dx, Real dy) {
+      if (dx != 0.0 || dy != 0.0) {
+        footprints.push_back(Displace(footprint, dx, dy));
+      }
+    });
+  }
+}
+
 }  // namespace argos

@@ -1,6 +1,7 @@
 #ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_PLANAR_FOOTPRINTS_H
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_PLANAR_FOOTPRINTS_H
 
+#include <argos3/core/simulator/geometry/periodicity.h>
 #include <argos3/core/simulator/geometry/body_description.h>
 #include <argos3/core/simulator/physics_engine/planar_motion.h>
 #include <argos3/core/utility/math/vector2.h>
@@ -33,6 +34,19 @@ inline Real ComputeDistance(const SFootprint& footprint, Real x, Real y) {
   return std::max(0.0, std::sqrt(ComputeSquareDistance(footprint, x, y)) - footprint.Radius);
 }
 
+/** @return the image of a footprint that is displaced by (@p dx, @p dy), m. */
+inline SFootprint Displace(SFootprint footprint, Real dx, Real dy) {
+  footprint.X += dx;
+  footprint.Y += dy;
+  return footprint;
+}
+
+/** @return the displacement of the image of a place that is nearest to another one, m. */
+inline SPlanarVector FindNearestImage(const SPeriodicity& period, Real x, Real y, Real toX,
+                                      Real toY) {
+  return {period.X.RoundToPeriods(toX - x), period.Y.RoundToPeriods(toY - y)};
+}
+
 /** A footprint in the frame of a body whose origin is at that place, in the world frame. */
 SFootprint PlaceFootprint(const SFootprint& footprint, Real x, Real y, Real cosine, Real sine);
 
@@ -60,6 +74,12 @@ bool IsCentredDisc(const SBodyDescription& description);
 
 /** Half of the narrowest side of any solid seen from above, m. */
 Real ComputeNarrowestHalf(const SBodyDescription& description);
+
+/**
+ * Appends the images of footprints that bodies near the seams may touch: those that come nearer to
+ * the periodic area than a quarter of its sides.
+ */
+void AppendImages(const SPeriodicity& period, std::vector<SFootprint>& footprints);
 
 }  // namespace argos
 

@@ -1,5 +1,6 @@
 #include <argos3/plugins/simulator/physics_engines/planar/planar_engine.h>
 
+#include <argos3/core/simulator/context/simulation_context.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/geometry/body_description.h>
 #include <argos3/plugins/simulator/physics_engines/planar/planar_body.h>
@@ -41,6 +42,17 @@ void CPlanarEngine::Adopt(CDescribedBodyModel& model) {
   if (hasMotion) {
     SetMotion(model.GetEmbodiedEntity(), motion);
   }
+}
+
+void CPlanarEngine::CountTurns(CEmbodiedEntity& body, const SPlanarPose& pose) const {
+  body.CountTurns(CVector3(pose.X, pose.Y, m_elevation), GetContext().Arena.Period);
+}
+
+SPeriodicity CPlanarEngine::GetPeriod() const {
+  SPeriodicity period = GetContext().Arena.Period;
+  period.X.Min -= GetFrameOrigin().GetX();
+  period.Y.Min -= GetFrameOrigin().GetY();
+  return period;
 }
 
 const std::vector<SGhostDisc>& CPlanarEngine::ListGhosts() {

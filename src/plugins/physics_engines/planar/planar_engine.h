@@ -1,6 +1,7 @@
 #ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_PLANAR_PLANAR_ENGINE_H
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_PLANAR_PLANAR_ENGINE_H
 
+#include <argos3/core/simulator/geometry/periodicity.h>
 #include <argos3/core/simulator/physics_engine/described_body_engine.h>
 #include <argos3/plugins/simulator/physics_engines/planar/ghost_discs.h>
 #include <argos3/plugins/simulator/physics_engines/planar/planar_model.h>
@@ -47,8 +48,14 @@ class CPlanarEngine : public CDescribedBodyEngine {
   void CheckBody(CEmbodiedEntity& body) const override;
   /** Transfers the state of motion, too. */
   void Adopt(CDescribedBodyModel& model) override;
+  /** In a periodic arena, before the pose of a body is written: it may have left through a side. */
+  void CountTurns(CEmbodiedEntity& body, const SPlanarPose& pose) const;
+  /** Which sides of the arena are joined, in the frame of the engine. */
+  SPeriodicity GetPeriod() const;
   /** Lists the ghosts of this tick. */
   const std::vector<SGhostDisc>& ListGhosts();
+
+  bool m_isPeriodic = false;  // the arena; set when a world is built
 
  private:
   Real m_elevation = 0.0;  // m
