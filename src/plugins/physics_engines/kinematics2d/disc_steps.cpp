@@ -102,6 +102,9 @@ void CDiscSwarm::Step(CThreadPool& pool, const CCellLists& walls, const CCellLis
     rounds.resize(GetSize());
   }
   ReserveActive(GetSize());
+  if (m_period.IsOn()) {
+    FindSeamPairs();
+  }
   m_numActive.store(0, std::memory_order_relaxed);
   const UInt32 stride = m_grid.GetStride();
   // without the border of empty cells
@@ -121,6 +124,26 @@ void CDiscSwarm::Step(CThreadPool& pool, const CCellLists& walls, const CCellLis
       Finish(m_activeDiscs[i]);
     }
   });
+}
+
+// Each pair once. Discs near a seam are few.
+void CDiscSwarm::FindSeamPairs() {
+  m_seamPairs.Clear(m_places.size());
+  for (UInt32 place = 0; place < m_places.size(); ++place) {
+    const SPlace& disc = m_places[place];
+    const Real reach = static_cast<Real>(disc.Reach);
+    ForImages(disc.X, disc.Y, reach, [&](Real dx, Real dy) {
+      if (dx == 0.0 && dy == 0.0) {
+        return;
+      }
+      ForPlacesHere(disc.X + dx, disc.Y + dy, reach, [&](UInt32 other) {
+        if (place < other) {
+          m_seamPairs.Add(place, other);
+        }
+      });
+    });
+  }
+  m_seamPairs.Sort();
 }
 
 // Advances active discs [0, numLeft). @return true if any of them moved.
@@ -191,6 +214,9 @@ bool CDiscSwarm::ForPlacesAround(UInt32 cell, VISIT&& visit) const {
 // The same for the discs that an active one may touch in this tick, without itself.
 template <typename VISIT>
 bool CDiscSwarm::ForPlacesNear(const SActiveDisc& active, VISIT&& visit) const {
+  if (m_seamPairs.ForPartners(active.Place, visit)) {
+    return true;
+  }
   if (active.NumNear <= SActiveDisc::kMaxNear) {
     return std::any_of(active.Near, active.Near + active.NumNear, visit);
   }
@@ -219,7 +245,7 @@ bool CDiscSwarm::MayTouchAny(const SActiveDisc& active, const CCellLists& walls,
                              const CCellLists& solids) const {
   const SPlace& disc = m_places[active.Place];
   const Real reach = static_cast<Real>(disc.Reach);
-  return active.NumNear > 0 || m_ghostLines.Has(disc.Slot) ||
+  return active.NumNear > 0 || m_ghostLines.Has(disc.Slot) || m_seamPairs.Has(active.Place) ||
          IsWithinReach(walls, active.Cell, disc.X, disc.Y, reach) ||
          IsWithinReach(solids, active.Cell, disc.X, disc.Y, reach);
 }
@@ -313,8 +339,8 @@ bool CDiscSwarm::LimitByDiscs(const SActiveDisc& active, const std::vector<SStep
   const SStep missing = {target.X - here.X, target.Y - here.Y};
   return !ForPlacesNear(active, [&](UInt32 other) {
     const SPlace& neighbour = m_places[other];
-    const Real dx = neighbour.X - disc.X;
-    const Real dy = neighbour.Y - disc.Y;
+    const Real dx = m_period.X.Shorten(neighbour.X - disc.X);
+    const Real dy = m_period.Y.Shorten(neighbour.Y - disc.Y);
     const STarget& otherTarget = m_targets[other];
     const SStep& there = done[other];
     const SStep missingThere = {otherTarget.X - there.X, otherTarget.Y - there.Y};

@@ -1,12 +1,14 @@
 #ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_KINEMATICS2D_DISC_SWARM_H
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_KINEMATICS2D_DISC_SWARM_H
 
+#include <argos3/core/simulator/geometry/periodicity.h>
 #include <argos3/core/simulator/physics_engine/drive_source.h>
 #include <argos3/core/simulator/physics_engine/planar_motion.h>
 #include <argos3/core/utility/spatial/counting_sort.h>
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/ghost_lines.h>
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/half_planes.h>
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/kinematic_handle.h>
+#include <argos3/plugins/simulator/physics_engines/kinematics2d/seam_pairs.h>
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/substep.h>
 #include <argos3/plugins/simulator/physics_engines/planar/cell_lists.h>
 #include <argos3/plugins/simulator/physics_engines/robot_bodies/slot_generations.h>
@@ -58,6 +60,14 @@ class CDiscSwarm {
 
   /** Computes the steps that drives command. @throws SBadDriveCommand */
   void Plan(CThreadPool& pool, const SSubstep& substep);
+  /** Joins sides of the area: all discs are to be inside of it before Plan(). */
+  void SetPeriod(const SPeriodicity& period) { m_period = period; }
+  /** Puts a disc that has left the area inside. */
+  void Wrap(UInt32 slot) {
+    CheckSlot(slot);
+    m_x[slot] = m_period.X.Wrap(m_x[slot]);
+    m_y[slot] = m_period.Y.Wrap(m_y[slot]);
+  }
   /** The grid in which Plan() has sorted the discs; their reach is at most half an edge. */
   const CFramedGrid& GetGrid() const { return m_grid; }
   /** See CKinematicWorld::ComputeGhostReach(). */
@@ -79,6 +89,13 @@ class CDiscSwarm {
     CheckSlot(slot);
     return {m_x[slot], m_y[slot], m_halfCos[slot], m_halfSin[slot]};
   }
+  /** The pose of the image of a disc that is nearest to a point. */
+  SPlanarPose GetPoseNear(UInt32 slot, Real x, Real y) const {
+    SPlanarPose pose = GetPose(slot);
+    pose.X += m_period.X.RoundToPeriods(x - pose.X);
+    pose.Y += m_period.Y.RoundToPeriods(y - pose.Y);
+    return pose;
+  }
   Real GetRadius(UInt32 slot) const {
     CheckSlot(slot);
     return m_radius[slot];
@@ -92,6 +109,8 @@ class CDiscSwarm {
   Real GetRoomBack(UInt32 slot) const;
   /** Between Plan() and Step(): moves a disc by a step, in place of the one that was planned. */
   void PushBack(UInt32 slot, const SStep& step);
+  /** After Plan(): the radius of the largest circle that a disc does not leave in the tick, m. */
+  Real GetMaxReach() const { return static_cast<Real>(m_maxReach.load(std::memory_order_relaxed)); }
   /** Its greatest pushing force, N. */
   Real GetMaxForce(UInt32 slot) const;
   const SKinematicOwner& GetOwner(UInt32 slot) const {
@@ -154,6 +173,12 @@ class CDiscSwarm {
     return std::max(m_maxRadius, static_cast<Real>(m_maxReach.load(std::memory_order_relaxed)));
   }
   void BuildGrid();
+  void FindSeamPairs();
+  // calls query(dx, dy) for each displacement of a circle to where discs may be
+  template <typename QUERY>
+  void ForImages(Real x, Real y, Real radius, QUERY&& query) const;
+  template <typename VISIT>
+  void ForPlacesHere(Real x, Real y, Real reach, VISIT&& visit) const;
   void Sort(CThreadPool& pool);
   void FindActive(size_t beginCell, size_t endCell, const CCellLists& walls,
                   const CCellLists& solids);
@@ -225,6 +250,8 @@ class CDiscSwarm {
   size_t m_activeCapacity = 0;
   std::atomic<UInt32> m_numActive{0};
   CGhostLines m_ghostLines;  // of this tick
+  SPeriodicity m_period;
+  CSeamPairs m_seamPairs;  // of this tick
 };
 
 template <typename VISIT>
@@ -233,6 +260,26 @@ void CDiscSwarm::ForDiscsNear(Real x, Real y, Real reach, VISIT&& visit) const {
     return;
   }
   CheckPlaces();
+  const auto visitPlace = [&](UInt32 place) { visit(m_places[place].Slot); };
+  if (m_period.IsOn()) {
+    ForImages(x, y, reach,
+              [&](Real dx, Real dy) { ForPlacesHere(x + dx, y + dy, reach, visitPlace); });
+  } else {
+    ForPlacesHere(x, y, reach, visitPlace);
+  }
+}
+
+template <typename QUERY>
+void CDiscSwarm::ForImages(Real x, Real y, Real radius, QUERY&& query) const {
+  const Real far = radius + static_cast<Real>(m_maxReach.load(std::memory_order_relaxed));
+  m_period.ForDisplacements({x - far, y - far, x + far, y + far},
+                            {m_period.X.Min, m_period.Y.Min, m_period.X.Min + m_period.X.Period,
+                             m_period.Y.Min + m_period.Y.Period},
+                            query);
+}
+
+template <typename VISIT>
+void CDiscSwarm::ForPlacesHere(Real x, Real y, Real reach, VISIT&& visit) const {
   const Real widest = reach + static_cast<Real>(m_maxReach.load(std::memory_order_relaxed));
   m_grid.ForRows(m_grid.CellsAround(x, y, widest), [&](UInt32 first, UInt32 last) {
     const UInt32 end = m_sort.End(last);
@@ -242,7 +289,7 @@ void CDiscSwarm::ForDiscsNear(Real x, Real y, Real reach, VISIT&& visit) const {
       const Real dy = disc.Y - y;
       const Real near = reach + static_cast<Real>(disc.Reach);
       if (dx * dx + dy * dy <= near * near) {
-        visit(disc.Slot);
+        visit(place);
       }
     }
   });

@@ -1,6 +1,9 @@
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/kinematic_world.h>
 
 #include <argos3/core/simulator/geometry/body_description.h>
+#include <argos3/core/utility/errors/argos_exception.h>
+
+#include <algorithm>
 
 namespace argos {
 
@@ -99,7 +102,7 @@ void CKinematicWorld::ListWalls() {
   if (m_gridOfSolids != grid.GetGeneration() || m_generationOfSolids != m_solids.GetGeneration()) {
     m_gridOfSolids = grid.GetGeneration();
     m_generationOfSolids = m_solids.GetGeneration();
-    m_solidCells.List(grid, m_solids.GetFootprints(), reach);
+    m_solidCells.List(grid, m_solids.ListFootprints(), reach);
   }
 }
 
@@ -128,9 +131,35 @@ SDriveCommand CKinematicWorld::GetLastCommand(const SKinematicHandle& handle) {
                                              : m_solids.GetLastCommand(handle);
 }
 
+void CKinematicWorld::SetPeriod(const SPeriodicity& period) {
+  m_period = period;
+  m_discs.SetPeriod(period);
+  m_solids.SetPeriod(period);
+}
+
+// Two bodies can meet on one side only, and an image of an obstacle is where a body may meet it.
+void CKinematicWorld::CheckPeriod() const {
+  const Real discs = m_discs.GetSize() > 0 ? m_discs.GetMaxReach() : 0.0;
+  const Real widest = m_solids.ComputeWidest();
+  // solids are pushed as far as discs move, or move by less than their size
+  const Real solids = widest > 0.0 ? widest + std::max(discs, widest) : 0.0;
+  const Real necessary = 4.0 * std::max(discs, solids);
+  for (const SPeriodicAxis* axis : {&m_period.X, &m_period.Y}) {
+    if (axis->IsOn() && !(axis->Period > necessary)) {
+      THROW_ARGOSEXCEPTION(
+          "a periodic arena must be wider than four times what a body and its "
+          "path in a tick need, "
+          << necessary << " m here; found " << axis->Period << " m");
+    }
+  }
+}
+
 void CKinematicWorld::Advance(CThreadPool& pool, const SSubstep& substep) {
   m_solids.Plan(substep);
   m_discs.Plan(pool, substep);
+  if (m_period.IsOn()) {
+    CheckPeriod();
+  }
   if (m_ghostSubsteps > 0) {
     m_discs.FindGhosts(m_ghosts, m_ghostSubsteps);
     m_ghostSubsteps = 0;
@@ -142,6 +171,7 @@ void CKinematicWorld::Advance(CThreadPool& pool, const SSubstep& substep) {
       m_walls.insert(m_walls.end(), body.Footprints.begin(), body.Footprints.end());
     }
     m_walls.insert(m_walls.end(), m_wallsOfRegion.begin(), m_wallsOfRegion.end());
+    AppendImages(m_period, m_walls);
     m_gridOfWalls = 0;
     m_solids.SetWalls(m_walls);
   }

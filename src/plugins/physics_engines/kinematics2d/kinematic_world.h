@@ -24,6 +24,11 @@ struct SBodyDescription;
  */
 class CKinematicWorld {
  public:
+  /** Joins sides of the area; before bodies are added. */
+  void SetPeriod(const SPeriodicity& period);
+  /** After Advance(): puts the bodies that have left a periodic area inside; discs by CDiscSwarm.
+   */
+  void WrapSolids() { m_solids.Wrap(); }
   /** Allocates the arrays for so many bodies. */
   void Reserve(size_t immovable, size_t solids, size_t discs);
   /** Allocates what ghosts need. */
@@ -73,13 +78,16 @@ class CKinematicWorld {
 
   void RemoveImmovable(const SKinematicHandle& handle);
   void ListWalls();
+  void CheckPeriod() const;
 
   CDiscSwarm m_discs;
   CSolids m_solids;
   std::vector<SImmovable> m_immovable;
   CSlotGenerations m_generations;  // of the immovable bodies
   std::vector<SFootprint> m_wallsOfRegion;
-  std::vector<SFootprint> m_walls;  // footprints of all immovable bodies, and those of the region
+  SPeriodicity m_period;
+  // footprints of all immovable bodies, and those of the region; with their images near seams
+  std::vector<SFootprint> m_walls;
   bool m_wallsChanged = true;
   // what each cell of the discs' grid can reach, and the generations for which it was computed
   CCellLists m_wallCells, m_solidCells;

@@ -148,6 +148,8 @@ void CKinematics2DEngine::Build() {
   m_manipulators.reserve(AddSpareCapacity(m_manipulators.size()));
   m_hasLeft.reserve(AddSpareCapacity(numDriven));
   m_world = std::make_unique<CKinematicWorld>();
+  m_world->SetPeriod(GetPeriod());
+  m_isPeriodic = GetPeriod().IsOn();
   m_world->Reserve(numImmovable, AddSpareCapacity(models.size() - numImmovable - numDriven),
                    AddSpareCapacity(numDriven));
   for (CDescribedBodyModel* model : models) {
@@ -202,6 +204,9 @@ void CKinematics2DEngine::Advance() {
     if (substep > 0) {
       for (UInt32 slot = 0; slot < discs.GetSize(); ++slot) {
         discs.Commit(slot);
+        if (m_isPeriodic) {
+          discs.Wrap(slot);
+        }
       }
     }
     try {
@@ -210,6 +215,9 @@ void CKinematics2DEngine::Advance() {
       m_world->Advance(pool, {GetPhysicsClockTick(), lateShare, isLast});
     } catch (const SBadDriveCommand& bad) {
       ThrowBadCommand(bad);
+    }
+    if (m_isPeriodic) {
+      m_world->WrapSolids();
     }
   }
 }
@@ -250,10 +258,16 @@ void CKinematics2DEngine::WriteBackDiscs(size_t begin, size_t end) {
   for (size_t i = begin; i < end; ++i) {
     const UInt32 slot = static_cast<UInt32>(i);
     discs.Commit(slot);
+    if (m_isPeriodic) {
+      discs.Wrap(slot);
+    }
     const SPlanarPose pose = ToWorld(discs.GetPose(slot));
     const Real radius = discs.GetRadius(slot);
     CKinematics2DModel& model = *discs.GetOwner(slot).Model;
     CEmbodiedEntity& body = *discs.GetOwner(slot).Body;
+    if (m_isPeriodic) {
+      CountTurns(body, pose);
+    }
     body.SetOriginPose(CVector3(pose.X, pose.Y, GetElevation()),
                        CQuaternion(pose.HalfCos, 0.0, 0.0, pose.HalfSin));
     if (body.GetEnabledAnchors().size() > 1) {
@@ -278,6 +292,9 @@ void CKinematics2DEngine::WriteBackSolids() {
     CKinematics2DModel& model = *solid.Owner.Model;
     CEmbodiedEntity& body = model.m_cEmbodiedEntity;
     const SPlanarPose pose = ToWorld(solid.Pose);
+    if (m_isPeriodic) {
+      CountTurns(body, pose);
+    }
     body.SetOriginPose(CVector3(pose.X, pose.Y, GetElevation()),
                        CQuaternion(pose.HalfCos, 0.0, 0.0, pose.HalfSin));
     if (body.GetEnabledAnchors().size() > 1) {

@@ -169,7 +169,8 @@ SFootprint CSolids::ComputePlace(const SSide& side, const STwist& twist, Real sh
     return place;
   }
   const SSolid& solid = m_solids[m_slotOf[side.Footprint]];
-  return Transform(m_shapes[side.Footprint], Moved(solid.Pose, twist, share));
+  return Displace(Transform(m_shapes[side.Footprint], Moved(solid.Pose, twist, share)),
+                  side.Image.X, side.Image.Y);
 }
 
 // @param contact  at the end of the motion.
@@ -179,8 +180,8 @@ Real CSolids::ComputeLeverAtEnd(const SSide& side, const STwist& twist,
     return 0.0;
   }
   const SPlanarPose& start = m_solids[m_slotOf[side.Footprint]].Pose;
-  return (contact.PointX - start.X - twist.X) * contact.NormalY -
-         (contact.PointY - start.Y - twist.Y) * contact.NormalX;
+  return (contact.PointX - start.X - side.Image.X - twist.X) * contact.NormalY -
+         (contact.PointY - start.Y - side.Image.Y - twist.Y) * contact.NormalX;
 }
 
 }  // namespace argos

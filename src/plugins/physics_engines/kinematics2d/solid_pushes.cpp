@@ -25,7 +25,7 @@ void CSolids::AddPushesOfDiscs(UInt32 slot, const CDiscSwarm& discs) {
                      [this](UInt32 disc) { m_nearDiscs.push_back(disc); });
   std::sort(m_nearDiscs.begin(), m_nearDiscs.end());
   for (const UInt32 disc : m_nearDiscs) {
-    const SPlanarPose pose = discs.GetPose(disc);
+    const SPlanarPose pose = discs.GetPoseNear(disc, solid.Pose.X, solid.Pose.Y);
     const SStep step = discs.GetPlannedStep(disc);
     for (size_t pushed = solid.FirstFootprint; pushed < solid.FirstFootprint + solid.NumFootprints;
          ++pushed) {
@@ -49,8 +49,10 @@ void CSolids::AddPushesOfSolids(UInt32 slot) {
   for (UInt32 number = 0; number < m_solids.size() && m_numDriven > 0; ++number) {
     const SSolid& robot = m_solids[number];
     const Real reach = ComputeLength(robot, robot.Twist);
-    if (robot.IsPassive() || std::hypot(robot.Pose.X - solid.Pose.X, robot.Pose.Y - solid.Pose.Y) >
-                                 robot.BoundingRadius + solid.BoundingRadius + reach) {
+    const Real dx = m_period.X.Shorten(robot.Pose.X - solid.Pose.X);
+    const Real dy = m_period.Y.Shorten(robot.Pose.Y - solid.Pose.Y);
+    if (robot.IsPassive() ||
+        std::hypot(dx, dy) > robot.BoundingRadius + solid.BoundingRadius + reach) {
       continue;
     }
     AddPushesOfSolid(slot, number);
@@ -61,19 +63,22 @@ void CSolids::AddPushesOfSolids(UInt32 slot) {
 void CSolids::AddPushesOfSolid(UInt32 slot, UInt32 number) {
   const SSolid& solid = m_solids[slot];
   const SSolid& robot = m_solids[number];
+  const SPlanarVector image = FindImage(robot.Pose.X, robot.Pose.Y, solid);
   for (size_t pushing = robot.FirstFootprint; pushing < robot.FirstFootprint + robot.NumFootprints;
        ++pushing) {
     for (size_t pushed = solid.FirstFootprint; pushed < solid.FirstFootprint + solid.NumFootprints;
          ++pushed) {
       SSeparation contacts[2];
-      const int count = FindContacts(m_footprints[pushing], m_footprints[pushed], contacts);
+      const int count = FindContacts(Displace(m_footprints[pushing], image.X, image.Y),
+                                     m_footprints[pushed], contacts);
       for (int i = 0; i < count; ++i) {
-        const Real lever = ComputeLever(robot, contacts[i]);
+        const Real lever = ComputeLever(robot, contacts[i], image);
         const Real planned = contacts[i].NormalX * robot.Twist.X +
                              contacts[i].NormalY * robot.Twist.Y + lever * robot.Twist.Turn;
         if (planned > 0.0 && planned - contacts[i].Gap > kNegligibleStep * solid.NarrowestHalf) {
           AddPush(slot, contacts[i], i, planned - contacts[i].Gap, AddRobotToSolver(number), lever,
-                  {.Footprint = static_cast<UInt32>(pushing)}, static_cast<UInt32>(pushed));
+                  {.Footprint = static_cast<UInt32>(pushing), .Image = image},
+                  static_cast<UInt32>(pushed));
           m_pushes.push_back({slot, kSolidRobot | number});
         }
       }
@@ -197,15 +202,20 @@ Real CSolids::ComputeFreeShare(UInt32 disc, const SStep& step, const CDiscSwarm&
       share = std::min(share, std::max(0.0, separation.Gap) / approach);
     }
   };
-  for (const CCellLists* cells : {&m_wallCells, &m_solidCells}) {
-    cells->Find(m_grid, pose.X, pose.Y, reach, m_found);
-    for (const UInt32 footprint : m_found) {
-      limit(SeparateFromFootprint(pose.X, pose.Y, radius, step, cells->GetFootprint(footprint)));
-    }
+  m_wallCells.Find(m_grid, pose.X, pose.Y, reach, m_found);
+  for (const UInt32 wall : m_found) {
+    limit(SeparateFromFootprint(pose.X, pose.Y, radius, step, m_wallCells.GetFootprint(wall)));
+  }
+  FindSolidsNear(pose.X, pose.Y, reach);
+  for (const UInt32 footprint : m_found) {
+    const SPlanarPose& other = m_solids[m_slotOf[footprint]].Pose;
+    const SPlanarVector image = FindNearestImage(m_period, other.X, other.Y, pose.X, pose.Y);
+    limit(SeparateFromFootprint(pose.X, pose.Y, radius, step,
+                                Displace(m_solidCells.GetFootprint(footprint), image.X, image.Y)));
   }
   discs.ForDiscsNear(pose.X, pose.Y, reach, [&](UInt32 other) {
     if (other != disc) {
-      const SPlanarPose there = discs.GetPose(other);
+      const SPlanarPose there = discs.GetPoseNear(other, pose.X, pose.Y);
       limit(SeparateDiscs({there.X - pose.X, there.Y - pose.Y}, {-step.X, -step.Y},
                           radius + discs.GetRadius(other)));
     }

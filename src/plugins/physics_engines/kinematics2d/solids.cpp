@@ -48,9 +48,9 @@ Real ComputeLeast(Real gap, Real narrowestHalf, Real most) {
 
 }  // namespace
 
-Real ComputeLever(const SSolid& solid, const SSeparation& contact) {
-  return (contact.PointX - solid.Pose.X) * contact.NormalY -
-         (contact.PointY - solid.Pose.Y) * contact.NormalX;
+Real ComputeLever(const SSolid& solid, const SSeparation& contact, const SPlanarVector& image) {
+  return (contact.PointX - solid.Pose.X - image.X) * contact.NormalY -
+         (contact.PointY - solid.Pose.Y - image.Y) * contact.NormalX;
 }
 
 Real ComputeLength(const SSolid& solid, const STwist& twist) {
@@ -371,10 +371,13 @@ void CSolids::AddNeighbours(UInt32 slot, const CDiscSwarm& discs) {
   for (const UInt32 disc : m_nearDiscs) {
     // one that pushes the body has a contact already
     if (!IsPush(slot, disc)) {
-      AddObstacle(solid, MakeDisc(discs.GetPose(disc), discs.GetRadius(disc)), most);
+      AddObstacle(
+          solid,
+          MakeDisc(discs.GetPoseNear(disc, solid.Pose.X, solid.Pose.Y), discs.GetRadius(disc)),
+          most);
     }
   }
-  m_solidCells.Find(m_grid, solid.Pose.X, solid.Pose.Y, reach, m_found);
+  FindSolidsNear(solid.Pose.X, solid.Pose.Y, reach);
   for (UInt32& footprint : m_found) {
     footprint = m_slotOf[footprint];
   }
@@ -382,14 +385,16 @@ void CSolids::AddNeighbours(UInt32 slot, const CDiscSwarm& discs) {
   m_found.erase(std::unique(m_found.begin(), m_found.end()), m_found.end());
   for (const UInt32 i : m_found) {
     SSolid& other = m_solids[i];
-    if (i == slot || std::hypot(other.Pose.X - solid.Pose.X, other.Pose.Y - solid.Pose.Y) >
-                         other.BoundingRadius + solid.BoundingRadius + margin) {
+    const Real dx = m_period.X.Shorten(other.Pose.X - solid.Pose.X);
+    const Real dy = m_period.Y.Shorten(other.Pose.Y - solid.Pose.Y);
+    if (i == slot || std::hypot(dx, dy) > other.BoundingRadius + solid.BoundingRadius + margin) {
       continue;
     }
+    const SPlanarVector image = FindImage(other.Pose.X, other.Pose.Y, solid);
     if (!other.IsPassive()) {
       for (const SFootprint& footprint : FootprintsOf(other)) {
         if (!IsPush(slot, kSolidRobot | i)) {
-          AddObstacle(solid, footprint, most);
+          AddObstacle(solid, Displace(footprint, image.X, image.Y), most);
         }
       }
     } else if (other.Number == CPushSolver::kNone || other.Number > solid.Number) {
@@ -401,18 +406,20 @@ void CSolids::AddNeighbours(UInt32 slot, const CDiscSwarm& discs) {
 
 // Adds the contacts of two bodies that may both be pushed.
 void CSolids::AddSolidNeighbour(SSolid& solid, SSolid& other) {
+  const SPlanarVector image = FindImage(other.Pose.X, other.Pose.Y, solid);
   for (size_t a = solid.FirstFootprint; a < solid.FirstFootprint + solid.NumFootprints; ++a) {
     for (size_t b = other.FirstFootprint; b < other.FirstFootprint + other.NumFootprints; ++b) {
       SSeparation contacts[2];
-      const int count = FindContacts(m_footprints[a], m_footprints[b], contacts);
+      const int count =
+          FindContacts(m_footprints[a], Displace(m_footprints[b], image.X, image.Y), contacts);
       for (int i = 0; i < count; ++i) {
         const Real narrowest = std::min(solid.NarrowestHalf, other.NarrowestHalf);
         const Real most = kSolidStep * narrowest;
         AddLink({solid.Number, other.Number, contacts[i].NormalX, contacts[i].NormalY,
-                 ComputeLever(solid, contacts[i]), ComputeLever(other, contacts[i]),
+                 ComputeLever(solid, contacts[i]), ComputeLever(other, contacts[i], image),
                  ComputeLeast(contacts[i].Gap, narrowest, most)},
-                i, {.Footprint = static_cast<UInt32>(a)}, {.Footprint = static_cast<UInt32>(b)},
-                contacts[i].Gap);
+                i, {.Footprint = static_cast<UInt32>(a)},
+                {.Footprint = static_cast<UInt32>(b), .Image = image}, contacts[i].Gap);
       }
     }
   }
@@ -497,12 +504,14 @@ void CSolids::GatherObstacles(const SSolid& solid, Real margin, const CDiscSwarm
   // their order within cells depends on threads
   std::sort(m_nearDiscs.begin(), m_nearDiscs.end());
   for (const UInt32 disc : m_nearDiscs) {
-    add(MakeDisc(discs.GetPose(disc), discs.GetRadius(disc)));
+    add(MakeDisc(discs.GetPoseNear(disc, solid.Pose.X, solid.Pose.Y), discs.GetRadius(disc)));
   }
-  m_solidCells.Find(m_grid, solid.Pose.X, solid.Pose.Y, reach, m_found);
+  FindSolidsNear(solid.Pose.X, solid.Pose.Y, reach);
   for (const UInt32 footprint : m_found) {
-    if (&m_solids[m_slotOf[footprint]] != &solid) {
-      add(m_solidCells.GetFootprint(footprint));
+    const SSolid& other = m_solids[m_slotOf[footprint]];
+    if (&other != &solid) {
+      const SPlanarVector image = FindImage(other.Pose.X, other.Pose.Y, solid);
+      add(Displace(m_solidCells.GetFootprint(footprint), image.X, image.Y));
     }
   }
   if (solid.IsPassive()) {

@@ -47,7 +47,8 @@ struct SSolid {
 };
 
 // of a contact's normal about the origin of a body, m
-Real ComputeLever(const SSolid& solid, const SSeparation& contact);
+// @param image  displacement of the image of the body that is in contact, m
+Real ComputeLever(const SSolid& solid, const SSeparation& contact, const SPlanarVector& image = {});
 // no point of the body moves farther, m
 Real ComputeLength(const SSolid& solid, const STwist& twist);
 // a twist, scaled down to a length (m) if it is longer
@@ -85,6 +86,10 @@ class CSolids {
   }
   SDriveCommand GetLastCommand(const SKinematicHandle& handle) { return Get(handle).LastCommand; }
 
+  /** Joins sides of the area: all bodies are to be inside of it before Plan(). */
+  void SetPeriod(const SPeriodicity& period) { m_period = period; }
+  /** Puts the bodies that have left the area inside. */
+  void Wrap();
   /** Computes the steps that drives command. @throws SBadDriveCommand */
   void Plan(const SSubstep& substep);
   /** Sets the walls before the next Step(); they must stay valid. */
@@ -102,8 +107,10 @@ class CSolids {
    * @param discs  after its Plan(), before its Step().
    */
   void Step(CDiscSwarm& discs);
-  /** Of all bodies, world frame. */
-  std::span<const SFootprint> GetFootprints() const { return m_footprints; }
+  /** Of all bodies, world frame, and of their images near the seams. */
+  std::span<const SFootprint> ListFootprints();
+  /** m, of the circle around the origin of any body. */
+  Real ComputeWidest() const;
   /** Changes whenever a footprint does. */
   UInt32 GetGeneration() const { return m_generation; }
 
@@ -130,6 +137,7 @@ class CSolids {
   struct SSide {
     UInt32 Footprint = kNone;
     UInt32 Disc = CPushSolver::kNone;  // its number in the solver
+    SPlanarVector Image = {};  // displacement of the solid's image that is in contact, m
     SFootprint Place = {};  // if it is no solid: at the start of the tick
   };
   /** A contact in the solver, of which the gap after the motion must be at least the planned one.
@@ -177,6 +185,11 @@ class CSolids {
   void AddPushesOfDiscs(UInt32 slot, const CDiscSwarm& discs);
   void AddPushesOfSolids(UInt32 slot);
   void AddPushesOfSolid(UInt32 slot, UInt32 number);
+  // displacement of the image of a place that is nearest to a body, m
+  SPlanarVector FindImage(Real x, Real y, const SSolid& to) const {
+    return FindNearestImage(m_period, x, y, to.Pose.X, to.Pose.Y);
+  }
+  void FindSolidsNear(Real x, Real y, Real reach);
   void AddPush(UInt32 slot, const SSeparation& contact, int point, Real need, UInt32 robot,
                Real lever, const SSide& pushing, UInt32 pushed);
   UInt32 AddToSolver(UInt32 slot);
@@ -226,6 +239,8 @@ class CSolids {
   std::vector<SFootprint> m_shapes;  // footprints of all, in the frames of their bodies
   std::vector<SFootprint> m_footprints;  // the same, world frame
   std::vector<UInt32> m_slotOf;  // (footprints): of the body
+  SPeriodicity m_period;
+  std::vector<SFootprint> m_withImages;  // the footprints and their images; only with a period
   size_t m_numDriven = 0;
   UInt32 m_generation = 0;
   // walls by cells, and solids by all cells that they may reach in this tick
