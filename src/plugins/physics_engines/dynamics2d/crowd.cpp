@@ -57,7 +57,8 @@ void CCrowd::AddLine(CDiscPairs& discPairs, UInt32 place, const SCrowdLine& line
 }
 
 void CCrowd::Advance(CThreadPool& pool, const CDiscPairs& discPairs, Real longestPath, Real reach) {
-  m_clusters.Build(2.0 * (m_store.GetWidestMovable() + kSolidReach * reach));
+  m_clusters.Build(2.0 * (m_store.GetWidestMovable() + kSolidReach * reach),
+                   m_store.GetSettings().Period);
   const size_t count = m_clusters.GetMembers().size();
   SCrowdTick tick;
   tick.Duration = m_store.GetSettings().Tick;
@@ -65,6 +66,7 @@ void CCrowd::Advance(CThreadPool& pool, const CDiscPairs& discPairs, Real longes
   tick.RefineInCrowds = m_store.GetSettings().RefineInCrowds;
   tick.SmallestRadius = kMinRadiusInUnits * m_store.GetMetresPerUnit();
   tick.LongestPath = longestPath + m_allowance;
+  tick.Period = m_store.GetSettings().Period;
   m_solver.Start(tick, count);
   pool.ParallelFor(count, kRobotGrain,
                    [this](size_t begin, size_t end, UInt32) { FillIn(begin, end); });

@@ -1,6 +1,7 @@
 #ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_CROWD_BODIES_H
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_CROWD_BODIES_H
 
+#include <argos3/core/simulator/geometry/periodicity.h>
 #include <argos3/core/utility/datatypes/datatypes.h>
 
 #include <cmath>
@@ -65,6 +66,7 @@ struct SCrowdTick {
   Real SmallestRadius = 0.0;  // m
   /** No disc moves farther in the tick, m: those farther apart than twice this cannot meet. */
   Real LongestPath = 0.0;
+  SPeriodicity Period; /**< of the area in which bodies are at the start of the tick */
 };
 
 }  // namespace argos

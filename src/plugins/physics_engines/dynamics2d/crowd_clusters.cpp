@@ -53,10 +53,10 @@ void CCrowdClusters::Unite(const CDiscPairs& discPairs, const CCrowdSolids& soli
   }
 }
 
-void CCrowdClusters::Build(Real pairReach) {
+void CCrowdClusters::Build(Real pairReach, const SPeriodicity& period) {
   FindAwake();
   NumberClusters();
-  CutIntoStrips(pairReach);
+  CutIntoStrips(pairReach, period);
   SortMembers();
   SortPairs();
   SortWalls();
@@ -116,7 +116,11 @@ void CCrowdClusters::NumberClusters() {
 }
 
 // Small clusters come first, so that each is a patch of its number.
-void CCrowdClusters::CutIntoStrips(Real pairReach) {
+void CCrowdClusters::CutIntoStrips(Real pairReach, const SPeriodicity& period) {
+  // bodies that meet across a seam are nearly a period apart
+  const auto mayCross = [](const SPeriodicAxis& axis, Real length) {
+    return axis.IsOn() && length > 0.5 * axis.Period;
+  };
   m_numSmall = 0;
   for (SExtent& cluster : m_clusters) {
     const Real width = cluster.MaxX - cluster.MinX;
@@ -126,6 +130,9 @@ void CCrowdClusters::CutIntoStrips(Real pairReach) {
     cluster.NumStrips = std::max(1U, cluster.Size / kDiscsOfStrip);
     if (static_cast<Real>(cluster.NumStrips) > most) {
       cluster.NumStrips = static_cast<UInt32>(most);
+    }
+    if (mayCross(period.X, width) || mayCross(period.Y, height)) {
+      cluster.NumStrips = 1;
     }
     cluster.AlongX = width > height;
     cluster.StripsPerMetre = length > 0.0 ? static_cast<Real>(cluster.NumStrips) / length : 0.0;

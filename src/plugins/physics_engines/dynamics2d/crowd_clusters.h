@@ -1,6 +1,7 @@
 #ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_CROWD_CLUSTERS_H
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_CROWD_CLUSTERS_H
 
+#include <argos3/core/simulator/geometry/periodicity.h>
 #include <argos3/core/utility/spatial/counting_sort.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/crowd_solids.h>
 #include <argos3/plugins/simulator/physics_engines/planar/body_forest.h>
@@ -75,8 +76,12 @@ class CCrowdClusters {
   bool HasExcluded() const { return m_hasExcluded; }
   /** Is the item in an excluded cluster? */
   bool IsExcluded(UInt32 item) { return m_isExcluded[FindRoot(item)] != 0; }
-  /** Lists the clusters that are not excluded. @param pairReach of centres of pairs, m. */
-  void Build(Real pairReach);
+  /**
+   * Lists the clusters that are not excluded.
+   * @param pairReach  of centres of pairs, m.
+   * @param period     a cluster that may have pairs across a seam has one patch.
+   */
+  void Build(Real pairReach, const SPeriodicity& period = SPeriodicity());
 
   const std::vector<SMember>& GetMembers() const { return m_members; }
   const std::vector<SPair>& GetPairs() const { return m_pairs; }
@@ -106,7 +111,7 @@ class CCrowdClusters {
   SPlanarVector GetCentre(UInt32 item) const;
   void FindAwake();
   void NumberClusters();
-  void CutIntoStrips(Real pairReach);
+  void CutIntoStrips(Real pairReach, const SPeriodicity& period);
   UInt32 ComputePatch(const SPlanarVector& centre, const SExtent& cluster) const;
   void SortMembers();
   void SortPairs();

@@ -43,7 +43,7 @@ UInt32 CCrowdSolver::FindContacts(UInt32 first, UInt32 end, const SSubstep& subs
     const SCrowdDisc& discA = m_discs[pair.A];
     const SCrowdDisc& discB = m_discs[pair.B];
     const Real reach = static_cast<Real>(discA.Radius) + static_cast<Real>(discB.Radius);
-    const SStep offset = {b.X - a.X, b.Y - a.Y};
+    const SStep offset = {m_tick.Period.X.Shorten(b.X - a.X), m_tick.Period.Y.Shorten(b.Y - a.Y)};
     const Real farthest = reach + mostApproach;
     if (offset.X * offset.X + offset.Y * offset.Y > farthest * farthest) {
       m_pairForces[i] = SContactForce();

@@ -23,6 +23,7 @@ void CCrowdSolids::Find(const CPlanarStore& store, CDiscPairs& discPairs, Real d
   m_pairs.clear();
   m_obstaclePairs.clear();
   m_obstacles.clear();
+  m_period = store.GetSettings().Period;
   List(store);
   if (m_solids.empty()) {
     m_cells.Clear();
@@ -86,8 +87,9 @@ void CCrowdSolids::PairWithDiscs(UInt32 number, CDiscPairs& discPairs, Real disc
   discPairs.ForNear(solid.X, solid.Y, solid.Shape->Radius + solidReach, [&](UInt32 place) {
     const CDiscPairs::SDisc& disc = discPairs.GetDiscs()[place];
     const Real near = disc.Radius + discReach + solidReach;
+    const SPlanarVector image = FindNearestImage(m_period, disc.X, disc.Y, solid.X, solid.Y);
     for (UInt32 part = solid.FirstPart; part < solid.FirstPart + numParts; ++part) {
-      if (ComputeDistance(m_parts[part], disc.X, disc.Y) <= near) {
+      if (ComputeDistance(m_parts[part], disc.X + image.X, disc.Y + image.Y) <= near) {
         m_pairs.push_back({place, m_numDiscs + number, kNone, part});
         discPairs.SetNear(place);
       }
@@ -95,10 +97,28 @@ void CCrowdSolids::PairWithDiscs(UInt32 number, CDiscPairs& discPairs, Real disc
   });
 }
 
+// Lists the parts in a circle, of all images of solids.
+void CCrowdSolids::FindPartsNear(Real x, Real y, Real radius) {
+  m_cells.Find(m_grid, x, y, radius, m_found);
+  if (!m_period.IsOn()) {
+    return;
+  }
+  // parts are listed farther than they are
+  const Real far = 2.0 * radius;
+  m_period.ForDisplacements({x - far, y - far, x + far, y + far}, [&](Real dx, Real dy) {
+    if (dx != 0.0 || dy != 0.0) {
+      m_cells.ForNear(m_grid, x + dx, y + dy, radius,
+                      [this](UInt32 part) { m_found.push_back(part); });
+    }
+  });
+  std::sort(m_found.begin(), m_found.end());
+  m_found.erase(std::unique(m_found.begin(), m_found.end()), m_found.end());
+}
+
 // Each pair once.
 void CCrowdSolids::PairWithSolids(UInt32 number, Real solidReach) {
   const SSolid& solid = m_solids[number];
-  m_cells.Find(m_grid, solid.X, solid.Y, solid.Shape->Radius, m_found);
+  FindPartsNear(solid.X, solid.Y, solid.Shape->Radius);
   for (const UInt32 otherPart : m_found) {
     const UInt32 other = m_solidOf[otherPart];
     if (other <= number) {
@@ -106,14 +126,16 @@ void CCrowdSolids::PairWithSolids(UInt32 number, Real solidReach) {
     }
     const SSolid& partner = m_solids[other];
     const Real near = solid.Shape->Radius + partner.Shape->Radius + 2.0 * solidReach;
-    const Real dx = partner.X - solid.X;
-    const Real dy = partner.Y - solid.Y;
+    const Real dx = m_period.X.Shorten(partner.X - solid.X);
+    const Real dy = m_period.Y.Shorten(partner.Y - solid.Y);
     if (dx * dx + dy * dy > near * near) {
       continue;
     }
+    const SPlanarVector image = FindNearestImage(m_period, partner.X, partner.Y, solid.X, solid.Y);
+    const SFootprint otherPlace = Displace(m_parts[otherPart], image.X, image.Y);
     for (UInt32 part = solid.FirstPart; part < solid.FirstPart + solid.Shape->Parts.size();
          ++part) {
-      if (ComputeGap(m_parts[part], m_parts[otherPart]) <= 2.0 * solidReach) {
+      if (ComputeGap(m_parts[part], otherPlace) <= 2.0 * solidReach) {
         m_pairs.push_back({m_numDiscs + number, m_numDiscs + other, part, otherPart});
       }
     }

@@ -73,6 +73,7 @@ class CCrowdSolids {
   void List(const CPlanarStore& store);
   void Add(EPlanarKind kind, UInt32 slot, const SPlanarSolid& shape, const SPlanarPose& pose,
            bool isAwake);
+  void FindPartsNear(Real x, Real y, Real radius);
   void PairWithDiscs(UInt32 solid, CDiscPairs& discPairs, Real discReach, Real solidReach);
   void PairWithSolids(UInt32 solid, Real solidReach);
   void PairWithObstacles(UInt32 solid, const CDiscPairs& discPairs, Real solidReach);
@@ -84,6 +85,7 @@ class CCrowdSolids {
   std::vector<SPair> m_pairs;  // with obstacles last
   std::vector<SPair> m_obstaclePairs;  // scratch
   std::vector<SFootprint> m_obstacles;  // of this tick
+  SPeriodicity m_period;
   CFramedGrid m_grid;
   CCellLists m_cells;  // of the parts
   std::vector<UInt32> m_found;  // scratch

@@ -480,8 +480,8 @@ float CCrowdSolver::PushContactsApart(UInt32 first, UInt32 count) {
     const SCrowdDisc& discB = m_discs[contact.B];
     const Real reach = static_cast<Real>(discA.Radius) + static_cast<Real>(discB.Radius);
     const Real limit = reach - static_cast<Real>(m_tolerance);
-    const Real x = b.X - a.X;
-    const Real y = b.Y - a.Y;
+    const Real x = m_tick.Period.X.Shorten(b.X - a.X);
+    const Real y = m_tick.Period.Y.Shorten(b.Y - a.Y);
     const Real squared = x * x + y * y;
     if (squared >= limit * limit || squared == 0.0) {
       continue;

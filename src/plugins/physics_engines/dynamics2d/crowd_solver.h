@@ -154,6 +154,7 @@ class CCrowdSolver {
     return m_solids->GetSolid(m_clusters->GetMembers()[member].Item);
   }
   void PlaceParts(UInt32 member);
+  SFootprint GetPartNear(const CCrowdClusters::STouch& pair) const;
   int FindPoints(const CCrowdClusters::STouch& pair, float duration, SSeparation* points) const;
   SStep ComputeStep(const CCrowdClusters::STouch& pair, float duration) const;
   UInt32 FindTouches(const SCrowdRange& range, const SSubstep& substep, SPatchState& state);

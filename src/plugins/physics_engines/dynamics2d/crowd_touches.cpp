@@ -42,24 +42,38 @@ void CCrowdSolver::PlaceParts(UInt32 member) {
 SStep CCrowdSolver::ComputeStep(const CCrowdClusters::STouch& pair, float duration) const {
   const SCrowdDisc& disc = m_discs[pair.A];
   const SCrowdDisc& solid = m_discs[pair.B];
-  const auto leverX = static_cast<float>(m_positions[pair.A].X - m_positions[pair.B].X);
-  const auto leverY = static_cast<float>(m_positions[pair.A].Y - m_positions[pair.B].Y);
+  const SCrowdPosition& place = m_positions[pair.A];
+  const SCrowdPosition& centre = m_positions[pair.B];
+  const auto leverX = static_cast<float>(m_tick.Period.X.Shorten(place.X - centre.X));
+  const auto leverY = static_cast<float>(m_tick.Period.Y.Shorten(place.Y - centre.Y));
   return {static_cast<Real>((disc.VX - solid.VX + solid.W * leverY) * duration),
           static_cast<Real>((disc.VY - solid.VY - solid.W * leverX) * duration)};
 }
 
-// @return the number of points, at most two.
+// A part of the second body of a pair, where it is next to the first one.
+SFootprint CCrowdSolver::GetPartNear(const CCrowdClusters::STouch& pair) const {
+  const SFootprint& part = m_parts[pair.PartB];
+  if (!m_tick.Period.IsOn()) {
+    return part;
+  }
+  const SCrowdPosition& a = m_positions[pair.A];
+  const SCrowdPosition& b = m_positions[pair.B];
+  const SPlanarVector image = FindNearestImage(m_tick.Period, b.X, b.Y, a.X, a.Y);
+  return Displace(part, image.X, image.Y);
+}
+
+// @return the number of points, at most two; they are next to the first body.
 int CCrowdSolver::FindPoints(const CCrowdClusters::STouch& pair, float duration,
                              SSeparation* points) const {
   if (pair.PartA == CCrowdSolids::kNone) {
     const SCrowdPosition& position = m_positions[pair.A];
     points[0] =
         SeparateFromFootprint(position.X, position.Y, static_cast<Real>(m_discs[pair.A].Radius),
-                              ComputeStep(pair, duration), m_parts[pair.PartB]);
+                              ComputeStep(pair, duration), GetPartNear(pair));
     return 1;
   }
   if (pair.B != CCrowdSolids::kNone) {
-    return argos::FindContacts(m_parts[pair.PartA], m_parts[pair.PartB], points);
+    return argos::FindContacts(m_parts[pair.PartA], GetPartNear(pair), points);
   }
   const SFootprint& obstacle = pair.PartB < CCrowdSolids::kFirstOfTick
                                    ? m_discPairs->GetObstacle(pair.PartB)
@@ -114,8 +128,8 @@ bool CCrowdSolver::MakeTouch(const CCrowdClusters::STouch& pair, const SSeparati
   touch.NX = static_cast<float>(point.NormalX);
   touch.NY = static_cast<float>(point.NormalY);
   const auto leverOf = [&](UInt32 member, float& normal, float& tangent) {
-    const Real x = point.PointX - m_positions[member].X;
-    const Real y = point.PointY - m_positions[member].Y;
+    const Real x = m_tick.Period.X.Shorten(point.PointX - m_positions[member].X);
+    const Real y = m_tick.Period.Y.Shorten(point.PointY - m_positions[member].Y);
     normal = static_cast<float>(x * point.NormalY - y * point.NormalX);
     tangent = static_cast<float>(x * point.NormalX + y * point.NormalY);
     const SCrowdDisc& body = m_discs[member];
@@ -291,8 +305,9 @@ void CCrowdSolver::PushPoint(const CCrowdClusters::STouch& pair, const SSeparati
   const auto prepare = [&](UInt32 member, bool isHeld) {
     SPushed body = {member, 0.0, 0.0, 0.0};
     if (member != CCrowdSolids::kNone && !isHeld) {
-      body.Lever = (point.PointX - m_positions[member].X) * point.NormalY -
-                   (point.PointY - m_positions[member].Y) * point.NormalX;
+      const Real x = m_tick.Period.X.Shorten(point.PointX - m_positions[member].X);
+      const Real y = m_tick.Period.Y.Shorten(point.PointY - m_positions[member].Y);
+      body.Lever = x * point.NormalY - y * point.NormalX;
       body.InverseMass = static_cast<Real>(m_discs[member].InverseMass);
       body.InverseInertia =
           IsSolid(member) ? static_cast<Real>(m_discs[member].InverseInertia) : 0.0;

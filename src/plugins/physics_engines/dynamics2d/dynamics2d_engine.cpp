@@ -7,6 +7,7 @@
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/utility/memory/load_ahead.h>
 #include <argos3/core/utility/threads/thread_pool.h>
+#include <argos3/plugins/simulator/entities/gripper_equipped_entity.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/dynamics2d_body.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/dynamics2d_model.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_limits.h>
@@ -158,6 +159,8 @@ void CDynamics2DEngine::UpdateManipulator(CPlanarModel& model) {
 void CDynamics2DEngine::Build() {
   const std::vector<CDescribedBodyModel*> models = ListModelsForWorld();
   m_settings->UnitsPerMetre = ChooseScale();
+  m_settings->Period = GetPeriod();
+  m_isPeriodic = m_settings->Period.IsOn();
   m_world = std::make_unique<CPlanarWorld>(*m_settings);
   const auto count = [&models](bool movable, bool driven) {
     return static_cast<size_t>(
@@ -220,6 +223,9 @@ void CDynamics2DEngine::UpdateWorld() {
     Build();
   }
   RepositionDisplaced();
+  if (m_isPeriodic) {
+    CheckGrippersOpen();
+  }
   if (SeesGhosts()) {
     m_world->SetGhosts(ListGhosts());
   }
@@ -237,6 +243,19 @@ void CDynamics2DEngine::UpdateWorld() {
     }
   });
   FinishRecordedBodies();
+}
+
+// Box2D, which solves grips, does not know of joined sides.
+void CDynamics2DEngine::CheckGrippersOpen() const {
+  for (const auto& model : GetModels()) {
+    const auto& robot = static_cast<const CDynamics2DBody&>(*model);
+    if (robot.m_gripper != nullptr && robot.m_gripper->IsLocked()) {
+      THROW_ARGOSEXCEPTION("robot \"" << robot.m_root.GetId()
+                                      << "\" has locked its gripper, but in an <arena "
+                                         "periodic=...> <dynamics2d id=\""
+                                      << GetId() << "\"> cannot hold anything");
+    }
+  }
 }
 
 // Several engines share the threads better than the parts of each do.
@@ -281,6 +300,9 @@ void CDynamics2DEngine::ScheduleIfLeading(CEmbodiedEntity& body) {
 // @return true if the body has left the region.
 bool CDynamics2DEngine::WriteBack(CDynamics2DBody& model, const SPlanarPose& pose, Real radius) {
   CEmbodiedEntity& body = model.m_cEmbodiedEntity;
+  if (m_isPeriodic) {
+    CountTurns(body, pose);
+  }
   body.SetOriginPose(CVector3(pose.X, pose.Y, GetElevation()),
                      CQuaternion(pose.HalfCos, 0.0, 0.0, pose.HalfSin));
   if (body.GetEnabledAnchors().size() > 1) {

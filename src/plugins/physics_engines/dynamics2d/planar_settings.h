@@ -1,6 +1,7 @@
 #ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_PLANAR_SETTINGS_H
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_PLANAR_SETTINGS_H
 
+#include <argos3/core/simulator/geometry/periodicity.h>
 #include <argos3/plugins/simulator/physics_engines/planar/planar_body.h>
 
 namespace argos {
@@ -14,6 +15,7 @@ struct SPlanarSettings {
   Real UnitsPerMetre = 10.0;  // Box2D's unit of length
   SGroundFriction BoxFriction;
   SGroundFriction CylinderFriction;
+  SPeriodicity Period;  // of the arena, in the frame of the engine
   Real GrippingRigidity = 10000.0;  // N/m; 0: grippers hold nothing
 };
 

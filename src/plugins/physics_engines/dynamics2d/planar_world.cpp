@@ -1,6 +1,7 @@
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_world.h>
 
 #include <argos3/core/simulator/geometry/body_description.h>
+#include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/memory/load_ahead.h>
 #include <argos3/core/utility/threads/thread_pool.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/drive_motion.h>
@@ -27,7 +28,9 @@ CPlanarWorld::CPlanarWorld(const SPlanarSettings& settings)
       m_grips(m_store, m_active),
       m_ghosts(m_store, m_active),
       m_substepPolicy(settings),
-      m_crowd(m_store) {}
+      m_crowd(m_store) {
+  m_discPairs.SetPeriod(settings.Period);
+}
 
 void CPlanarWorld::AddDriven(const SPlanarOwner& owner, const SBodyDescription& description,
                              const SPlanarPose& pose, const CDriveSource& drive) {
@@ -233,10 +236,27 @@ void CPlanarWorld::FindMeetings(CThreadPool& pool) {
     m_crowd.ForgetObstacles();
   }
   ExtendLongestPath();
+  if (m_store.GetSettings().Period.IsOn()) {
+    CheckPeriod();
+  }
   m_discPairs.Find(pool, GetReach());
   m_crowd.Start(m_discPairs, GetReach());
   if (m_grips.HasManipulators()) {
     ExcludeGrips();
+  }
+}
+
+// Two bodies can meet on one side only, and an image of an obstacle is where a body may meet it.
+void CPlanarWorld::CheckPeriod() const {
+  const SPeriodicity& period = m_store.GetSettings().Period;
+  const Real necessary = 4.0 * (m_store.GetWidestMovable() + kSolidReach * GetReach());
+  for (const SPeriodicAxis* axis : {&period.X, &period.Y}) {
+    if (axis->IsOn() && !(axis->Period > necessary)) {
+      THROW_ARGOSEXCEPTION(
+          "a periodic arena must be wider than four times what a body and its "
+          "path in a tick need, "
+          << necessary << " m here; found " << axis->Period << " m");
+    }
   }
 }
 
@@ -350,6 +370,7 @@ void CPlanarWorld::FinishPassive() {
     if (!body.Body->IsEnabled()) {
       body.Moved = body.Moved || body.WasReleased;
       body.WasReleased = false;
+      Wrap(body.Pose);
       continue;
     }
     const b2Vec2 position = body.Body->GetPosition();

@@ -92,11 +92,15 @@ class CPlanarWorld {
    */
   template <typename VISIT>
   void CommitDriven(size_t begin, size_t end, VISIT&& visit) {
+    const bool isPeriodic = m_store.GetSettings().Period.IsOn();
     for (size_t slot = begin; slot < end; ++slot) {
       SDrivenBody& body = m_store.GetDriven()[slot];
       body.Pose = body.NextPose;
       body.Velocity = body.NextVelocity;
       body.Command = body.NextCommand;
+      if (isPeriodic) {
+        Wrap(body.Pose);
+      }
       visit(static_cast<const SDrivenBody&>(body), slot);
     }
   }
@@ -124,7 +128,14 @@ class CPlanarWorld {
   float ComputeSubstepsOfPassive() const;
   void StepBox2D(UInt32 substeps);
   void FinishPassive();
+  void CheckPeriod() const;
 
+  // puts a pose that has left a periodic arena inside
+  void Wrap(SPlanarPose& pose) const {
+    const SPeriodicity& period = m_store.GetSettings().Period;
+    pose.X = period.X.Wrap(pose.X);
+    pose.Y = period.Y.Wrap(pose.Y);
+  }
   /** How far a disc may move in the tick, m. */
   Real GetReach() const { return m_longestPath + m_crowd.GetAllowance() + GetSlack(); }
   Real GetSlack() const;

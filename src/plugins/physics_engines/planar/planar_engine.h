@@ -32,6 +32,7 @@ class CPlanarEngine : public CDescribedBodyEngine {
   bool StopsAtWalls() const override { return true; }
   /** Robots that drive on this plane are obstacles for the bodies of this engine. */
   bool CanFeelGhosts() const override { return true; }
+  bool CanBePeriodic() const override { return true; }
   /** The height of the plane, twice. */
   std::pair<Real, Real> GetHeightSpan() const override { return {m_elevation, m_elevation}; }
 
