@@ -1,6 +1,8 @@
 #ifndef ARGOS3_PLUGINS_ENTITIES_BODY_MOTION_H
 #define ARGOS3_PLUGINS_ENTITIES_BODY_MOTION_H
 
+#include <argos3/core/simulator/context/current.h>
+#include <argos3/core/simulator/context/simulation_context.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
 
 namespace argos {
@@ -26,10 +28,10 @@ class CBodyMotion {
   }
 
   /** Distance of the origin from the stored position, m. */
-  Real ComputeDistance() const { return Distance(m_body->GetOriginAnchor().Position, m_position); }
+  Real ComputeDistance() const { return ComputeWay().Length(); }
   /** Displacement of the origin in the stored frame, m. */
   CVector3 ComputeStep() const {
-    CVector3 step = m_body->GetOriginAnchor().Position - m_position;
+    CVector3 step = ComputeWay();
     return step.Rotate(m_orientation.Inverse());
   }
   /** Rotation of the body in the stored frame. */
@@ -38,8 +40,13 @@ class CBodyMotion {
   }
 
  private:
-  const CEmbodiedEntity* m_body = nullptr;  // is not owned
-  CVector3 m_position;  // position of the origin anchor, world frame, m
+  // world frame, m; perhaps through a side of a periodic arena
+  CVector3 ComputeWay() const {
+    return CurrentContext().Arena.Period.Shorten(m_body->GetOriginAnchor().Position - m_position);
+  }
+
+  const CEmbodiedEntity* m_body = nullptr;  // not owned
+  CVector3 m_position;  // of the origin anchor, world frame, m
   CQuaternion m_orientation;
 };
 

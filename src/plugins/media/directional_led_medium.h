@@ -11,6 +11,7 @@ class CDirectionalLEDMedium
     : public CPositionalMedium<CDirectionalLEDEntity, CDirectionalLEDEntityGridUpdater,
                                CDirectionalLEDEntitySpaceHashUpdater> {
  public:
+  bool CanBePeriodic() const override { return true; }
   CDirectionalLEDMedium& AsMedium() override { return *this; }
 };
 

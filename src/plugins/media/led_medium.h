@@ -10,6 +10,7 @@ namespace argos {
 class CLEDMedium
     : public CPositionalMedium<CLEDEntity, CLEDEntityGridUpdater, CLEDEntitySpaceHashUpdater> {
  public:
+  bool CanBePeriodic() const override { return true; }
   CLEDMedium& AsMedium() override { return *this; }
 };
 

@@ -27,7 +27,7 @@ Real Flush(Real value) {
 // one row of an explicit step; up and down are the neighbouring rows, or the row itself at a
 // border. Opposite neighbours are added first, so that a mirrored field stays bitwise mirrored
 void DiffuseRow(const Real* up, const Real* row, const Real* down, Real* __restrict next,
-                size_t num, Real rX, Real rY) {
+                size_t num, bool isJoined, Real rX, Real rY) {
   const auto diffuse = [&](size_t i, Real left, Real right) {
     const Real here = row[i];
     const Real alongX = rX * ((left + right) - 2.0 * here);
@@ -37,9 +37,9 @@ void DiffuseRow(const Real* up, const Real* row, const Real* down, Real* __restr
   for (size_t i = 1; i + 1 < num; ++i) {
     diffuse(i, row[i - 1], row[i + 1]);
   }
-  diffuse(0, row[0], row[num > 1 ? 1 : 0]);
+  diffuse(0, row[isJoined ? num - 1 : 0], row[num > 1 ? 1 : 0]);
   if (num > 1) {
-    diffuse(num - 1, row[num - 2], row[num - 1]);
+    diffuse(num - 1, row[num - 2], row[isJoined ? 0 : num - 1]);
   }
 }
 
@@ -53,16 +53,31 @@ CPheromoneField::CPheromoneField(const SGrid& grid, Real evaporation, Real diffu
       m_cells(grid.NumX * grid.NumY, 0.0) {}
 
 bool CPheromoneField::Locate(SStencil& stencil, Real x, Real y) const {
-  // unit: cells from the lowest corner; the comparison treats NaN as outside
-  const Real u = (x - m_grid.MinX) / m_grid.CellX;
-  const Real v = (y - m_grid.MinY) / m_grid.CellY;
+  // in cells from the lowest corner; the comparison treats NaN as outside
+  const auto toCells = [](Real offset, Real cell, size_t num, bool isJoined) {
+    const Real cells = offset / cell;
+    const Real all = static_cast<Real>(num);
+    return isJoined ? std::min(all, cells - all * std::floor(cells / all)) : cells;
+  };
+  const Real u = toCells(x - m_grid.MinX, m_grid.CellX, m_grid.NumX, m_grid.JoinsX);
+  const Real v = toCells(y - m_grid.MinY, m_grid.CellY, m_grid.NumY, m_grid.JoinsY);
   const bool isInside = u >= 0.0 && v >= 0.0 && u <= static_cast<Real>(m_grid.NumX) &&
                         v <= static_cast<Real>(m_grid.NumY);
   if (!isInside) {
     return false;
   }
   // outside the outermost centres, both points are the border cell
-  const auto split = [](Real place, size_t num, size_t& low, size_t& high, Real& share) {
+  const auto split = [](Real place, size_t num, bool isJoined, size_t& low, size_t& high,
+                        Real& share) {
+    if (isJoined) {
+      // the last cell is next to the first one
+      const Real fromLast = place + 0.5;
+      const auto cell = static_cast<size_t>(fromLast);
+      low = (cell + num - 1) % num;
+      high = cell % num;
+      share = fromLast - static_cast<Real>(cell);
+      return;
+    }
     const Real fromCenter = std::max(0.0, place - 0.5);
     low = std::min(num - 1, static_cast<size_t>(fromCenter));
     high = std::min(num - 1, low + 1);
@@ -72,8 +87,8 @@ bool CPheromoneField::Locate(SStencil& stencil, Real x, Real y) const {
   size_t j[2];
   Real shareX = 0.0;
   Real shareY = 0.0;
-  split(u, m_grid.NumX, i[0], i[1], shareX);
-  split(v, m_grid.NumY, j[0], j[1], shareY);
+  split(u, m_grid.NumX, m_grid.JoinsX, i[0], i[1], shareX);
+  split(v, m_grid.NumY, m_grid.JoinsY, j[0], j[1], shareY);
   for (size_t corner = 0; corner < 4; ++corner) {
     stencil.Cells[corner] = j[corner / 2] * m_grid.NumX + i[corner % 2];
     stencil.Shares[corner] =
@@ -184,7 +199,8 @@ void CPheromoneField::PrepareSteps(Real seconds) {
   m_rX = m_diffusion * seconds / (m_grid.CellX * m_grid.CellX);
   m_rY = m_diffusion * seconds / (m_grid.CellY * m_grid.CellY);
   const Real numSteps = std::ceil((m_rX + m_rY) / kMaxPerStep);
-  if (numSteps <= kMaxSteps) {
+  // the elimination ends at closed borders
+  if (numSteps <= kMaxSteps || m_grid.JoinsX || m_grid.JoinsY) {
     m_numExplicit = std::max(1U, static_cast<UInt32>(numSteps));
     m_rX /= m_numExplicit;
     m_rY /= m_numExplicit;
@@ -223,9 +239,12 @@ void CPheromoneField::StepExplicitly(CThreadPool& pool) {
   pool.ParallelFor(m_grid.NumY, kRowGrain, [this](size_t begin, size_t end, UInt32) {
     for (size_t j = begin; j < end; ++j) {
       const Real* const row = m_cells.data() + j * m_grid.NumX;
-      const Real* const up = j > 0 ? row - m_grid.NumX : row;
-      const Real* const down = j + 1 < m_grid.NumY ? row + m_grid.NumX : row;
-      DiffuseRow(up, row, down, m_next.data() + j * m_grid.NumX, m_grid.NumX, m_rX, m_rY);
+      const Real* const first = m_grid.JoinsY ? m_cells.data() : row;
+      const Real* const last = m_grid.JoinsY ? m_cells.data() + m_cells.size() - m_grid.NumX : row;
+      const Real* const up = j > 0 ? row - m_grid.NumX : last;
+      const Real* const down = j + 1 < m_grid.NumY ? row + m_grid.NumX : first;
+      DiffuseRow(up, row, down, m_next.data() + j * m_grid.NumX, m_grid.NumX, m_grid.JoinsX, m_rX,
+                 m_rY);
     }
   });
   m_cells.swap(m_next);

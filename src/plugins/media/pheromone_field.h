@@ -13,7 +13,7 @@ namespace argos {
 class CThreadPool;
 
 /**
- * The concentration c(x, y, t) of a substance on a rectangle with closed borders:
+ * The concentration c(x, y, t) of a substance on a rectangle with closed or joined borders:
  *
  *     dc/dt = diffusion (d2c/dx2 + d2c/dy2) - evaporation c
  *
@@ -21,12 +21,12 @@ class CThreadPool;
  *
  * Evaporation is exact: it commutes with diffusion, so it is a factor for the whole field.
  * Diffusion is a finite-volume scheme on equal cells. If a few explicit steps per call are
- * stable, it uses these (forward Euler, five points); otherwise one implicit step along x and one
- * along y (backward Euler, locally one-dimensional: N. N. Yanenko, The Method of Fractional Steps,
- * 1971), stable for any parameters. Both conserve the amount, keep it >= 0, do not increase the
- * maximum, and make the variance of a spot grow by exactly 2 diffusion t along each axis, up to
- * rounding; the implicit step's spot has fatter tails than a Gaussian. Results do not depend on the
- * number of threads. An empty field costs nothing.
+ * stable, or borders are joined, it uses these (forward Euler, five points); otherwise one implicit
+ * step along x and one along y (backward Euler, locally one-dimensional: N. N. Yanenko, The Method
+ * of Fractional Steps, 1971), stable for any parameters. Both conserve the amount, keep it >= 0, do
+ * not increase the maximum, and make the variance of a spot grow by exactly 2 diffusion t along
+ * each axis, up to rounding; the implicit step's spot has fatter tails than a Gaussian. Results do
+ * not depend on the number of threads. An empty field costs nothing.
  */
 class CPheromoneField {
  public:
@@ -35,6 +35,7 @@ class CPheromoneField {
     Real MinX = 0.0, MinY = 0.0; /**< m, world frame */
     Real CellX = 1.0, CellY = 1.0; /**< sides of a cell, m */
     size_t NumX = 1, NumY = 1; /**< cells along x and y */
+    bool JoinsX = false, JoinsY = false; /**< the two borders across that axis are one line */
   };
 
   /**

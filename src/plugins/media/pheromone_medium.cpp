@@ -1,5 +1,6 @@
 #include <argos3/plugins/simulator/media/pheromone_medium.h>
 
+#include <argos3/core/simulator/context/simulation_context.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/utility/datatypes/digest.h>
@@ -112,6 +113,13 @@ void CPheromoneMedium::MakeFields() {
   grid.CellY = size.GetY() / numY;
   grid.NumX = static_cast<size_t>(numX);
   grid.NumY = static_cast<size_t>(numY);
+  const SPeriodicity& period = GetSpace().GetContext().Arena.Period;
+  if (period.IsOn() && (m_hasSize || m_hasCenter)) {
+    THROW_ARGOSEXCEPTION(m_owner << ": \"size\" and \"center\" cannot be given in an <arena "
+                                    "periodic=...>: the field is as large as the arena");
+  }
+  grid.JoinsX = period.X.IsOn();
+  grid.JoinsY = period.Y.IsOn();
   m_state->Fields.reserve(m_layers.size());
   for (const SLayer& layer : m_layers) {
     m_state->Fields.emplace_back(grid, layer.Evaporation, layer.Diffusion, layer.Maximum);

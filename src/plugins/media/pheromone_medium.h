@@ -48,6 +48,7 @@ class CPheromoneMedium : public CMedium {
   /** @throws CARGoSException if the region has too many cells. */
   void PostSpaceInit() override;
   void TakeActs() override;
+  bool CanBePeriodic() const override { return true; }
   void Update() override;
   bool UsesThreadPool() const override { return true; }
   void UpdateDigest(CDigest& digest) const override;

@@ -1,5 +1,6 @@
 #include <argos3/plugins/simulator/media/rab_medium.h>
 
+#include <argos3/core/simulator/context/simulation_context.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/utility/logging/argos_log.h>
@@ -95,6 +96,7 @@ void CRABMedium::Update() {
   m_sets.clear();
   m_state->Members.Update();
   m_state->Routing.SetOptions(m_state->Index, GetSpace().GetArenaLimits());
+  m_state->Routing.SetPeriod(GetSpace().GetContext().Arena.Period);
   const CLineOfSight sight(GetSpace());
   TakePositions(sight);
   m_state->Routing.Route(m_cSimulator.GetThreadPool(), m_checkOcclusions ? &sight : nullptr);

@@ -40,6 +40,7 @@ class CRABMedium : public CMedium, public CRABEquippedEntity::CRegistry {
   void Destroy() override;
   void Update() override;
   bool UsesThreadPool() const override { return true; }
+  bool CanBePeriodic() const override { return true; }
 
   CRABMedium& AsMedium() override { return *this; }
 

@@ -96,6 +96,10 @@ void CRABRouting::SortByCell(CThreadPool& pool) {
 // may be equal.
 template <typename VISIT>
 void CRABRouting::ForRunsNear(size_t place, VISIT&& visit) const {
+  if (m_period.IsOn()) {
+    ForRunsOfImages(place, visit);
+    return;
+  }
   const Real x = m_placedX[place];
   const Real y = m_placedY[place];
   const Real range = m_placed[place].Range;
@@ -108,6 +112,41 @@ void CRABRouting::ForRunsNear(size_t place, VISIT&& visit) const {
     return (dx * dx + dy * dy < squareRange) & (m_rank[other] >= rank);
   };
   m_cells.ForRunsNear(x, y, range, [&](size_t begin, size_t end) { visit(begin, end, isPair); });
+}
+
+// The same in a periodic arena: of each device, the nearest image.
+template <typename VISIT>
+void CRABRouting::ForRunsOfImages(size_t place, VISIT&& visit) const {
+  const Real range = m_placed[place].Range;
+  const Real squareRange = range * range;
+  const Real rank = m_rank[place] + (m_areRangesEqual ? 0.5 : 0.0);
+  const Real halfX = m_period.X.IsOn() ? 0.5 * m_period.X.Period : HUGE_VAL;
+  const Real halfY = m_period.Y.IsOn() ? 0.5 * m_period.Y.Period : HUGE_VAL;
+  const Real reachX = std::min(range, halfX);
+  const Real reachY = std::min(range, halfY);
+  const Real homeX = m_placedX[place];
+  const Real homeY = m_placedY[place];
+  m_period.ForDisplacements(
+      {homeX - reachX, homeY - reachY, homeX + reachX, homeY + reachY}, [&](Real dx, Real dy) {
+        const Real x = homeX + dx;
+        const Real y = homeY + dy;
+        const auto isPair = [=, this](size_t other) {
+          const Real wayX = m_placedX[other] - x;
+          const Real wayY = m_placedY[other] - y;
+          return (wayX * wayX + wayY * wayY < squareRange) & (m_rank[other] >= rank) &
+                 (wayX >= -halfX) & (wayX < halfX) & (wayY >= -halfY) & (wayY < halfY);
+        };
+        m_cells.ForRunsNear(x, y, range,
+                            [&](size_t begin, size_t end) { visit(begin, end, isPair); });
+      });
+}
+
+CSightFan::SEnd CRABRouting::MakeNearest(const CSightFan::SEnd& end,
+                                         const CSightFan::SEnd& to) const {
+  CSightFan::SEnd nearest = end;
+  nearest.X += m_period.X.RoundToPeriods(to.X - end.X);
+  nearest.Y += m_period.Y.RoundToPeriods(to.Y - end.Y);
+  return nearest;
 }
 
 void CRABRouting::CountPairs(CThreadPool& pool) {
@@ -141,6 +180,9 @@ void CRABRouting::ReserveScratch(CThreadPool& pool) {
       scratch.Pairs.resize(most + most / 2 + 1);
       scratch.Fan.Reserve(scratch.Pairs.size());
     }
+    if (m_period.IsOn() && scratch.Ends.size() < scratch.Pairs.size()) {
+      scratch.Ends.resize(scratch.Pairs.size());
+    }
   }
 }
 
@@ -159,8 +201,8 @@ size_t CRABRouting::FindPairs(size_t place, std::vector<UInt32>& pairs) const {
   const Real squareRange = device.Range * device.Range;
   const auto isOut = [&](UInt32 number) {
     const SPlaced& other = m_placed[number];
-    const Real dx = other.End.X - device.End.X;
-    const Real dy = other.End.Y - device.End.Y;
+    const Real dx = m_period.X.Shorten(other.End.X - device.End.X);
+    const Real dy = m_period.Y.Shorten(other.End.Y - device.End.Y);
     const Real dz = other.End.Z - device.End.Z;
     return dx * dx + dy * dy + dz * dz >= squareRange || other.MessageSize != device.MessageSize ||
            (other.Range == device.Range && other.Device <= device.Device);
@@ -175,8 +217,13 @@ void CRABRouting::ExaminePairsOf(size_t place, SScratch& scratch, const CLineOfS
     scratch.Fan.Start(device.End);
     for (size_t pair = 0; pair < num; ++pair) {
       const SPlaced& other = m_placed[scratch.Pairs[pair]];
+      const CSightFan::SEnd* end = &other.End;
+      if (m_period.IsOn()) {
+        scratch.Ends[pair] = MakeNearest(other.End, device.End);
+        end = &scratch.Ends[pair];
+      }
       // the direction does not depend on the examining device, so neither do the roundings
-      scratch.Fan.Add(other.End, device.Device < other.Device);
+      scratch.Fan.Add(*end, device.Device < other.Device);
     }
     scratch.Fan.Trace(*sight);
   }
@@ -187,8 +234,8 @@ void CRABRouting::ExaminePairsOf(size_t place, SScratch& scratch, const CLineOfS
       continue;
     }
     const SPlaced& other = m_placed[scratch.Pairs[pair]];
-    const Real dx = other.End.X - device.End.X;
-    const Real dy = other.End.Y - device.End.Y;
+    const Real dx = m_period.X.Shorten(other.End.X - device.End.X);
+    const Real dy = m_period.Y.Shorten(other.End.Y - device.End.Y);
     const Real dz = other.End.Z - device.End.Z;
     const bool isMutual = dx * dx + dy * dy + dz * dz < other.Range * other.Range;
     *next++ = other.Device | (isMutual ? kMutual : 0);

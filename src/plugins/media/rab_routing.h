@@ -1,6 +1,7 @@
 #ifndef ARGOS3_PLUGINS_MEDIA_RAB_ROUTING_H
 #define ARGOS3_PLUGINS_MEDIA_RAB_ROUTING_H
 
+#include <argos3/core/simulator/geometry/periodicity.h>
 #include <argos3/core/utility/configuration/argos_exception.h>
 #include <argos3/plugins/simulator/media/line_of_sight.h>
 #include <argos3/plugins/simulator/media/point_cells.h>
@@ -48,6 +49,8 @@ class CRABRouting {
   void SetOptions(const SIndexChoice& options, const CRange<CVector3>& arena) {
     m_cells.SetOptions(options, arena);
   }
+  /** Joins sides of the arena: devices hear the nearest image of each other. */
+  void SetPeriod(const SPeriodicity& period) { m_period = period; }
   /** To be filled before Route(). */
   SDevices& GetDevices() { return m_devices; }
   /** @param sight  null: no occlusion. */
@@ -80,6 +83,7 @@ class CRABRouting {
   // memory of each thread
   struct SScratch {
     std::vector<UInt32> Pairs;  // places of the other devices
+    std::vector<CSightFan::SEnd> Ends;  // their nearest images; only in a periodic arena
     CSightFan Fan;
   };
   // A pair of which one device has the number, and the other one examines. The former receives; the
@@ -90,6 +94,9 @@ class CRABRouting {
   void SortByCell(CThreadPool& pool);
   template <typename VISIT>
   void ForRunsNear(size_t place, VISIT&& visit) const;
+  template <typename VISIT>
+  void ForRunsOfImages(size_t place, VISIT&& visit) const;
+  CSightFan::SEnd MakeNearest(const CSightFan::SEnd& end, const CSightFan::SEnd& to) const;
   void CountPairs(CThreadPool& pool);
   void ReserveScratch(CThreadPool& pool);
   void ExaminePairs(CThreadPool& pool, const CLineOfSight* sight);
@@ -101,6 +108,7 @@ class CRABRouting {
 
   SDevices m_devices;
   CPointCells m_cells;
+  SPeriodicity m_period;
   std::vector<Real> m_x, m_y;  // (finite devices), m; for m_cells
   std::vector<UInt32> m_finite;  // (finite devices), numbers
   bool m_areRangesEqual = true;

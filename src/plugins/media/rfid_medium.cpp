@@ -1,5 +1,6 @@
 #include <argos3/plugins/simulator/media/rfid_medium.h>
 
+#include <argos3/core/simulator/context/simulation_context.h>
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/space/space.h>
@@ -107,18 +108,27 @@ void CRFIDMedium::FindTags(std::vector<SFound>& found, const CVector3& place, Re
   found.clear();
   ARGOS_ASSERT(state.Numbering == state.Tags.GetNumbering(),
                "the tags of \"" << GetId() << "\" were renumbered after they had been sorted");
-  state.Cells.ForPlacesNear(place.GetX(), place.GetY(), reach, [&](size_t cellPlace) {
-    const UInt32 number = state.Finite[state.Cells.GetPoint(cellPlace)];
-    const Real squareDistance = SquareDistance(state.Places[number], place);
-    if (squareDistance > reach * reach) {
-      return;
-    }
-    // null if the tag was removed since the last Update()
-    CRFIDTagEntity* const tag = state.Tags.Get(number);
-    if (tag != nullptr && &tag->GetRootEntity() != &ownRoot) {
-      found.push_back({tag, squareDistance});
-    }
-  });
+  // of each tag, the nearest image
+  const SPeriodicity& period = m_cSpace.GetContext().Arena.Period;
+  const auto find = [&](const CVector3& here) {
+    state.Cells.ForPlacesNear(here.GetX(), here.GetY(), reach, [&](size_t cellPlace) {
+      const UInt32 number = state.Finite[state.Cells.GetPoint(cellPlace)];
+      const CVector3 way = state.Places[number] - here;
+      const Real squareDistance = way.SquareLength();
+      if (squareDistance > reach * reach || !period.X.IsShortest(way.GetX()) ||
+          !period.Y.IsShortest(way.GetY())) {
+        return;
+      }
+      // null if the tag was removed since the last Update()
+      CRFIDTagEntity* const tag = state.Tags.Get(number);
+      if (tag != nullptr && &tag->GetRootEntity() != &ownRoot) {
+        found.push_back({tag, squareDistance});
+      }
+    });
+  };
+  period.ForDisplacements(
+      {place.GetX() - reach, place.GetY() - reach, place.GetX() + reach, place.GetY() + reach},
+      [&](Real dx, Real dy) { find(place + CVector3(dx, dy, 0.0)); });
   std::sort(found.begin(), found.end(), [](const SFound& a, const SFound& b) {
     return a.Tag->GetNumberInMedium() < b.Tag->GetNumberInMedium();
   });

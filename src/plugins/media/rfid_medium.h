@@ -51,6 +51,7 @@ class CRFIDMedium : public CMedium, public CRFIDTagEntity::CRegistry {
   /** Removes all tags and devices. */
   void Destroy() override;
   void TakeActs() override;
+  bool CanBePeriodic() const override { return true; }
   void Update() override;
 
   CRFIDMedium& AsMedium() override { return *this; }

@@ -1,5 +1,6 @@
 #include <argos3/plugins/simulator/media/simple_radio_medium.h>
 
+#include <argos3/core/simulator/context/simulation_context.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/plugins/simulator/media/medium_manual.h>
 #include <argos3/plugins/simulator/media/medium_members.h>
@@ -95,18 +96,32 @@ void CSimpleRadioMedium::SortByCell() {
 
 void CSimpleRadioMedium::Deliver(CSimpleRadioEntity& sender) {
   const CVector3& place = sender.GetPosition();
-  const Real squareRange = sender.GetRange() * sender.GetRange();
-  m_state->Cells.ForPlacesNear(
-      place.GetX(), place.GetY(), sender.GetRange(), [&](size_t cellPlace) {
-        const UInt32 number = m_state->Finite[m_state->Cells.GetPoint(cellPlace)];
-        CSimpleRadioEntity& receiver = *m_state->Members.Get(number);
-        if (&receiver == &sender ||
-            !(SquareDistance(receiver.GetPosition(), place) < squareRange)) {
-          return;
-        }
-        receiver.Deliver(place, sender.GetOutbox());
-        m_state->NumDelivered += sender.GetOutbox().size();
-      });
+  const Real range = sender.GetRange();
+  const SPeriodicity& period = GetSpace().GetContext().Arena.Period;
+  // a receiver hears the nearest image of the sender
+  const Real reachX = period.X.IsOn() ? std::min(range, 0.5 * period.X.Period) : range;
+  const Real reachY = period.Y.IsOn() ? std::min(range, 0.5 * period.Y.Period) : range;
+  period.ForDisplacements(
+      {place.GetX() - reachX, place.GetY() - reachY, place.GetX() + reachX, place.GetY() + reachY},
+      [&](Real dx, Real dy) { DeliverTo(sender, CVector3(dx, dy, 0.0)); });
+}
+
+// To the receivers that are nearest to an image of the sender.
+void CSimpleRadioMedium::DeliverTo(CSimpleRadioEntity& sender, const CVector3& displacement) {
+  const CVector3 place = sender.GetPosition() + displacement;
+  const Real range = sender.GetRange();
+  const SPeriodicity& period = GetSpace().GetContext().Arena.Period;
+  m_state->Cells.ForPlacesNear(place.GetX(), place.GetY(), range, [&](size_t cellPlace) {
+    const UInt32 number = m_state->Finite[m_state->Cells.GetPoint(cellPlace)];
+    CSimpleRadioEntity& receiver = *m_state->Members.Get(number);
+    const CVector3 way = receiver.GetPosition() - place;
+    if (&receiver == &sender || !(way.SquareLength() < range * range) ||
+        !period.X.IsShortest(way.GetX()) || !period.Y.IsShortest(way.GetY())) {
+      return;
+    }
+    receiver.Deliver(place, sender.GetOutbox());
+    m_state->NumDelivered += sender.GetOutbox().size();
+  });
 }
 
 REGISTER_MEDIUM(

@@ -23,6 +23,7 @@ class CSimpleRadioMedium
   ~CSimpleRadioMedium() override;
 
   void TakeActs() override;
+  bool CanBePeriodic() const override { return true; }
   CSimpleRadioMedium& AsMedium() override { return *this; }
   void Reset() override;
 
@@ -36,6 +37,7 @@ class CSimpleRadioMedium
   void Erase(CSimpleRadioEntity& radio) override;
   void SortByCell();
   void Deliver(CSimpleRadioEntity& sender);
+  void DeliverTo(CSimpleRadioEntity& sender, const CVector3& displacement);
 
   std::unique_ptr<SState> m_state;
 };

@@ -10,6 +10,7 @@ namespace argos {
 class CTagMedium
     : public CPositionalMedium<CTagEntity, CTagEntityGridUpdater, CTagEntitySpaceHashUpdater> {
  public:
+  bool CanBePeriodic() const override { return true; }
   CTagMedium& AsMedium() override { return *this; }
 };
 

@@ -335,4 +335,35 @@ TEST_CASE("pheromone field: a step in steady state allocates nothing", "[media][
   });
 }
 
+TEST_CASE("pheromone field: with joined borders nothing depends on where they are",
+          "[media][pheromone][torus]") {
+  // a few explicit steps, and what takes an implicit one with closed borders
+  const Real diffusion = GENERATE(0.002, 0.3);
+  const bool joinsY = GENERATE(true, false);
+  CAPTURE(diffusion, joinsY);
+  TGrid grid = Cells(12, 9);
+  grid.JoinsX = true;
+  grid.JoinsY = joinsY;
+  CPheromoneField one(grid, 0.0, diffusion);
+  CPheromoneField moved(grid, 0.0, diffusion);
+  const Real wayX = 0.5;
+  const Real wayY = joinsY ? -0.4 : 0.0;
+  CRandomStream random(1, "test", "pheromone", "joined");
+  for (int tick = 0; tick < 30; ++tick) {
+    const Real x = random.Uniform(0.0, 1.2);
+    const Real y = random.Uniform(0.0, 0.9);
+    one.Deposit(x, y, 1.0);
+    moved.Deposit(x + wayX, y + wayY, 1.0);
+    one.Advance(NoThreads(), 0.1);
+    moved.Advance(NoThreads(), 0.1);
+    for (int query = 0; query < 10; ++query) {
+      const Real u = random.Uniform(0.0, 1.2);
+      const Real v = random.Uniform(0.0, 0.9);
+      REQUIRE_THAT(moved.GetConcentration(u + wayX, v + wayY),
+                   WithinAbs(one.GetConcentration(u, v), 1e-9));
+    }
+  }
+  CHECK_THAT(one.ComputeTotal(), WithinRel(30.0, 1e-12));
+}
+
 }  // namespace pheromone_field_test

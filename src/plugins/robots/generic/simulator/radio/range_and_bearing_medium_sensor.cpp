@@ -1,7 +1,9 @@
 #include <argos3/plugins/robots/generic/simulator/range_and_bearing_medium_sensor.h>
 
 #include <argos3/core/simulator/context/current.h>
+#include <argos3/core/simulator/context/simulation_context.h>
 #include <argos3/core/simulator/simulator.h>
+#include <argos3/core/simulator/space/space.h>
 #include <argos3/core/utility/memory/load_ahead.h>
 #include <argos3/plugins/robots/generic/simulator/device_manual.h>
 #include <argos3/plugins/robots/generic/simulator/medium_attribute.h>
@@ -87,10 +89,12 @@ void CRangeAndBearingMediumSensor::Update() {
 void CRangeAndBearingMediumSensor::ReadFrom(const CRABEquippedEntity& sender,
                                             const CQuaternion& toReceiver, SPacket& packet) {
   packet.Data = sender.GetData();
-  CVector3 way = sender.GetPosition() - m_pcRangeAndBearingEquippedEntity->GetPosition();
+  const CVector3& place = m_pcRangeAndBearingEquippedEntity->GetPosition();
+  const CVector3 senderPlace =
+      m_cSpace.GetContext().Arena.Period.FindNearest(sender.GetPosition(), place);
+  CVector3 way = senderPlace - place;
   if (m_bShowRays) {
-    m_robot->AddCheckedRay(
-        false, CRay3(sender.GetPosition(), m_pcRangeAndBearingEquippedEntity->GetPosition()));
+    m_robot->AddCheckedRay(false, CRay3(senderPlace, place));
   }
   if (m_fDistanceNoiseStdDev > 0.0) {
     way += DrawError();

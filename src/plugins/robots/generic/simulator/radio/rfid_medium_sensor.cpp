@@ -1,8 +1,10 @@
+#include <argos3/core/simulator/context/simulation_context.h>
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/sensor.h>
 #include <argos3/core/simulator/simulator.h>
+#include <argos3/core/simulator/space/space.h>
 #include <argos3/core/utility/math/random_stream.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_rfid_sensor.h>
 #include <argos3/plugins/robots/generic/simulator/device_manual.h>
@@ -68,7 +70,8 @@ class CRFIDMediumSensor : public CSimulatedSensor, public CCI_RFIDSensor {
     reading.Id = tag.GetTagId();
     reading.Data = tag.GetData();
     const SAnchor& origin = m_antenna.GetBody().GetOriginAnchor();
-    CVector3 way = tag.GetPosition() - origin.Position;
+    CVector3 way = m_antenna.GetRobot().GetSpace().GetContext().Arena.Period.Shorten(
+        tag.GetPosition() - origin.Position);
     way.Rotate(origin.Orientation.Inverse());
     const Real distance = kCentimetersPerMeter * std::hypot(way.GetX(), way.GetY());
     const CRadians angle = ATan2(way.GetY(), way.GetX());
