@@ -140,16 +140,17 @@ void CPiPuckFrontCameraDefaultSensor::FindTags(const SBoundingBox& field) {
   m_tagsInSight.Detect(
       *m_tagMedium, m_position, field, [](const CVector3&) { return true; },
       [this](const CTagEntity& tag, SSightPoint* points) {
-        if (!tag.Faces(m_position)) {
+        const CVector3 image = m_tagsInSight.FindImage(tag.GetPosition());
+        if (!tag.Faces(m_position - image)) {
           return false;
         }
         const std::array<CVector3, 4> corners = tag.ComputeCorners();
-        points[0].Position = tag.GetPosition();
+        points[0].Position = tag.GetPosition() + image;
         const bool isInView = std::all_of(std::begin(kCornerOrder), std::end(kCornerOrder),
                                           [&, i = size_t{1}](size_t corner) mutable {
-                                            points[i].Position = corners[corner];
-                                            const bool isInside =
-                                                Project(ToCamera(corners[corner]), points[i].Pixel);
+                                            points[i].Position = corners[corner] + image;
+                                            const bool isInside = Project(
+                                                ToCamera(points[i].Position), points[i].Pixel);
                                             ++i;
                                             return isInside;
                                           });
@@ -171,9 +172,10 @@ void CPiPuckFrontCameraDefaultSensor::FindLEDs(const SBoundingBox& field) {
   m_ledsInSight.Detect(
       *m_ledMedium, m_position, field, [](const CVector3&) { return true; },
       [this](const CDirectionalLEDEntity& led, SSightPoint* points) {
-        points[0].Position = led.GetPosition();
-        return led.IsLit() && led.ShinesOn(m_position) &&
-               Project(ToCamera(led.GetPosition()), points[0].Pixel);
+        const CVector3 image = m_ledsInSight.FindImage(led.GetPosition());
+        points[0].Position = led.GetPosition() + image;
+        return led.IsLit() && led.ShinesOn(m_position - image) &&
+               Project(ToCamera(points[0].Position), points[0].Pixel);
       },
       [this](const CDirectionalLEDEntity& led, const SSightPoint* points) {
         m_leds.emplace_back(ToCamera(points[0].Position), led.GetColor());

@@ -49,9 +49,10 @@ class CCameraDetector : public CCameraSensorSimulatedAlgorithm, public INTERFACE
   /**
    * Clears the readings, and calls @p see for every visible entity. The entity's position is the
    * first of its points.
-   * @param locate  bool(const ENTITY&, SSightPoint* points): false if the entity cannot be visible
-   *                to this camera; else writes the positions of its other points. Called only if
-   *                the first point is in the image.
+   * @param locate  bool(const ENTITY&, const CVector3& image, SSightPoint* points): false if the
+   *                entity cannot be visible to this camera, which sees it displaced by @p image
+   * (m); else writes the positions of its other points there. Called only if the first point is in
+   * the image of the camera.
    * @param see     void(const ENTITY&, const CVector2* pixels): called in order of creation, with
    * the pixels of the entity's points, including noise.
    */
@@ -64,9 +65,10 @@ class CCameraDetector : public CCameraSensorSimulatedAlgorithm, public INTERFACE
           return camera.IsNearView(point, CEntitiesInSight<ENTITY, NUM_POINTS>::kMargin);
         },
         [&](const ENTITY& entity, SSightPoint* points) {
-          points[0].Position = entity.GetPosition();
-          bool inImage =
-              camera.Project(points[0].Position, points[0].Pixel) && locate(entity, points + 1);
+          const CVector3 displacement = m_sight.FindImage(entity.GetPosition());
+          points[0].Position = entity.GetPosition() + displacement;
+          bool inImage = camera.Project(points[0].Position, points[0].Pixel) &&
+                         locate(entity, displacement, points + 1);
           for (size_t i = 1; inImage && i < NUM_POINTS; ++i) {
             inImage = camera.Project(points[i].Position, points[i].Pixel);
           }

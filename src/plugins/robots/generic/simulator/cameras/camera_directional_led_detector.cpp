@@ -15,8 +15,8 @@ class CCameraDirectionalLEDDetector
   void Update(const CPinholeCamera& camera) override {
     Detect(
         camera,
-        [&camera](const CDirectionalLEDEntity& led, SSightPoint*) {
-          return led.IsLit() && led.ShinesOn(camera.GetPosition());
+        [&camera](const CDirectionalLEDEntity& led, const CVector3& image, SSightPoint*) {
+          return led.IsLit() && led.ShinesOn(camera.GetPosition() - image);
         },
         [this](const CDirectionalLEDEntity& led, const CVector2* pixel) {
           m_tReadings.emplace_back(led.GetColor(), *pixel);

@@ -13,7 +13,7 @@ class CCameraLEDDetector
  public:
   void Update(const CPinholeCamera& camera) override {
     Detect(
-        camera, [](const CLEDEntity& led, SSightPoint*) { return led.IsLit(); },
+        camera, [](const CLEDEntity& led, const CVector3&, SSightPoint*) { return led.IsLit(); },
         [this](const CLEDEntity& led, const CVector2* pixel) {
           m_tReadings.emplace_back(led.GetColor(), *pixel);
         });

@@ -35,12 +35,12 @@ class CCameraTagDetector
 void CCameraTagDetector::Update(const CPinholeCamera& camera) {
   Detect(
       camera,
-      [&camera](const CTagEntity& tag, SSightPoint* corners) {
-        if (!tag.Faces(camera.GetPosition())) {
+      [&camera](const CTagEntity& tag, const CVector3& image, SSightPoint* corners) {
+        if (!tag.Faces(camera.GetPosition() - image)) {
           return false;
         }
         for (const CVector3& corner : tag.ComputeCorners()) {
-          (corners++)->Position = corner;
+          (corners++)->Position = corner + image;
         }
         return true;
       },

@@ -52,14 +52,15 @@ void CColoredBlobOmnidirectionalCameraRotZOnlySensor::Update() {
           return std::abs(point.GetX() - c.GetX()) < reach &&
                  std::abs(point.GetY() - c.GetY()) < reach;
         },
-        [&eye, &c](const CLEDEntity& led, SSightPoint* point) {
-          const CVector3 toLED = led.GetPosition() - c;
-          point->Position = led.GetPosition();
+        [this, &eye, &c](const CLEDEntity& led, SSightPoint* point) {
+          point->Position = led.GetPosition() + m_sight.FindImage(led.GetPosition());
+          const CVector3 toLED = point->Position - c;
           return led.IsLit() && std::abs(toLED.GetX()) < eye.HalfSide &&
                  std::abs(toLED.GetY()) < eye.HalfSide &&
                  std::abs(point->Position.GetZ()) <= c.GetZ();
         },
-        [&](const CLEDEntity& led, const SSightPoint*) { AddBlob(eye, led); }, m_showRays);
+        [&](const CLEDEntity& led, const SSightPoint* point) { AddBlob(eye, led, *point); },
+        m_showRays);
   }
   EndImage();
 }
@@ -81,8 +82,9 @@ CColoredBlobOmnidirectionalCameraRotZOnlySensor::ComputeEye() const {
 }
 
 void CColoredBlobOmnidirectionalCameraRotZOnlySensor::AddBlob(const SEye& eye,
-                                                              const CLEDEntity& led) {
-  const CVector3 toLED = led.GetPosition() - eye.Position;
+                                                              const CLEDEntity& led,
+                                                              const SSightPoint& point) {
+  const CVector3 toLED = point.Position - eye.Position;
   // in the robot's frame
   CVector2 seen(eye.Cos * toLED.GetX() + eye.Sin * toLED.GetY(),
                 eye.Cos * toLED.GetY() - eye.Sin * toLED.GetX());

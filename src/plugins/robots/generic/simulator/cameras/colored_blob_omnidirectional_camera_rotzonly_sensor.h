@@ -22,7 +22,7 @@ class CColoredBlobOmnidirectionalCameraRotZOnlySensor
   struct SEye;
 
   SEye ComputeEye() const;
-  void AddBlob(const SEye& eye, const CLEDEntity& led);
+  void AddBlob(const SEye& eye, const CLEDEntity& led, const SSightPoint& point);
 
   CEmbodiedEntity* m_body = nullptr;  // of the robot
 };

@@ -107,20 +107,22 @@ void CColoredBlobPerspectiveCameraDefaultSensor::Update() {
       [&eye](const CVector3& point) {
         return eye.IsNearView(point, CEntitiesInSight<CLEDEntity>::kMargin);
       },
-      [&eye](const CLEDEntity& led, SSightPoint* point) {
+      [this, &eye](const CLEDEntity& led, SSightPoint* point) {
         Real x = 0.0;
         Real y = 0.0;
-        point->Position = led.GetPosition();
-        return led.IsLit() && eye.Project(led.GetPosition(), x, y);
+        point->Position = led.GetPosition() + m_sight.FindImage(led.GetPosition());
+        return led.IsLit() && eye.Project(point->Position, x, y);
       },
-      [&](const CLEDEntity& led, const SSightPoint*) { AddBlob(eye, led); }, m_showRays);
+      [&](const CLEDEntity& led, const SSightPoint* point) { AddBlob(eye, led, *point); },
+      m_showRays);
   EndImage();
 }
 
-void CColoredBlobPerspectiveCameraDefaultSensor::AddBlob(const CEye& eye, const CLEDEntity& led) {
+void CColoredBlobPerspectiveCameraDefaultSensor::AddBlob(const CEye& eye, const CLEDEntity& led,
+                                                         const SSightPoint& point) {
   Real x = 0.0;
   Real y = 0.0;
-  eye.Project(led.GetPosition(), x, y);
+  eye.Project(point.Position, x, y);
   if (m_shifts != nullptr) {
     x += m_shifts->Gaussian(m_noiseStdDev);
     y += m_shifts->Gaussian(m_noiseStdDev);

@@ -21,7 +21,7 @@ class CColoredBlobPerspectiveCameraDefaultSensor
  private:
   class CEye;
 
-  void AddBlob(const CEye& eye, const CLEDEntity& led);
+  void AddBlob(const CEye& eye, const CLEDEntity& led, const SSightPoint& point);
 };
 
 }  // namespace argos

@@ -1,5 +1,6 @@
 #include <argos3/plugins/robots/generic/simulator/angular_light.h>
 
+#include <argos3/core/simulator/context/simulation_context.h>
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
@@ -49,12 +50,15 @@ bool CAngularLight::ComputeBeam(size_t light, SBeam& beam) {
     return false;
   }
   const SAnchor& origin = m_caster.GetBody().GetOriginAnchor();
-  CVector3 towards = lamp.GetPosition() - origin.Position;
+  // in a periodic arena, the nearest image of the lamp
+  const CVector3 place = m_caster.GetSpace().GetContext().Arena.Period.FindNearest(
+      lamp.GetPosition(), origin.Position);
+  CVector3 towards = place - origin.Position;
   const Real distance = towards.Length() / intensity;
   if (distance > kReach) {
     return false;
   }
-  const CRay3 ray(origin.Position, lamp.GetPosition());
+  const CRay3 ray(origin.Position, place);
   Real fraction = 1.0;
   const bool blocked = m_caster.FindHit(ray, fraction);
   if (m_showRays) {

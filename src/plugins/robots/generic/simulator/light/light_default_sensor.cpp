@@ -1,6 +1,7 @@
 #include <argos3/plugins/robots/generic/simulator/light_default_sensor.h>
 
 #include <argos3/core/simulator/context/current.h>
+#include <argos3/core/simulator/context/simulation_context.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/geometry/body_index.h>
 #include <argos3/core/simulator/space/space.h>
@@ -166,13 +167,16 @@ void CLightDefaultSensor::AddLights(SEyeBatch& eyes) {
     if (light->GetIntensity() <= 0.0) {
       continue;
     }
-    FindLightsAhead(*light, eyes);
+    // in a periodic arena, the nearest image of the light
+    const CVector3 place =
+        m_cSpace.GetContext().Arena.Period.FindNearest(light->GetPosition(), eyes.Center);
+    FindLightsAhead(place, eyes);
     if (!eyes.HasClearSight()) {
       continue;
     }
-    FindOccluded(light->GetPosition(), eyes);
+    FindOccluded(place, eyes);
     if (m_bShowRays) {
-      Show(light->GetPosition(), eyes);
+      Show(place, eyes);
     }
     for (size_t i = 0; i < eyes.Count; ++i) {
       if (eyes.Sights[i] == SEyeBatch::ESight::Clear) {
@@ -182,9 +186,9 @@ void CLightDefaultSensor::AddLights(SEyeBatch& eyes) {
   }
 }
 
-void CLightDefaultSensor::FindLightsAhead(const CLightEntity& light, SEyeBatch& eyes) const {
+void CLightDefaultSensor::FindLightsAhead(const CVector3& light, SEyeBatch& eyes) const {
   for (size_t i = 0; i < eyes.Count; ++i) {
-    const CVector3 towards = light.GetPosition() - eyes.Positions[i];
+    const CVector3 towards = light - eyes.Positions[i];
     eyes.Distances[i] = towards.Length();
     eyes.Lines.Set(i, eyes.Positions[i].GetX(), eyes.Positions[i].GetY(), towards.GetX(),
                    towards.GetY());

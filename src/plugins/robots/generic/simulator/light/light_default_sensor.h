@@ -46,7 +46,7 @@ class CLightDefaultSensor : public CNoisySensor<CCI_LightSensor>, protected CInh
   void Configure(TConfigurationNode& tree) override;
   void ResetReading() override;
   void AddLights(SEyeBatch& eyes);
-  void FindLightsAhead(const CLightEntity& light, SEyeBatch& eyes) const;
+  void FindLightsAhead(const CVector3& light, SEyeBatch& eyes) const;
   void FindOccluded(const CVector3& light, SEyeBatch& eyes) const;
   void Show(const CVector3& light, const SEyeBatch& eyes) const;
 

@@ -1,6 +1,7 @@
 #ifndef ARGOS3_PLUGINS_ROBOTS_GENERIC_SIMULATOR_RAYS_ENTITIES_IN_SIGHT_H
 #define ARGOS3_PLUGINS_ROBOTS_GENERIC_SIMULATOR_RAYS_ENTITIES_IN_SIGHT_H
 
+#include <argos3/core/simulator/context/simulation_context.h>
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/geometry/body_index.h>
 #include <argos3/core/simulator/physics_engine/physics_model.h>
@@ -57,6 +58,16 @@ class CEntitiesInSight {
   void SetRobot(CComposableEntity& robot) {
     m_root = &robot.GetRootEntity();
     m_robot.SetRobot(robot);
+    m_period = &m_robot.GetSpace().GetContext().Arena.Period;
+  }
+
+  /**
+   * In a periodic arena a camera sees the nearest image of each entity. For the functions that are
+   * passed to Detect(), and while it runs:
+   * @return the displacement of that image from a position, m; 0 in other arenas.
+   */
+  CVector3 FindImage(const CVector3& position) const {
+    return m_period->IsOn() ? m_period->FindImage(position, m_eye) : CVector3();
   }
 
   /**
@@ -77,6 +88,7 @@ class CEntitiesInSight {
               MAY_CONTAIN&& mayContain, LOCATE&& locate, SEE&& see, bool show = false) {
     SScratch& scratch = GetScratch();
     CSightLines& lines = scratch.Lines;
+    m_eye = eye;
     Collect(scratch, medium, field, mayContain, locate);
     scratch.RemoveOwn(*m_root);
     scratch.Sort();
@@ -175,6 +187,23 @@ class CEntitiesInSight {
                MAY_CONTAIN&& mayContain, LOCATE&& locate) const {
     scratch.Candidates.clear();
     CCollect<LOCATE> collect(scratch, locate);
+    if (!m_period->IsOn()) {
+      CollectIn(medium, field, mayContain, collect);
+    } else {
+      const CVector3& min = field.MinCorner;
+      const CVector3& max = field.MaxCorner;
+      m_period->ForDisplacements({min.GetX(), min.GetY(), max.GetX(), max.GetY()},
+                                 [&](Real dx, Real dy) {
+                                   const CVector3 way(dx, dy, 0.0);
+                                   CollectIn(medium, {min + way, max + way}, mayContain, collect);
+                                 });
+    }
+    collect.Finish();
+  }
+
+  template <class MEDIUM, typename MAY_CONTAIN, class COLLECT>
+  void CollectIn(MEDIUM& medium, const SBoundingBox& field, MAY_CONTAIN&& mayContain,
+                 COLLECT& collect) const {
     const CEntityPoints<ENTITY>* const points = medium.GetPoints();
     if (points == nullptr || m_robot.GetSpace().GetBodyIndex().HasMovedBodies()) {
       medium.GetIndex().ForEntitiesInBoxRange((field.MinCorner + field.MaxCorner) * 0.5,
@@ -183,16 +212,17 @@ class CEntitiesInSight {
       const CVector3 margin(kMargin, kMargin, kMargin);
       const SBoundingBox wide = {field.MinCorner - margin, field.MaxCorner + margin};
       points->ForPointsNear(wide, [&](const typename CEntityPoints<ENTITY>::SPoint& point) {
-        if (mayContain(point.Position)) {
+        if (mayContain(point.Position + FindImage(point.Position))) {
           collect(*point.Entity);
         }
       });
     }
-    collect.Finish();
   }
 
   const CEntity* m_root = nullptr;  // of the robot
   CRayCaster m_robot;
+  const SPeriodicity* m_period = nullptr;  // of the arena
+  CVector3 m_eye;  // m, world frame; of the present image
 };
 
 // removes the candidates that belong to the robot
