@@ -1,5 +1,7 @@
 // Fields of poses.
 
+#include <argos3/core/simulator/context/current.h>
+#include <argos3/core/simulator/context/simulation_context.h>
 #include <argos3/core/simulator/entity/anchor.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/entity/positional_entity.h>
@@ -81,6 +83,33 @@ class COrientationField : public CField {
   }
 };
 
+/* Reads where a body would be without periodic sides of the arena. */
+class CUnwrappedReader : public CFieldReader {
+ public:
+  explicit CUnwrappedReader(const CEmbodiedEntity& body) : m_body(body) {}
+
+  void Read(std::size_t /*index*/, SFieldRow row) override {
+    const CVector3 place = m_body.GetUnwrappedPosition();
+    row.Numbers[0] = place.GetX();
+    row.Numbers[1] = place.GetY();
+  }
+
+ private:
+  const CEmbodiedEntity& m_body;
+};
+
+class CUnwrappedField : public CField {
+ public:
+  SBoundField Bind(CEntity& root, const std::string& /*argument*/) const override {
+    auto* const body = FindExisting<CEmbodiedEntity>(root);
+    // a replay, which may jump, does not count how often bodies go round; it has what was recorded
+    const SSimulationContext& context = CurrentContext();
+    const bool isKnown = body != nullptr && !(context.IsReplay && context.Arena.Period.IsOn());
+    return {isKnown ? std::make_unique<CUnwrappedReader>(*body) : nullptr,
+            {{"unwrapped_x", "m"}, {"unwrapped_y", "m"}}};
+  }
+};
+
 }  // namespace
 
 REGISTER_FIELD(
@@ -89,6 +118,15 @@ REGISTER_FIELD(
     R"(Columns x, y, z: the origin of the body, the centre of its base, in the world frame, m.
 Column yaw: the angle from the world's x axis to that of the body, seen from above,
 in [-pi, pi], rad. The field "orientation" has the whole rotation. Entities: all with a body, and lights.
+)",
+    "Usable")
+REGISTER_FIELD(
+    CUnwrappedField, "unwrapped", "the authors of this project", "1.0",
+    "Position as if a periodic arena went on: unwrapped_x, unwrapped_y (m).",
+    R"(Columns unwrapped_x, unwrapped_y: x and y of the field "pose", plus the extent of the arena for each time that the
+body has left through an upper side and minus it for each lower one, m. The difference of two rows is the displacement
+between them, as a mean square displacement needs it. In an arena without periodic="..." they are x and y. A replay of a run with it has them only if they were recorded. Entities: all
+with a body.
 )",
     "Usable")
 REGISTER_FIELD(

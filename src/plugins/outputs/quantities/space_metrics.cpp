@@ -84,6 +84,7 @@ class CDispersion : public CBuiltInMetric {
 
   Real Compute() override {
     m_bodies.Update();
+    const SPeriodicity& period = m_bodies.GetSpace().GetContext().Arena.Period;
     CVector3 sum;
     Real count = 0.0;
     m_bodies.ForEach([&](const CEmbodiedEntity& body, size_t) {
@@ -93,15 +94,34 @@ class CDispersion : public CBuiltInMetric {
     if (count == 0.0) {
       return CMetrics::kNone;
     }
-    const CVector3 centroid = sum / count;
+    CVector3 centroid = sum / count;
+    if (period.X.IsOn()) {
+      centroid.SetX(ComputeCircularMean(period.X, 0));
+    }
+    if (period.Y.IsOn()) {
+      centroid.SetY(ComputeCircularMean(period.Y, 1));
+    }
     Real squares = 0.0;
     m_bodies.ForEach([&](const CEmbodiedEntity& body, size_t) {
-      squares += (body.GetOriginAnchor().Position - centroid).SquareLength();
+      squares += period.Shorten(body.GetOriginAnchor().Position - centroid).SquareLength();
     });
     return std::sqrt(squares / count);
   }
 
  private:
+  // a periodic axis is a circle: the direction of the mean of the robots' places on it, m
+  Real ComputeCircularMean(const SPeriodicAxis& axis, UInt32 number) const {
+    const Real radiansPerMeter = 2.0 * ARGOS_PI / axis.Period;
+    Real cosines = 0.0;
+    Real sines = 0.0;
+    m_bodies.ForEach([&](const CEmbodiedEntity& body, size_t) {
+      const Real angle = radiansPerMeter * (body.GetOriginAnchor().Position[number] - axis.Min);
+      cosines += std::cos(angle);
+      sines += std::sin(angle);
+    });
+    return axis.Min + std::atan2(sines, cosines) / radiansPerMeter;
+  }
+
   CRobotBodies m_bodies;
 };
 
@@ -178,7 +198,8 @@ REGISTER_BUILT_IN_METRIC(
     CDispersion, "dispersion", "the authors of this project", "1.0",
     "How far robots are spread: their rms distance from their centroid, m.",
     R"(The square root of the mean square of the distances of the robots' origins from their mean, in space.
-Robots that have a body and are not disabled (quarantined) count; without any there is no value.
+Robots that have a body and are not disabled (quarantined) count; without any there is no value. Along a periodic axis of
+the arena, which is a circle, their mean is that of directions, and distances are the shortest ones.
 
   <metrics file="metrics.csv" builtin="dispersion" />
 )",

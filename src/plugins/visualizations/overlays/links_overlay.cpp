@@ -1,5 +1,7 @@
+#include <argos3/core/simulator/context/simulation_context.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/simulator.h>
+#include <argos3/core/simulator/space/space.h>
 #include <argos3/core/simulator/visualization/overlay.h>
 #include <argos3/plugins/simulator/entities/rab_equipped_entity.h>
 #include <argos3/plugins/simulator/media/rab_medium.h>
@@ -22,14 +24,14 @@ class CLinksOverlay : public COverlay {
     for (CMedium* medium : simulator.GetMedia()) {
       const auto* rab = dynamic_cast<const CRABMedium*>(medium);
       if (rab != nullptr && (m_medium.empty() || m_medium == rab->GetId())) {
-        DrawLinks(*rab, drawing);
+        DrawLinks(*rab, simulator.GetSpace().GetContext().Arena.Period, drawing);
       }
     }
   }
 
  private:
   // from each receiver half-way to the sender: links that work both ways are whole lines
-  void DrawLinks(const CRABMedium& medium, CDrawing& drawing) const {
+  void DrawLinks(const CRABMedium& medium, const SPeriodicity& period, CDrawing& drawing) const {
     for (UInt32 i = 0; i < medium.GetNumDevices(); ++i) {
       const CRABEquippedEntity* const receiver = medium.GetDevice(i);
       if (receiver == nullptr) {
@@ -38,7 +40,9 @@ class CLinksOverlay : public COverlay {
       const CVector3& place = receiver->GetPosition();
       for (const UInt32 number : medium.GetSenders(*receiver)) {
         if (const CRABEquippedEntity* const sender = medium.GetDevice(number)) {
-          drawing.DrawLine(place, 0.5 * (place + sender->GetPosition()), m_color, m_width);
+          // a sender beyond a joined side is where it is nearest
+          const CVector3 from = period.FindNearest(sender->GetPosition(), place);
+          drawing.DrawLine(place, 0.5 * (place + from), m_color, m_width);
         }
       }
     }

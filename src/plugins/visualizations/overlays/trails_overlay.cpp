@@ -1,3 +1,4 @@
+#include <argos3/core/simulator/context/simulation_context.h>
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
@@ -37,7 +38,8 @@ class CTrailsOverlay : public COverlay {
     UInt32 LastSeen = 0;  // tick
   };
 
-  void Append(STrail& trail, const CVector3& position, UInt32 tick) const;
+  void Append(STrail& trail, const CVector3& position, const SPeriodicity& period,
+              UInt32 tick) const;
   void DrawTrail(const STrail& trail, UInt32 tick, CDrawing& drawing) const;
   CColor ComputeColor(const STrail& trail, UInt32 age) const;
 
@@ -67,7 +69,8 @@ void CTrailsOverlay::Init(TConfigurationNode& tree) {
   m_ticks = static_cast<UInt32>(ticks);
 }
 
-void CTrailsOverlay::Append(STrail& trail, const CVector3& position, UInt32 tick) const {
+void CTrailsOverlay::Append(STrail& trail, const CVector3& position, const SPeriodicity& period,
+                            UInt32 tick) const {
   // a robot that moves farther in a tick was placed there
   constexpr Real kJump = 0.5;  // m
   std::deque<SPoint>& points = trail.Points;
@@ -75,8 +78,11 @@ void CTrailsOverlay::Append(STrail& trail, const CVector3& position, UInt32 tick
     points.pop_front();
   }
   const bool hasMissed = points.empty() || trail.LastSeen + 1 < tick;
-  const Real distance = points.empty() ? 0.0 : Distance(points.back().Position, position);
-  if (hasMissed || distance > kJump) {
+  const CVector3 way = points.empty() ? CVector3() : position - points.back().Position;
+  const Real distance = way.Length();
+  // it has left through a side of a periodic arena
+  const bool hasCrossed = period.Shorten(way) != way;
+  if (hasMissed || distance > kJump || hasCrossed) {
     points.push_back({position, tick, true});
   } else if (distance >= m_step) {
     points.push_back({position, tick, false});
@@ -89,7 +95,7 @@ void CTrailsOverlay::Observe(CSimulator& simulator) {
   for (const CRobotsInView::SRobot& robot : m_robots.List(space)) {
     STrail& trail = m_trails[robot.Root->GetId()];
     trail.Color = m_color.Choose(*robot.Root);
-    Append(trail, robot.Pose.Position, tick);
+    Append(trail, robot.Pose.Position, space.GetContext().Arena.Period, tick);
     trail.LastSeen = tick;
   }
   // trails of removed robots

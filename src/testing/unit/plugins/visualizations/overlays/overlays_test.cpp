@@ -290,6 +290,38 @@ TEST_CASE("overlays: a trail is the path of the robot", "[overlays]") {
   }
 }
 
+TEST_CASE("overlays: trails and links do not cross an arena of which sides are joined",
+          "[overlays][torus]") {
+  SExperiment experiment;
+  experiment.Engines = "<kinematics2d id='engine'/>";
+  experiment.Media = "<range_and_bearing id='rab'/>";
+  experiment.Controllers =
+      "<overlay_driver id='drive'><actuators><differential_steering implementation='default'/>"
+      "<range_and_bearing implementation='default'/></actuators><sensors><range_and_bearing "
+      "implementation='medium' medium='rab'/></sensors></overlay_driver>";
+  // smaller than what counts as a jump elsewhere
+  experiment.ArenaSize = "0.45,0.45,1";
+  experiment.ArenaAttributes = "periodic='true'";
+  experiment.Arena =
+      "<e-puck id='a' rab_range='0.2'><body position='0.1,0.1,0'/><controller config='drive'/>"
+      "</e-puck><e-puck id='b' rab_range='0.2'><body position='-0.2,0.1,0'/>"
+      "<controller config='drive'/></e-puck>";
+  CTestWorld world(experiment);
+  COverlaysOf trails(world, "<trails fade='false'/>");
+  COverlaysOf links(world, "<links/>");
+  for (int tick = 0; tick < 60; ++tick) {
+    trails.Step(1);
+    for (const SDrawnShape& line : trails.DrawAll(EKind::Line)) {
+      REQUIRE(line.Size.Length() < 0.02);
+    }
+    const std::vector<SDrawnShape> lines = links.DrawAll(EKind::Line);
+    REQUIRE(lines.size() == 2);
+    for (const SDrawnShape& line : lines) {
+      REQUIRE(line.Size.Length() == Approx(0.075));
+    }
+  }
+}
+
 TEST_CASE("overlays: an old part of a trail fades and ends", "[overlays]") {
   CTestWorld world = MakeWorld();
   COverlaysOf view(world, "<trails of='foot-bot' duration='2'/>");
