@@ -10,25 +10,6 @@
 
 namespace argos {
 
-namespace {
-
-SExperiment MakeExperiment(const std::string& engine, const std::string& arena, UInt32 threads) {
-  SExperiment experiment;
-  experiment.Threads = threads;
-  // an unused controller would be reported by a warning
-  if (arena.find("config='driver'") != std::string::npos) {
-    experiment.Controllers =
-        "<contract_driver id='driver'><actuators><differential_steering implementation='default'/>"
-        "</actuators><sensors/></contract_driver>";
-  }
-  experiment.Engines = engine;
-  experiment.ArenaSize = "80,80,2";
-  experiment.Arena = arena;
-  return experiment;
-}
-
-}  // namespace
-
 void CContractDriver::Init(TConfigurationNode& params) {
   m_wheels = GetActuator<CCI_DifferentialSteeringActuator>("differential_steering");
   GetNodeAttributeOrDefault(params, "left", Left, Left);
@@ -59,8 +40,27 @@ std::string BoxXml(const std::string& id, Real x, Real y, Real yaw, const std::s
   return xml.str();
 }
 
+SExperiment CDriveWorld::Describe(const std::string& engine, const std::string& arena,
+                                  UInt32 threads) {
+  SExperiment experiment;
+  experiment.Threads = threads;
+  // an unused controller would be reported by a warning
+  if (arena.find("config='driver'") != std::string::npos) {
+    experiment.Controllers =
+        "<contract_driver id='driver'><actuators><differential_steering implementation='default'/>"
+        "</actuators><sensors/></contract_driver>";
+  }
+  experiment.Engines = engine;
+  experiment.ArenaSize = "80,80,2";
+  experiment.Arena = arena;
+  return experiment;
+}
+
 CDriveWorld::CDriveWorld(const std::string& engine, const std::string& arena, UInt32 threads)
-    : CTestWorld(MakeExperiment(engine, arena, threads)), m_scope(GetSimulator()) {}
+    : CDriveWorld(Describe(engine, arena, threads)) {}
+
+CDriveWorld::CDriveWorld(const SExperiment& experiment)
+    : CTestWorld(experiment), m_scope(GetSimulator()) {}
 
 CEmbodiedEntity& CDriveWorld::Body(const std::string& id) {
   return Get<CComposableEntity>(id).GetComponent<CEmbodiedEntity>("body");

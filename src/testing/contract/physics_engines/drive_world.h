@@ -40,6 +40,10 @@ class CDriveWorld : public CTestWorld {
  public:
   /** @param engine XML of the engine. @param arena XML of the entities. */
   CDriveWorld(const std::string& engine, const std::string& arena, UInt32 threads = 0);
+  explicit CDriveWorld(const SExperiment& experiment);
+  /** Such an experiment in a large arena. */
+  static SExperiment Describe(const std::string& engine, const std::string& arena,
+                              UInt32 threads = 0);
 
   CEmbodiedEntity& Body(const std::string& id);
   CVector3 Position(const std::string& id) { return Body(id).GetOriginAnchor().Position; }
