@@ -42,6 +42,12 @@ SProgramRun RunFor(const CTestFolder& folder, const std::string& file, const std
   return folder.Run({"-z", "-c", file, "--length", seconds, "--threads", threads, "--digest"});
 }
 
+// the order parameter of a run with that noise
+struct SOrder {
+  std::string Noise;
+  double Least, Most;
+};
+
 struct STrailsRun {
   int Ticks = 0;
   int Delivered = 0;
@@ -98,6 +104,21 @@ TEST_CASE("experiments: each runs without warnings, equally with any number of t
     CHECK(DigestIn(alone.Out).size() == 16);
     CHECK(DigestIn(alone.Out) == DigestIn(shared.Out));
   }
+}
+
+TEST_CASE("experiments: robots of the Vicsek model agree if their noise is low", "[experiments]") {
+  const SOrder expected = GENERATE(SOrder{"1", 0.9, 1.0}, SOrder{"6", 0.0, 0.4});
+  CAPTURE(expected.Noise);
+  const CTestFolder folder;
+  Prepare(folder);
+  REQUIRE(folder
+              .Run({"-z", "-c", "experiments/vicsek_lua.argos", "--length", "40", "--set",
+                    "//lua_controller/params/@noise=" + expected.Noise, "--csv", "csv"})
+              .Status == 0);
+  const std::string table = folder.Read("csv/metrics.csv");
+  const double order = std::stod(table.substr(table.rfind(',') + 1));
+  CHECK(order >= expected.Least);
+  CHECK(order <= expected.Most);
 }
 
 TEST_CASE("experiments: foraging robots deliver food according to the data file", "[experiments]") {
