@@ -80,9 +80,7 @@ class CArea {
     if (before > 0) {
       munmap(first, before);
     }
-    if (before < kRegion) {
-      munmap(m_start + bytes, kRegion - before);
-    }
+    munmap(m_start + bytes, kRegion - before);
 #ifdef MADV_HUGEPAGE
     // a refusal costs speed only, so it is not an error
     madvise(m_start, bytes, MADV_HUGEPAGE);

@@ -506,4 +506,28 @@ TEST_CASE("kinematics: bodies and orders that it does not support are refused wi
                                       Contains("<dynamics2d>"));
 }
 
+TEST_CASE("kinematics: robots of a formation do not slow each other down, however many are near",
+          "[contract][engine][kinematics]") {
+  // 8 cm apart, and each drives 10 cm in a tick; at most nine neighbours are remembered
+  const int numNeighbours = GENERATE(8, 9, 10, 14);
+  CAPTURE(numNeighbours);
+  constexpr Real kSpeed = 100.0;  // cm/s
+  constexpr Real kDistance = 0.2;  // m
+  std::string robots = DriverXml("foot-bot", "r", 0.0, 0.0, 0.0, kSpeed, kSpeed);
+  for (int i = 0; i < numNeighbours; ++i) {
+    const Real angle = 2.0 * std::numbers::pi * i / numNeighbours;
+    robots += DriverXml("e-puck", Id(i), kDistance * std::cos(angle), kDistance * std::sin(angle),
+                        0.0, kSpeed, kSpeed);
+  }
+  CDriveWorld world(kEngine, robots);
+  // robots of kinematics2d move one tick after the first command
+  world.Step(21);
+  CHECK_THAT(world.Position("r").GetX(), WithinAbs(2.0, kRoundings));
+  CHECK_THAT(world.Position("r").GetY(), WithinAbs(0.0, kRoundings));
+  for (int i = 0; i < numNeighbours; ++i) {
+    CHECK_THAT((world.Position(Id(i)) - world.Position("r")).Length(),
+               WithinAbs(kDistance, kRoundings));
+  }
+}
+
 }  // namespace argos::kinematics_test

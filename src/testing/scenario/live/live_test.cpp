@@ -100,6 +100,20 @@ std::function<void(CSimulator&)> LongLines(const CTemporaryFolder& folder) {
   return Loading(experiment.ToXml());
 }
 
+// a robot that logs once, in tick 3
+std::function<void(CSimulator&)> OneLine(const CTemporaryFolder& folder) {
+  SExperiment experiment;
+  experiment.Controllers = "<lua_controller id='c'><actuators /><sensors /><params script='" +
+                           folder.Write("line.lua",
+                                        "local tick = 0\n"
+                                        "function step() tick = tick + 1\n"
+                                        "if tick == 3 then log('a line of tick 3') end end") +
+                           "' /></lua_controller>";
+  experiment.Engines = "<dynamics2d id='dyn2d' />";
+  experiment.Arena = "<e-puck id='e'><body position='0,0,0' /><controller config='c' /></e-puck>";
+  return Loading(experiment.ToXml());
+}
+
 std::string Get(const CLiveWorld& world, const std::string& lines) {
   return RequestByHTTP(world.GetURL(), lines + "\r\n\r\n");
 }
@@ -154,6 +168,18 @@ TEST_CASE("live view: viewers do not change the run", "[live]") {
     CHECK(IsOk(viewers.front()->Do("end")));
   }
   CHECK(world.Finish() == expected);
+}
+
+TEST_CASE("live view: a viewer that joins later gets the log from its start", "[live]") {
+  const CTemporaryFolder folder;
+  CLiveWorld world(kWaits, OneLine(folder));
+  auto first = Join(world);
+  CHECK(IsOk(first->Do("step", {{"n", 5}})));
+  CHECK_THAT(first->WaitFor("log").dump(), Contains("a line of tick 3"));
+  auto second = Join(world);
+  CHECK_THAT(second->WaitFor("log").dump(), Contains("a line of tick 3"));
+  CHECK(IsOk(first->Do("end")));
+  world.Finish();
 }
 
 TEST_CASE("live view: values of an entity go to those who have pinned it", "[live]") {

@@ -54,6 +54,26 @@ class CTree {
   CInner* Inner = nullptr;
 };
 
+/* Uses an anchor of a body while it is enabled, as antennas and LEDs do. */
+class CAnchorUser : public CPositionalEntity {
+ public:
+  ENABLE_VTABLE()
+  CAnchorUser(CComposableEntity* parent, const std::string& id, CEmbodiedEntity& body)
+      : CPositionalEntity(parent, id, CVector3()), m_body(body) {
+    m_body.EnableAnchor("tool");
+  }
+  std::string GetTypeDescription() const override { return "user"; }
+  void SetEnabled(bool enabled) override {
+    if (enabled != IsEnabled()) {
+      enabled ? m_body.EnableAnchor("tool") : m_body.DisableAnchor("tool");
+    }
+    CPositionalEntity::SetEnabled(enabled);
+  }
+
+ private:
+  CEmbodiedEntity& m_body;
+};
+
 }  // namespace
 
 TEST_CASE("component path: type, type[id], nested, and ids with dots", "[core][entity]") {
@@ -149,6 +169,32 @@ TEST_CASE("components: a reset reaches every component", "[core][entity]") {
   nested.MoveTo(CVector3(9.0, 9.0, 9.0), CQuaternion());
   tree.Root.Reset();
   CHECK(nested.GetPosition() == CVector3(3.0, 0.0, 0.0));
+}
+
+TEST_CASE("components: the uses of an anchor are those of the start after a reset",
+          "[core][entity]") {
+  const bool isBodyFirst = GENERATE(true, false);
+  CAPTURE(isBodyFirst);
+  CComposableEntity root(nullptr, "root");
+  auto body = std::make_unique<CEmbodiedEntity>(&root, "body", CVector3());
+  const SAnchor& tool = body->AddAnchor("tool");
+  auto owned = std::make_unique<CAnchorUser>(&root, "user", *body);
+  CAnchorUser& user = *owned;
+  if (isBodyFirst) {
+    root.AddComponent(*body.release());
+    root.AddComponent(*owned.release());
+  } else {
+    root.AddComponent(*owned.release());
+    root.AddComponent(*body.release());
+  }
+  // what is in the arena has an index, and a start to which it returns
+  user.SetIndex(1);
+  root.MarkStart();
+  user.Disable();
+  CHECK(tool.InUseCount == 0);
+  root.ReturnToStart();
+  CHECK(user.IsEnabled());
+  CHECK(tool.InUseCount == 1);
 }
 
 TEST_CASE("components: those without an id are numbered by type", "[core][entity]") {

@@ -173,6 +173,27 @@ TEST_CASE("frames: poses, colours and ticks are decoded as they were", "[core][r
   CHECK(in.IsAtEnd());
 }
 
+TEST_CASE("frames: what is known of a type is decoded as it was", "[core][recording]") {
+  const UInt32 flags = GENERATE(range(0U, 16U));
+  CAPTURE(flags);
+  SFrameUpdate update = MakeFirst(1, {0.0});
+  SRecordedType& type = update.NewTypes.front();
+  type.IsRobot = (flags & 1U) != 0;
+  type.IsMovable = (flags & 2U) != 0;
+  type.Flies = (flags & 4U) != 0;
+  type.HasAppearance = (flags & 8U) != 0;
+  CFrameEncoder encoder(EPrecision::Exact);
+  std::string bytes;
+  encoder.Encode(update, true, bytes);
+  CFrameDecoder decoder(EPrecision::Exact);
+  CByteReader in(bytes);
+  const SRecordedType& decoded = decoder.Decode(in, true).Types.front();
+  CHECK(decoded.IsRobot == type.IsRobot);
+  CHECK(decoded.IsMovable == type.IsMovable);
+  CHECK(decoded.Flies == type.Flies);
+  CHECK(decoded.HasAppearance == type.HasAppearance);
+}
+
 TEST_CASE("frames: entities come and go", "[core][recording]") {
   CFrameEncoder encoder(EPrecision::Exact);
   std::string bytes;

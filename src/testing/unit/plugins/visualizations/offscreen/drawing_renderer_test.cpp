@@ -329,4 +329,27 @@ TEST_CASE("painter: colours of Qt beyond 0 to 255 are those at the ends",
   CHECK(drawing.GetShapes()[1].Color == CColor(255, 0, 1, 0));
 }
 
+TEST_CASE("painter: the corners of a rectangle are a place and that place plus the size",
+          "[visualizations][offscreen][drawing]") {
+  CDrawing drawing;
+  drawing.Begin(64, 64);
+  drawing.SetOverlay();
+  QPainter painter(drawing);
+  painter.drawRect(3, 4, 20, 10);
+  painter.fillRect(3, 4, 20, 10, QColor(1, 2, 3));
+  REQUIRE(drawing.GetShapes().size() == 2);
+  for (const SDrawnShape& shape : drawing.GetShapes()) {
+    CHECK(shape.Position == CVector3(3.0, 4.0, 0.0));
+    REQUIRE(shape.Count == 4);
+    const CVector2 expected[] = {CVector2(0.0, 0.0), CVector2(20.0, 0.0), CVector2(20.0, 10.0),
+                                 CVector2(0.0, 10.0)};
+    for (UInt32 i = 0; i < 4; ++i) {
+      CHECK(drawing.GetCorners()[shape.First + i] == expected[i]);
+    }
+  }
+  CHECK_FALSE(drawing.GetShapes()[0].IsFilled);
+  CHECK(drawing.GetShapes()[1].IsFilled);
+  CHECK(drawing.GetShapes()[1].Color == CColor(1, 2, 3));
+}
+
 }  // namespace drawing_renderer_test

@@ -47,6 +47,8 @@ TEST_CASE("film encoding: the frame rate is speed * ticks per second / every, ex
   // a quarter of both, rounded
   CHECK(RateText(3000002u, 1.0, 2000005u) == "750001/500001");
   CHECK(RateText(4000000u, 1.0, 3000001u) == "1000000/750000");
+  // 999,999.7 and 999,999.6 of sevenths
+  CHECK(RateText(6999998u, 1.0, 6999997u) == "1000000/1000000");
   // 10^-4 of a tick a second, a picture in 3 * 10^9 ticks: the denominator is rounded as well
   CHECK(RateText(1, 0.0001, 3000000000u) == "1/1000000");
 }
