@@ -9,6 +9,7 @@ import { ShapeKind } from "../src/decode/drawing";
 import { RayKind } from "../src/decode/frames";
 import { Recording, sourceOfBlob, sourceOfBytes } from "../src/decode/recording";
 import { StreamDecoder } from "../src/decode/stream";
+import { withoutJumps } from "../src/view/math";
 import { changedExperiment, experiment, folder, readTable, record, run } from "./runs";
 
 after(() => rmSync(folder, { recursive: true }));
@@ -191,4 +192,18 @@ test("decoder: the blocks of a file, one by one, are a stream", async () => {
   const direct = await (await open(flocking)).read(120);
   assert.equal(stream.info?.seed, 124);
   assert.equal(direct.tick, 120);
+});
+
+test("poses: what crosses a joined side of the arena does not move over the picture", () => {
+  const arena = { min: [-2, -1, 0], max: [2, 1, 1] };
+  const turn = [1, 0, 0, 0];
+  const state = (...places: number[][]): Float64Array =>
+    new Float64Array(places.flatMap((place) => [...place, ...turn]));
+  const from = state([1.9, 0, 0], [0, 0.9, 0], [0, 0, 0]);
+  // less than half of the sides
+  const near = state([0, 0, 0], [0, 0, 0], [0, 0, 0.5]);
+  assert.equal(withoutJumps(from, near, arena), from);
+  const across = state([-1.9, 0, 0], [0, -0.9, 0], [0.1, 0, 0]);
+  assert.deepEqual(withoutJumps(from, across, arena), state([-1.9, 0, 0], [0, -0.9, 0], [0, 0, 0]));
+  assert.equal(from[0], 1.9);
 });

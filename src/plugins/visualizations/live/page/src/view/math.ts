@@ -65,3 +65,40 @@ export function roundDown125(value: number): number {
   const share = value / power;
   return power * (share >= 5 ? 5 : share >= 2 ? 2 : 1);
 }
+
+interface Area {
+  readonly min: ArrayLike<number>;
+  readonly max: ArrayLike<number>;
+}
+
+/** Farther than half of the arena between two states: through a joined side, or set elsewhere. */
+export function jumps(
+  from: ArrayLike<number>,
+  to: ArrayLike<number>,
+  arena: Area,
+  fromAt = 0,
+  toAt = 0,
+): boolean {
+  return [0, 1].some(
+    (i) => 2 * Math.abs(to[toAt + i]! - from[fromAt + i]!) > arena.max[i]! - arena.min[i]!,
+  );
+}
+
+/**
+ * Poses (7 numbers each) from which those of the next state are reached without crossing the picture: where one jumps, it
+ * is that of the next state. Returns the same array if none does.
+ */
+export function withoutJumps<BUFFER extends Float64Array>(
+  from: BUFFER,
+  to: BUFFER,
+  arena: Area,
+): BUFFER {
+  let poses = from;
+  for (let at = 0; at < to.length; at += 7) {
+    if (jumps(from, to, arena, at, at)) {
+      poses = poses === from ? (from.slice() as BUFFER) : poses;
+      poses.set(to.subarray(at, at + 7), at);
+    }
+  }
+  return poses;
+}

@@ -31,7 +31,17 @@ import { StateTextures, type Uniforms, makeMaterial } from "./gpu";
 import { type Label, LabelCanvas, labelOfShape, makeLabel } from "./labels";
 import { type Look, kLightLook } from "./looks";
 import { type Dot, DotSet, type Line, LineSet, RingSet, UserDrawing, kWorld } from "./marks";
-import { type Pose, clamp, dot, roundDown125, subtract, toLocal, toWorld } from "./math";
+import {
+  type Pose,
+  clamp,
+  dot,
+  jumps,
+  roundDown125,
+  subtract,
+  toLocal,
+  toWorld,
+  withoutJumps,
+} from "./math";
 import { kGroundFragment, kGroundVertex, kPlainGroundFragment } from "./shaders";
 
 /** What is shown besides the entities. */
@@ -460,13 +470,14 @@ export class View {
       this.hasExtras = false;
     }
     const words = this.entityDrawer.signalWords(frame.words);
-    this.textures.push(frame.poses, words);
-    this.fromPoses = this.toPoses;
+    const last = this.toPoses;
     this.toPoses = frame.poses.slice();
-    if (isChanged || isJump || this.fromPoses.length !== this.toPoses.length) {
-      this.textures.push(frame.poses, words);
-      this.fromPoses = this.toPoses;
+    const isNew = isChanged || isJump || last.length !== this.toPoses.length;
+    this.fromPoses = isNew ? this.toPoses : withoutJumps(last, this.toPoses, this.arena);
+    if (this.fromPoses !== last) {
+      this.textures.push(this.fromPoses, words);
     }
+    this.textures.push(this.toPoses, words);
     this.blend = 0;
     this.showFloor(frame.floor);
     this.showMarks(frame);
@@ -573,6 +584,9 @@ export class View {
       }
       this.trails.set(id, trail);
       for (let k = 1; k < trail.length; ++k) {
+        if (jumps(trail[k - 1]!, trail[k]!, this.arena)) {
+          continue;
+        }
         const alpha = Math.round((220 * (k + states - trail.length)) / states);
         lines.push({
           pose: kWorld,
