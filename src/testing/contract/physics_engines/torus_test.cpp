@@ -381,7 +381,7 @@ TEST_CASE("torus: a robot that is no disc pushes and is stopped across a seam",
           "[physics][torus]") {
   const SEngineType engine = GENERATE(from_range(kEngines));
   CAPTURE(engine);
-  const auto drive = [&engine](CDriveWorld& world) {
+  const auto drive = [](CDriveWorld& world) {
     world.Reshape("a", SShapeDescription::Box(CVector3(0.1, 0.06, 0.05)));
     world.Reshape("b", SShapeDescription::Box(CVector3(0.08, 0.08, 0.05)));
     world.Step(60);
