@@ -157,6 +157,10 @@ STwist CSolids::ComputeTwist(const SSolid& solid) const {
   }
   STwist twist = Shortened(solid, found, ComputeFarthest(solid));
   twist.Turn = std::clamp(twist.Turn, -kLongestTurn, kLongestTurn);
+  // a round body that is pushed in its middle does not turn, whatever the rounding of its lever
+  if (std::abs(twist.Turn) * solid.BoundingRadius <= negligible) {
+    twist.Turn = 0.0;
+  }
   return ComputeLength(solid, twist) > negligible ? twist : STwist();
 }
 
