@@ -125,7 +125,7 @@ TEST_CASE("figures: the axes fill the picture, and points are where their values
     CPlotPicture picture(campaign.GetPath("figure.png"));
     const SPixelBox axes = picture.FindAxes();
     CAPTURE(request.Kind, axes.Left, axes.Top, axes.Right, axes.Bottom);
-    CHECK(axes.GetWidth() > 0.75 * picture.GetWidth());
+    CHECK(axes.GetWidth() > 0.7 * picture.GetWidth());
     CHECK(axes.GetHeight() > 0.6 * picture.GetHeight());
     return std::pair(std::move(picture), axes);
   };
@@ -157,6 +157,30 @@ TEST_CASE("figures: the axes fill the picture, and points are where their values
     CHECK_THAT(points.Right, WithinAbs(axes.Right - x, kPoint));
     CHECK_THAT(points.Bottom, WithinAbs(axes.Bottom - y, kPoint));
     CHECK_THAT(points.Top, WithinAbs(axes.Top + y, kPoint));
+  }
+  SECTION("means of two levels are at the ends of a line") {
+    const auto [picture, axes] = draw(MakeRequest("means", "food", "robots"));
+    const SPixelBox line = picture.FindBox(CPlotPicture::kFirstColor, axes);
+    CHECK_THAT((axes.Bottom - line.Top) / (axes.Bottom - line.Bottom), WithinAbs(10.0, 2.0));
+    // as far from one end as from the other
+    CHECK_THAT(line.Left - axes.Left, WithinAbs(axes.Right - line.Right, kPoint));
+    CHECK(line.GetWidth() > 0.4 * axes.GetWidth());
+  }
+  SECTION("the cells of a heat map fill its axes, with the ends of the scale") {
+    SFigureRequest request = MakeRequest("heatmap", "kind", "robots");
+    request.Z = "food";
+    DrawFigure(data, request, campaign.GetPath("figure.png"));
+    CPlotPicture picture(campaign.GetPath("figure.png"));
+    // without the scale of colours
+    SPixelBox area = picture.GetWhole();
+    area.Right = 0.8 * picture.GetWidth();
+    const SPixelBox low = picture.FindBox(0x00204c, area);
+    const SPixelBox high = picture.FindBox(0xffe945, area);
+    CHECK(high.Right - low.Left > 0.65 * picture.GetWidth());
+    CHECK(low.GetHeight() > 0.7 * picture.GetHeight());
+    CHECK_THAT(high.GetHeight(), WithinAbs(low.GetHeight(), 2.0));
+    CHECK_THAT(high.GetWidth(), WithinAbs(low.GetWidth(), 2.0));
+    CHECK(high.Left > low.Right);
   }
   SECTION("a difference of equal series is 0 all the time") {
     const auto [picture, axes] = draw(MakeRequest("difference", "spread", "", "kind"));
