@@ -253,7 +253,7 @@ TEST_CASE("torus: results do not depend on threads", "[physics][torus]") {
     threads.Step();
     REQUIRE(alone.ComputeDigest() == threads.ComputeDigest());
   }
-  // the jam closes around the arena: nobody overlaps by more than the engine's tolerance
+  // robots press each other all around the arena, and overlap by no more than the engine tolerates
   for (int a = 0; a < 396; ++a) {
     for (int b = 0; b < a; ++b) {
       const Real distance =

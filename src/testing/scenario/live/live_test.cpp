@@ -245,7 +245,7 @@ TEST_CASE("live view: a run that viewers come to and leave goes on without them"
     CHECK(IsOk(viewer->Do("speed", {{"factor", 0.01}})));
     viewer->ReceiveUntil([&] { return viewer->GetStatus().value("run", "") == "paused"; });
   }
-  // until the run has noticed that nobody is there
+  // time for the run to notice that no viewer is connected
   std::this_thread::sleep_for(std::chrono::milliseconds(500));
   // who still looks does not delay the end
   const auto watching = Join(world);

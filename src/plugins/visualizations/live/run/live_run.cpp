@@ -219,7 +219,7 @@ void CLiveRun::WaitForUser() {
   m_pace.Restart(TClock::now());
 }
 
-// nobody is there who could play it
+// lets the run go on at its speed after the last viewer has left
 void CLiveRun::GoOnAlone() {
   if (m_goesOn && !m_isFinished && m_link.HadViewers() && !m_link.HasViewers() &&
       (!m_isPlaying || m_pace.GetSpeed() != m_speed)) {

@@ -16,21 +16,7 @@
 
 namespace argos::figure_axes_test {
 
-namespace {
-
 using Catch::Contains;
-
-SFigureRequest MakeRequest(const std::string& kind, const std::string& y, const std::string& x,
-                           const std::string& group = "") {
-  SFigureRequest request;
-  request.Kind = kind;
-  request.Y = y;
-  request.X = x;
-  request.Group = group;
-  return request;
-}
-
-}  // namespace
 
 TEST_CASE("figures: a series has logarithmic axes of values and of time", "[campaign][report]") {
   CSyntheticCampaign campaign({{"robots", {"5", "10"}}});

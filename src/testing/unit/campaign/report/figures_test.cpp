@@ -20,16 +20,6 @@ namespace {
 
 using Catch::Contains;
 
-SFigureRequest MakeRequest(const std::string& kind, const std::string& y, const std::string& x,
-                           const std::string& group = "") {
-  SFigureRequest request;
-  request.Kind = kind;
-  request.Y = y;
-  request.X = x;
-  request.Group = group;
-  return request;
-}
-
 std::string Read(const std::string& path) {
   std::string content;
   std::string problem;
