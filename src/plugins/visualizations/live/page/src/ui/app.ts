@@ -13,11 +13,11 @@ import { addDevices } from "../view/devices";
 import { kDarkLook, kLightLook } from "../view/looks";
 import type { Dot, Line } from "../view/marks";
 import { yawOf } from "../view/math";
-import { View, type ViewOptions } from "../view/view";
+import { View, type ViewOptions, kDefaultOptions } from "../view/view";
 import { makeWorld } from "../world";
 import { DriveKeys } from "./drive";
 import { button, h, icon, menu, setEnabled, setText } from "./dom";
-import { formatNumber, plural } from "./format";
+import { formatNumber, formatTime, plural } from "./format";
 import { Inspector } from "./inspector";
 import { LogPanel } from "./log";
 import { Plot, Series } from "./plots";
@@ -43,6 +43,7 @@ const kOptionNames: [keyof ViewOptions, string, string][] = [
   ["axes", "Axes", "A"],
   ["scaleBar", "Scale bar", "B"],
   ["grid", "Grid", "G"],
+  ["clock", "Time in saved pictures and films", "C"],
 ];
 
 const kKeys: [string, string][] = [
@@ -53,7 +54,7 @@ const kKeys: [string, string][] = [
   ["T", "From above"],
   ["O", "From the side, whole arena"],
   ["F / E", "Follow the selected robot / look ahead from it"],
-  ["I R H S D U A B G", "Ids, trails, headings, rays, devices, drawings, axes, scale bar, grid"],
+  ["I R H S D U A B G C", "Ids, trails, headings, rays, devices, drawings, axes, scale bar, grid, saved time"],
   ["[ / ]", "Turn the selected robot or thing by 15°"],
   ["Esc", "Unselect"],
   ["Drag", "Turn the camera; with Shift or the right button: move it"],
@@ -482,6 +483,9 @@ export class App implements SessionListener {
     }
     if (this.view.render(now)) {
       this.watchSpeed(now);
+      this.film.add(now, (canvas) => this.view.copyTo(canvas, this.clockText()));
+    } else {
+      this.film.hold(now);
     }
     ++this.frames;
     if (now - this.framesSince > 1000) {
@@ -1079,10 +1083,9 @@ export class App implements SessionListener {
       setEnabled(this.modeButtons.get(name)!, "Select a robot first: click it");
     }
     const boxes = kOptionNames.map(([name, text, key]) => {
-      const isOn = name === "rays" || name === "drawing" || name === "scaleBar" || name === "grid";
       const box = h("input", {
         type: "checkbox",
-        checked: isOn,
+        checked: kDefaultOptions[name],
         onchange: () => this.setOption(name, box.checked),
       });
       this.optionBoxes.set(name, box);
@@ -1249,8 +1252,12 @@ export class App implements SessionListener {
     return (this.title.textContent ?? "").replace(/\.argos$/, "");
   }
 
+  private clockText(): string {
+    return this.view.options.clock && this.session !== null ? formatTime(this.timeOf(this.session.position)) : "";
+  }
+
   private async savePicture(): Promise<void> {
-    const picture = this.view.capture(true);
+    const picture = this.view.capture(true, this.clockText());
     const blob = await new Promise<Blob | null>((resolve) => picture.toBlob(resolve, "image/png"));
     if (blob === null) {
       this.notify("The browser cannot write the picture", "error");
@@ -1261,7 +1268,7 @@ export class App implements SessionListener {
 
   private startFilm(): void {
     const problem = this.film.start(
-      this.canvas,
+      this.view.sizeOnScreen,
       () => this.baseName(),
       (text) => this.notify(text, "info"),
     );
@@ -1269,6 +1276,7 @@ export class App implements SessionListener {
       this.notify(problem, "error");
     }
     this.filmButton.hidden = problem !== null;
+    this.view.optionsChanged(); // draws the first picture
   }
 
   private async recordingBytes(): Promise<Uint8Array<ArrayBuffer> | null> {

@@ -48,36 +48,61 @@ export function makePage(recording: Uint8Array, title: string): string {
   return `<!doctype html>\n<!--${licences?.textContent ?? ""}-->\n${page.outerHTML}\n`;
 }
 
-/** A film of a canvas, by the browser's encoder. */
+const kFramePeriod = 1000 / 31; // ms
+const kRepeatPeriod = 250; // ms
+
+/** A film of what is drawn on a canvas, by the browser's encoder. Its size is that of the beginning. */
 export class Film {
   private recorder: MediaRecorder | null = null;
+  private readonly canvas = document.createElement("canvas");
+  private lastAdded = 0;
 
   get isRunning(): boolean {
     return this.recorder !== null;
   }
 
   /** Returns why it is impossible, or null. */
-  start(canvas: HTMLCanvasElement, name: () => string, notify: (text: string) => void): string | null {
+  start(size: [number, number], name: () => string, notify: (text: string) => void): string | null {
+    // VP8 does not say how bright its colours are: other players take them for brighter ones
     const type = ["video/webm;codecs=vp9", "video/webm"].find((candidate) => {
       return typeof MediaRecorder !== "undefined" && MediaRecorder.isTypeSupported(candidate);
     });
     if (type === undefined) {
       return "This browser cannot make films";
     }
-    const recorder = new MediaRecorder(canvas.captureStream(30), { mimeType: type, videoBitsPerSecond: 8e6 });
+    [this.canvas.width, this.canvas.height] = size;
+    this.canvas.getContext("2d");
+    const recorder = new MediaRecorder(this.canvas.captureStream(30), { mimeType: type, videoBitsPerSecond: 8e6 });
     const parts: Blob[] = [];
     recorder.ondataavailable = (event) => parts.push(event.data);
     recorder.onstop = () => {
-      this.recorder = null;
       download(parts, "video/webm", `${name()}.webm`);
       notify("The film is saved");
     };
     recorder.start(1000);
     this.recorder = recorder;
+    this.lastAdded = -Infinity;
     return null;
+  }
+
+  /** A picture was drawn: draw() copies it to the film. */
+  add(now: number, draw: (canvas: HTMLCanvasElement) => void): void {
+    if (this.isRunning && now - this.lastAdded >= kFramePeriod) {
+      this.lastAdded = now;
+      draw(this.canvas);
+    }
+  }
+
+  /** Nothing was drawn: from time to time the last picture is filmed again, so that the film lasts as long. */
+  hold(now: number): void {
+    if (this.isRunning && now - this.lastAdded >= kRepeatPeriod) {
+      this.lastAdded = now;
+      this.canvas.getContext("2d")!.drawImage(this.canvas, 0, 0);
+    }
   }
 
   stop(): void {
     this.recorder?.stop();
+    this.recorder = null;
   }
 }

@@ -56,6 +56,23 @@ export function labelOfShape(shape: Shape): Label {
   });
 }
 
+/** Writes a text that can be read on any ground. */
+export function contourText(
+  context: CanvasRenderingContext2D,
+  text: string,
+  x: number,
+  y: number,
+  color: string,
+  contour: string,
+): void {
+  context.lineJoin = "round";
+  context.lineWidth = 3;
+  context.strokeStyle = contour;
+  context.fillStyle = color;
+  context.strokeText(text, x, y);
+  context.fillText(text, x, y);
+}
+
 export class LabelCanvas {
   private readonly context: CanvasRenderingContext2D;
   private isEmpty = true;
@@ -114,17 +131,13 @@ export class LabelCanvas {
     const size = Math.max(8, label.size * factor);
     context.font = `${label.weight} ${size}px ${label.family}`;
     context.textAlign = label.align;
-    context.lineJoin = "round";
-    context.lineWidth = 3;
-    context.strokeStyle = label.color === null ? look.textContour : contourOf(label.color);
-    context.fillStyle = label.color === null ? look.text : css(label.color);
+    const contour = label.color === null ? look.textContour : contourOf(label.color);
+    const color = label.color === null ? look.text : css(label.color);
     label.text
       .slice(0, 2000)
       .split("\n")
       .forEach((line, i) => {
-        const below = y - label.above + 1.2 * size * i;
-        context.strokeText(line, x, below);
-        context.fillText(line, x, below);
+        contourText(context, line, x, y - label.above + 1.2 * size * i, color, contour);
       });
   }
 

@@ -26,6 +26,7 @@ import { RayKind } from "../decode/frames";
 import { type Shape, ShapeKind } from "../decode/drawing";
 import { type Color, type Entity, TypeKind, type Vector } from "../decode/types";
 import { type Box, ViewCamera } from "./camera";
+import { compose } from "./compose";
 import { EntityDrawer, kGpuBudget, kSoftwareBudget } from "./entities";
 import { StateTextures, type Uniforms, makeMaterial } from "./gpu";
 import { type Label, LabelCanvas, labelOfShape, makeLabel } from "./labels";
@@ -55,7 +56,22 @@ export interface ViewOptions {
   axes: boolean;
   scaleBar: boolean;
   grid: boolean;
+  /** In saved pictures and films. */
+  clock: boolean;
 }
+
+export const kDefaultOptions: Readonly<ViewOptions> = {
+  rays: true,
+  devices: true,
+  drawing: true,
+  ids: false,
+  trails: false,
+  headings: false,
+  axes: false,
+  scaleBar: true,
+  grid: true,
+  clock: true,
+};
 
 const kGroundColors = ["uBackground", "uGround", "uGroundOutside", "uGridLine", "uBoundary"];
 const kFreeRay: Color = [36, 122, 196, 170];
@@ -75,17 +91,7 @@ export class View {
   readonly camera = new ViewCamera();
   readonly isSoftware: boolean;
   readonly rendererName: string;
-  options: ViewOptions = {
-    rays: true,
-    devices: true,
-    drawing: true,
-    ids: false,
-    trails: false,
-    headings: false,
-    axes: false,
-    scaleBar: true,
-    grid: true,
-  };
+  options: ViewOptions = { ...kDefaultOptions };
   frame: Frame | null = null;
   /** Entities with a ring, the first one brightest. */
   selected: number[] = [];
@@ -443,20 +449,31 @@ export class View {
 
   private hasChosen = false;
 
-  /** The picture, with its texts or without. */
-  capture(withLabels: boolean): HTMLCanvasElement {
-    // what was drawn can be read only until the browser shows it
+  /** The picture as WebGL has drawn it or, with its texts, as large as on the screen. */
+  capture(withLabels: boolean, clock = ""): HTMLCanvasElement {
     ++this.changes;
     this.render(performance.now());
     const picture = document.createElement("canvas");
-    picture.width = this.canvas.width;
-    picture.height = this.canvas.height;
-    const context = picture.getContext("2d")!;
-    context.drawImage(this.canvas, 0, 0);
-    if (withLabels && this.labelCanvas.width > 0) {
-      context.drawImage(this.labelCanvas, 0, 0, picture.width, picture.height);
+    if (withLabels) {
+      [picture.width, picture.height] = this.sizeOnScreen;
+      this.copyTo(picture, clock);
+    } else {
+      picture.width = this.canvas.width;
+      picture.height = this.canvas.height;
+      picture.getContext("2d")!.drawImage(this.canvas, 0, 0);
     }
     return picture;
+  }
+
+  /** Pixels of the screen that the picture takes, even numbers for encoders of films. */
+  get sizeOnScreen(): [number, number] {
+    const even = (length: number): number => Math.max(2, 2 * Math.round(0.5 * length * window.devicePixelRatio));
+    return [even(this.canvas.clientWidth), even(this.canvas.clientHeight)];
+  }
+
+  /** Draws the picture with its texts over a canvas. Only after render() in the same task: then the browser shows and drops it. */
+  copyTo(target: HTMLCanvasElement, clock: string): void {
+    compose(target, [this.canvas, this.labelCanvas], this.look, clock);
   }
 
   private show(frame: Frame, isJump: boolean): void {
