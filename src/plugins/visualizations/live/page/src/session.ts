@@ -59,6 +59,8 @@ export interface Answer {
   failed?: number;
   changed?: boolean;
   parameters?: Parameter[];
+  /** Id of what was added. */
+  entity?: string;
 }
 
 export interface Viewer {
@@ -126,8 +128,8 @@ export interface Session {
   select(id: string | null): void;
   move(id: string, position: readonly [number, number, number], yaw: number): void;
   remove(id: string): void;
-  add(type: string, position: readonly [number, number, number], yaw: number): void;
-  drive(id: string, left: number, right: number): void;
+  /** Speeds of left and right wheel, cm/s; null: those of its controller count again. */
+  drive(id: string, speeds: [number, number] | null): void;
   key(key: string, isDown: boolean): void;
   /** Once a picture. */
   update(now: number): void;

@@ -87,5 +87,14 @@ test("live: a robot is dragged, refused in a wall, added and removed", { skip, t
   await tab.button("Add a robot or a thing").click();
   await tab.button("Add a cylinder in the middle of the picture").click();
   await waitForEntities(tab, before);
+  await tab.page.getByRole("region", { name: "cylinder_added_1" }).waitFor();
+  await tab.button("Add a robot or a thing").click();
+  await tab.button("Add a cylinder in the middle of the picture").click(); // the middle is occupied now
+  await waitForEntities(tab, before + 1);
+  await tab.page.getByRole("region", { name: "cylinder_added_2" }).waitFor();
+  await tab.button("What the picture shows").click();
+  await tab.page.keyboard.press("Escape");
+  assert.equal(await tab.page.locator(".menu:not([hidden])").count(), 0);
+  await tab.page.getByRole("region", { name: "cylinder_added_2" }).waitFor();
   assert.deepEqual(await tab.close(), []);
 });

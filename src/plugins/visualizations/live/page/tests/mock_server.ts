@@ -164,7 +164,7 @@ export class MockServer {
       version: "mock",
       experiment: "mock.argos",
       tick_length: 0.1,
-      can: { edit: false, replay: false, seek: false, change: true },
+      can: { edit: false, replay: false, seek: false, change: true, drive: true },
       types_to_add: ["foot-bot", "box"],
       viewer: client.id,
     };

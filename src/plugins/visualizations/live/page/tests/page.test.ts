@@ -276,6 +276,90 @@ test("page: a drag that is refused says why", { skip, timeout: kTimeout }, async
   await server.close();
 });
 
+test("page: a driven robot is let go when another one is selected, or keys drive no more", { skip, timeout: kTimeout }, async () => {
+  const server = await MockServer.start(recording, pageFile);
+  const tab = await Tab.open(browser, server.url);
+  await tab.waitForTick((tick) => tick === 0);
+  await tab.page.locator('.entities button[data-id="fb3"]').click();
+  await tab.button("Drive the selected robot by W, A, S and D").click();
+  await tab.page.keyboard.down("w");
+  await tab.page.locator('.entities button[data-id="fb5"]').click();
+  await tab.page.keyboard.up("w");
+  await tab.page.keyboard.press("a");
+  await tab.button("Drive the selected robot by W, A, S and D").click();
+  await tab.button("One tick ahead").click();
+  await tab.waitForTick((tick) => tick === 1);
+  const drives = server.commands.filter((command) => command.do === "drive");
+  assert.deepEqual(
+    drives.map(({ entity, left, right }) => [entity, left, right]),
+    [
+      ["fb3", 10, 10],
+      ["fb3", undefined, undefined],
+      ["fb5", -4, 4],
+      ["fb5", 0, 0],
+      ["fb5", undefined, undefined],
+    ],
+  );
+  assert.deepEqual(await tab.close(), []);
+  await server.close();
+});
+
+test("page: readings that a robot no longer has are not shown", { skip, timeout: kTimeout }, async () => {
+  const server = await MockServer.start(recording, pageFile);
+  const tab = await Tab.open(browser, server.url);
+  await tab.waitForTick((tick) => tick === 0);
+  await tab.page.locator('.entities button[data-id="fb3"]').click();
+  const card = tab.page.getByRole("region", { name: "fb3" });
+  const sendMessages = (...ranges: number[]): void => {
+    const messages = ranges.map((range) => ({ "message_range (cm)": range, "message_horizontal_bearing (rad)": 0.5 }));
+    server.sendAll({ values: { entity: "fb3", tick: 0, tree: { messages, colliding: { colliding: 0 } } } });
+  };
+  sendMessages(12, 345);
+  await card.getByText("345 cm, 28.6°").waitFor();
+  assert.match(await card.innerText(), /colliding\s+no/);
+  sendMessages(12);
+  await card.getByText("345 cm, 28.6°").waitFor({ state: "hidden" });
+  assert.ok(await card.getByText("12 cm, 28.6°").isVisible());
+  sendMessages();
+  await card.getByText("Messages").waitFor({ state: "hidden" });
+  assert.deepEqual(await tab.close(), []);
+  await server.close();
+});
+
+test("page: the whole arena stays in the picture when the window changes, unless the camera was moved", { skip, timeout: kTimeout }, async () => {
+  const tab = await Tab.open(browser, url);
+  await tab.openRecording(recording);
+  const isWhole = async (): Promise<boolean> => {
+    await tab.page.waitForTimeout(300);
+    return tab.page.evaluate(() => {
+      const { argosView: view } = window as unknown as {
+        argosView: {
+          arenaBox: { min: number[]; max: number[] };
+          camera: { update(): void; project(point: number[]): { x: number; y: number } };
+        };
+      };
+      view.camera.update();
+      const { clientWidth, clientHeight } = document.querySelector("canvas")!;
+      const [low, high] = [view.arenaBox.min, view.arenaBox.max];
+      return [low[0]!, high[0]!].every((x) =>
+        [low[1]!, high[1]!].every((y) => {
+          const place = view.camera.project([x, y, 0]);
+          return place.x >= 0 && place.x <= clientWidth && place.y >= 0 && place.y <= clientHeight;
+        }),
+      );
+    });
+  };
+  assert.ok(await isWhole());
+  await tab.page.setViewportSize({ width: 390, height: 844 });
+  assert.ok(await isWhole());
+  await tab.page.locator("canvas").first().hover();
+  await tab.page.mouse.wheel(0, -300);
+  await tab.page.setViewportSize({ width: 1280, height: 800 });
+  await tab.page.setViewportSize({ width: 390, height: 844 });
+  assert.ok(!(await isWhole()));
+  assert.deepEqual(await tab.close(), []);
+});
+
 test("page: the connection comes back after the server's restart", { skip, timeout: kTimeout }, async () => {
   const server = await MockServer.start(recording, pageFile);
   const tab = await Tab.open(browser, server.url);

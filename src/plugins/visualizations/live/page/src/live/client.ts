@@ -480,11 +480,8 @@ export class LiveClient implements Session {
   remove(entity: string): void {
     this.command("remove", { entity });
   }
-  add(type: string, position: readonly [number, number, number], yaw: number): void {
-    this.command("add", { type, position, yaw });
-  }
-  drive(entity: string, left: number, right: number): void {
-    this.command("drive", { entity, left, right });
+  drive(entity: string, speeds: [number, number] | null): void {
+    this.command("drive", speeds === null ? { entity } : { entity, left: speeds[0], right: speeds[1] });
   }
   key(key: string, isDown: boolean): void {
     if (this.hasControl) {

@@ -32,6 +32,7 @@ type TabName = "inspect" | "metrics" | "script" | "log" | "info";
 const kUiPeriod = 120; // ms
 const kSlowPeriod = 60; // ms from picture to picture
 const kMaxSlowPictures = 15; // pictures
+const kAddStep = 0.05; // of the distance of the camera
 
 const kOptionNames: [keyof ViewOptions, string, string][] = [
   ["ids", "Ids", "I"],
@@ -61,6 +62,18 @@ const kKeys: [string, string][] = [
   ["Drag what is selected", "Move it; with Ctrl or Alt: turn it"],
   ["Wheel", "Zoom"],
 ];
+
+/** A place, then places around it on two rings. */
+function placesAround([x, y, z]: readonly [number, number, number], step: number): [number, number, number][] {
+  const places: [number, number, number][] = [[x, y, z]];
+  for (const ring of [1, 2]) {
+    for (let i = 0; i < 8 * ring; ++i) {
+      const angle = (Math.PI * i) / (4 * ring);
+      places.push([x + ring * step * Math.cos(angle), y + ring * step * Math.sin(angle), z]);
+    }
+  }
+  return places;
+}
 
 function stored(name: string): string | null {
   try {
@@ -141,12 +154,7 @@ export class App implements SessionListener {
   private lastTime = 0;
 
   constructor(private readonly root: HTMLElement) {
-    this.drive = new DriveKeys((left, right) => {
-      const id = this.selectedId();
-      if (id !== null) {
-        this.session?.drive(id, left, right);
-      }
-    });
+    this.drive = new DriveKeys({ drive: (id, speeds) => this.session?.drive(id, speeds) });
     this.script = new ScriptPanel({
       session: () => this.session,
       selectedId: () => this.selectedId(),
@@ -194,6 +202,7 @@ export class App implements SessionListener {
       .addEventListener("change", () => this.applyTheme());
     document.addEventListener("keydown", (event) => this.keyDown(event));
     document.addEventListener("keyup", (event) => this.keyUp(event));
+    window.addEventListener("blur", () => this.drive.releaseKeys());
     // after a click of the mouse, the space bar is for the whole page again
     document.addEventListener("click", (event) => {
       const target = (event.target as HTMLElement).closest("button, summary, input[type=checkbox]");
@@ -356,6 +365,7 @@ export class App implements SessionListener {
     this.inspector.update(frame, time);
     this.updateMetricPlots();
     this.root.dataset.tick = String(frame.tick);
+    this.selectAdded();
   }
 
   // plots keep what is later
@@ -456,7 +466,8 @@ export class App implements SessionListener {
   }
 
   notify(text: string, kind: "info" | "error"): void {
-    const toast = h("div", { class: `toast ${kind}`, role: kind === "error" ? "alert" : "status" }, text);
+    const sentence = text.charAt(0).toUpperCase() + text.slice(1);
+    const toast = h("div", { class: `toast ${kind}`, role: kind === "error" ? "alert" : "status" }, sentence);
     const close = button({
       icon: "close",
       title: "Close",
@@ -601,6 +612,7 @@ export class App implements SessionListener {
     }
     this.session?.setPinned(ids);
     this.session?.select(ids[ids.length - 1] ?? null);
+    this.drive.setRobot(ids[ids.length - 1] ?? null);
     if (this.frame !== null) {
       this.inspector.update(this.frame, this.timeOf(this.frame.tick));
     }
@@ -857,14 +869,17 @@ export class App implements SessionListener {
           button({
             text: type,
             title: `Add a ${type} in the middle of the picture`,
-            onClick: () => this.addEntity(type),
+            onClick: () => void this.addEntity(type),
           }),
         ),
       );
     }
   }
 
-  private addEntity(type: string): void {
+  private addedId: string | null = null; // to be selected when it is seen
+
+  // in the middle of the picture or, where that is occupied, near it
+  private async addEntity(type: string): Promise<void> {
     document.dispatchEvent(new CustomEvent("closemenus"));
     const { clientWidth, clientHeight } = this.canvas;
     const place = this.view.camera.groundPoint(clientWidth / 2, clientHeight / 2);
@@ -872,7 +887,29 @@ export class App implements SessionListener {
       this.notify("There is no ground in the middle of the picture", "error");
       return;
     }
-    this.session?.add(type, place, 0);
+    let problem: string | null = null;
+    for (const position of placesAround(place, kAddStep * this.view.camera.distance)) {
+      const { entity, error } = (await this.session?.request("add", { type, position, yaw: 0 })) ?? {};
+      if (entity !== undefined) {
+        this.addedId = entity;
+        this.selectAdded();
+        return;
+      }
+      problem ??= error ?? null;
+      if (error === undefined || !/overlap|outside/.test(error)) {
+        break;
+      }
+    }
+    if (problem !== null) {
+      this.notify(problem, "error");
+    }
+  }
+
+  private selectAdded(): void {
+    if (this.addedId !== null && this.view.find(this.addedId) >= 0) {
+      this.inspector.select(this.addedId);
+      this.addedId = null;
+    }
   }
 
   /**********************/

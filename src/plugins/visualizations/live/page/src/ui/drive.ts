@@ -10,12 +10,36 @@ const kWays: Record<string, [number, number]> = {
   d: [kTurn, -kTurn],
 };
 
-export class DriveKeys {
-  isOn = false;
-  private readonly down = new Set<string>();
+export interface DriveHost {
+  /** Speeds of left and right wheel, cm/s; null: those of its controller count again. */
+  drive(id: string, speeds: [number, number] | null): void;
+}
 
-  /** @param send  takes the speeds of left and right wheel, cm/s. */
-  constructor(private readonly send: (left: number, right: number) => void) {}
+export class DriveKeys {
+  private readonly down = new Set<string>();
+  private robot: string | null = null;
+  private isDriven = false; // since it was chosen
+  private isOnNow = false;
+
+  constructor(private readonly host: DriveHost) {}
+
+  get isOn(): boolean {
+    return this.isOnNow;
+  }
+  set isOn(value: boolean) {
+    this.isOnNow = value;
+    if (!value) {
+      this.letGo();
+    }
+  }
+
+  /** The robot that keys drive from now on; null: none. */
+  setRobot(id: string | null): void {
+    if (id !== this.robot) {
+      this.letGo();
+      this.robot = id;
+    }
+  }
 
   /** Returns false if the key does not drive. */
   key(key: string, isDown: boolean): boolean {
@@ -29,14 +53,36 @@ export class DriveKeys {
       } else {
         this.down.delete(letter);
       }
-      let left = 0;
-      let right = 0;
-      for (const pressed of this.down) {
-        left += kWays[pressed]![0];
-        right += kWays[pressed]![1];
-      }
-      this.send(left, right);
+      this.send();
     }
     return true;
+  }
+
+  /** The window has lost the keyboard, and does not hear that keys are released. */
+  releaseKeys(): void {
+    if (this.down.size > 0) {
+      this.down.clear();
+      this.send();
+    }
+  }
+
+  private send(): void {
+    const speeds: [number, number] = [0, 0];
+    for (const letter of this.down) {
+      speeds[0] += kWays[letter]![0];
+      speeds[1] += kWays[letter]![1];
+    }
+    if (this.robot !== null) {
+      this.isDriven = true;
+      this.host.drive(this.robot, speeds);
+    }
+  }
+
+  private letGo(): void {
+    this.down.clear();
+    if (this.robot !== null && this.isDriven) {
+      this.host.drive(this.robot, null);
+    }
+    this.isDriven = false;
   }
 }
