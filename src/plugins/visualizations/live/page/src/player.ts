@@ -35,6 +35,9 @@ export class RecordingPlayer implements Session {
     this.seek(recording.firstTick);
   }
 
+  get isPlaying(): boolean {
+    return this.state === "playing";
+  }
   get info(): Recording["info"] {
     return this.recording.info;
   }
@@ -208,7 +211,6 @@ export class RecordingPlayer implements Session {
   select(): void {}
   move(): void {}
   remove(): void {}
-  add(): void {}
   drive(): void {}
   key(): void {}
 }

@@ -87,6 +87,8 @@ export interface Session {
   readonly name: string;
   readonly info: RecordingInfo | null;
   readonly state: RunState;
+  /** What is shown moves on: the run, the recording, or the past of the run. */
+  readonly isPlaying: boolean;
   /** The tick shown, with a fraction while it moves. */
   readonly position: number;
   readonly firstTick: number;

@@ -20,6 +20,7 @@ const kProtocol = "argos-live.1";
 const kFirstRetry = 500; // ms
 const kLongestRetry = 8000;
 const kMaxPinned = 16; // of the protocol
+const kMaxReplaySpeed = 10; // of the past, if the run goes as fast as it can
 const kMoveCommands = new Set(["move", "drive", "user_key"]);
 
 interface Welcome {
@@ -77,6 +78,9 @@ export class LiveClient implements Session {
   private readonly history = new History();
   private tick = 0; // of the last state that has come
   private past: number | null = null; // the tick that is shown instead
+  private isReplaying = false; // the past moves on
+  private replayPlace = 0; // ticks
+  private lastUpdate = 0;
   private pinned: string[] = [];
   private isFirstFrame = true;
   private can: NonNullable<Welcome["can"]> = {};
@@ -105,6 +109,9 @@ export class LiveClient implements Session {
 
   get position(): number {
     return this.past ?? this.tick;
+  }
+  get isPlaying(): boolean {
+    return this.isPast ? this.isReplaying : this.state === "playing";
   }
   get isPast(): boolean {
     return this.past !== null;
@@ -148,11 +155,11 @@ export class LiveClient implements Session {
         ? null
         : 'The author of this run does not allow it: <live edit="true"> in the experiment file does';
     return {
-      play: isPast ?? atEnd,
+      play: this.isPast ? null : atEnd,
       step: isPast !== null ? null : atEnd,
       stepBack: this.can.seek === true || this.position > this.firstTick ? seek : "This is the first state",
       seek,
-      speed: noControl,
+      speed: isPast ?? noControl,
       reset: noControl,
       end: noControl,
       move: isPast ?? noControl ?? isReplay,
@@ -390,12 +397,24 @@ export class LiveClient implements Session {
   }
 
   play(): void {
-    this.command("play");
+    if (this.past !== null) {
+      this.isReplaying = true;
+      this.replayPlace = this.past;
+      this.listener.changed();
+    } else {
+      this.command("play");
+    }
   }
   pause(): void {
-    this.command("pause");
+    if (this.past !== null) {
+      this.isReplaying = false;
+      this.listener.changed();
+    } else {
+      this.command("pause");
+    }
   }
   step(count: number): void {
+    this.isReplaying = false;
     if (this.times === "received" && (count < 0 || this.isPast)) {
       this.showPast(this.history.neighbour(this.position, count));
     } else if (count < 0) {
@@ -406,6 +425,7 @@ export class LiveClient implements Session {
   }
   // what was received; the run goes on meanwhile
   private showPast(tick: number): void {
+    this.replayPlace = tick;
     const frame = tick >= this.tick ? null : this.history.read(tick);
     if (frame === null) {
       this.toLive();
@@ -424,6 +444,7 @@ export class LiveClient implements Session {
       this.listener.showFrame(frame, true);
       this.listener.setBlend(1);
     }
+    this.isReplaying = false;
     this.listener.changed();
   }
 
@@ -490,6 +511,14 @@ export class LiveClient implements Session {
   }
 
   update(now: number): void {
+    const elapsed = Math.min((now - this.lastUpdate) / 1000, 0.25);
+    this.lastUpdate = now;
+    if (this.past !== null && this.isReplaying) {
+      this.replayPlace += (elapsed * (this.speed === 0 ? kMaxReplaySpeed : this.speed)) / (this.info?.tickLength ?? 0.1);
+      if (this.history.tickAt(this.replayPlace) !== this.past) {
+        this.showPast(this.replayPlace);
+      }
+    }
     if (this.frameAt > 0 && this.past === null) {
       this.listener.setBlend((now - this.frameAt) / this.period);
     }

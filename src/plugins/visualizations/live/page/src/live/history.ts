@@ -110,6 +110,11 @@ export class History {
     }
   }
 
+  /** The tick of the last state at a tick or before it. */
+  tickAt(tick: number): number {
+    return this.neighbour(tick, 0);
+  }
+
   /** The tick of the state that is count after, or before, that of a tick. */
   neighbour(tick: number, count: number): number {
     const ticks = this.groups.flatMap(({ states }) => states.map((state) => state.tick));

@@ -418,7 +418,7 @@ export class App implements SessionListener {
       session.connection === "lost"
         ? "Connection lost"
         : session.isPast
-          ? `The past · ${names[session.state].toLowerCase()}`
+          ? "The past"
           : names[session.state];
     setText(this.stateChip, text);
     this.stateChip.dataset.state = session.connection === "lost" ? "lost" : session.state;

@@ -122,7 +122,7 @@ export class Transport {
     if (session === null || session.abilities.play !== null) {
       return;
     }
-    if (session.state === "playing") {
+    if (session.isPlaying) {
       session.pause();
     } else {
       session.play();
@@ -144,7 +144,7 @@ export class Transport {
     const { session } = this;
     const none = "Open a recording first";
     const abilities = session?.abilities;
-    const isPlaying = session?.state === "playing";
+    const isPlaying = session?.isPlaying === true;
     if (this.play.dataset.state !== String(isPlaying)) {
       this.play.dataset.state = String(isPlaying);
       setIcon(this.play, isPlaying ? "pause" : "play", isPlaying ? "Pause (Space)" : "Play (Space)");
