@@ -39,9 +39,16 @@ export class ViewCamera {
     const isFirst = this.width === 1;
     this.width = Math.max(1, width);
     this.height = Math.max(1, height);
-    if (isFirst) {
+    // where nobody has moved the camera, it goes on showing the whole arena
+    if (isFirst || this.key === this.homeKey) {
       this.frameHome();
     }
+  }
+
+  private homeKey = "";
+
+  private get key(): string {
+    return [...this.target, this.distance, this.azimuth, this.elevation, this.mode].join();
   }
 
   setHome(box: Box): void {
@@ -95,6 +102,7 @@ export class ViewCamera {
     }
     this.distance *= 1.05;
     this.pan(0, 0.5 * (1 - free) * this.height);
+    this.homeKey = this.key;
   }
 
   setEyes(pose: Pose | null): void {
