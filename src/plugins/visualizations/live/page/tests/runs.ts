@@ -1,7 +1,7 @@
 // Recordings for the tests, made by argos3 (environment variable ARGOS3).
 
 import { type ChildProcess, execFileSync, spawn } from "node:child_process";
-import { existsSync, mkdirSync, mkdtempSync, readFileSync, writeFileSync } from "node:fs";
+import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
 
@@ -74,7 +74,8 @@ export function startRun(name: string, ...args: string[]): Promise<LiveRun> {
   });
 }
 
-/** Ends what startRun() has started. */
+/** Ends what startRun() has started, and removes the files of the tests. */
 export function endPrograms(): void {
   programs.forEach((program) => program.kill("SIGKILL"));
+  rmSync(folder, { recursive: true, force: true });
 }

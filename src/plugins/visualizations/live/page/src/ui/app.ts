@@ -289,7 +289,9 @@ export class App implements SessionListener {
     this.recording = null;
     this.session = session;
     this.welcome.hidden = true;
-    this.liveTools.hidden = session.kind !== "live";
+    const isLive = session.kind === "live";
+    this.liveTools.hidden = !isLive;
+    this.log.setNote(isLive ? "Nothing was logged yet." : "Recordings do not contain the log of a run.");
     this.transport.setSession(session);
     this.changed();
   }
@@ -306,7 +308,7 @@ export class App implements SessionListener {
     this.metricPlots.forEach((plot) => plot.destroy());
     this.metricPlots.clear();
     this.metricArea.replaceChildren();
-    this.log.clear("The log is shown while a run is watched; recordings do not have it.", info.tickLength);
+    this.log.clear(info.tickLength);
     const name = info.experimentFile.split("/").pop() ?? "";
     document.title = name === "" ? "ARGoS" : `${name} – ARGoS`;
     setText(this.title, name === "" ? "Experiment" : name);
@@ -363,9 +365,9 @@ export class App implements SessionListener {
     this.mapSelection();
     this.collectMetrics(frame, time);
     this.inspector.update(frame, time);
+    this.selectAdded();
     this.updateMetricPlots();
     this.root.dataset.tick = String(frame.tick);
-    this.selectAdded();
   }
 
   // plots keep what is later
@@ -610,9 +612,9 @@ export class App implements SessionListener {
     if (ids.length > 0) {
       this.scan(false);
     }
+    this.drive.setRobot(ids[ids.length - 1] ?? null);
     this.session?.setPinned(ids);
     this.session?.select(ids[ids.length - 1] ?? null);
-    this.drive.setRobot(ids[ids.length - 1] ?? null);
     if (this.frame !== null) {
       this.inspector.update(this.frame, this.timeOf(this.frame.tick));
     }
@@ -1006,7 +1008,11 @@ export class App implements SessionListener {
         this.help.showModal();
         return true;
       case "Escape":
-        this.inspector.select(null);
+        if (this.root.querySelector(".menu:not([hidden])") !== null) {
+          document.dispatchEvent(new CustomEvent("closemenus"));
+        } else {
+          this.inspector.select(null);
+        }
         return true;
       default:
         return false;

@@ -2,7 +2,7 @@
 
 import type { Frame } from "../decode/frames";
 import { type EntityType, TypeKind, colorOfWord } from "../decode/types";
-import type { Session, Tree } from "../session";
+import type { Session, Tree, TreeList } from "../session";
 import { yawOf } from "../view/math";
 import type { View } from "../view/view";
 import { button, h, setEnabled, setText } from "./dom";
@@ -140,10 +140,23 @@ class Card {
     for (const [path, { value, unit }] of values) {
       this.show(path, value, unit, time);
     }
+    this.hideMissing(values);
     this.showBars(values);
     for (const plot of this.plots.values()) {
       plot.update(time);
     }
+  }
+
+  // such as messages that are no longer there
+  private hideMissing(values: Map<string, Value>): void {
+    const groups = new Set<string>();
+    for (const path of values.keys()) {
+      for (let at = path.indexOf("/"); at >= 0; at = path.indexOf("/", at + 1)) {
+        groups.add(path.slice(0, at));
+      }
+    }
+    this.rows.forEach(({ row }, path) => (row.hidden = !values.has(path)));
+    this.groups.forEach((details, path) => (details.hidden = !groups.has(path)));
   }
 
   /** What may be done has changed. */
@@ -354,8 +367,40 @@ function recordedValues(frame: Frame, number: number): Map<string, Value> {
 }
 
 const kNatural = new Intl.Collator("en", { numeric: true });
-// shown already, from the states
-const kKnownGroups = new Set(["type", "pose", "leds", "quarantined", "stopped"]);
+// shown already, from the states; or the same for all robots
+const kKnownGroups = new Set(["type", "pose", "leds", "quarantined", "stopped", "lua:_VERSION"]);
+const kLua = "lua:";
+
+function numberWithUnit(value: number, unit: string): string {
+  return unit === "rad" ? `${formatNumber((value * 180) / Math.PI, 3)}°` : `${formatNumber(value, 3)} ${unit}`.trim();
+}
+
+// an item of a list, such as a message, in a line
+function describe(item: Tree): string {
+  return Object.entries(item)
+    .filter(([name, value]) => value !== null && !(name.includes("vertical") && value === 0))
+    .map(([name, value]) => (typeof value === "number" ? numberWithUnit(value, unitOf(name)) : String(value)))
+    .join(", ");
+}
+
+function unitOf(name: string): string {
+  return / \(([^()]*)\)$/.exec(name)?.[1] ?? "";
+}
+
+// a field with one value of its name, and variables of Lua, need no group each
+function isFlat(name: string, value: Tree | number | string | boolean | null | TreeList): value is Tree {
+  if (typeof value !== "object" || value === null || Array.isArray(value)) {
+    return false;
+  }
+  const names = Object.keys(value);
+  return names.length === 1 && (names[0] === name || name.startsWith(kLua));
+}
+
+// where sides are not joined, it says the same as the pose
+function isSamePlace(tree: Tree): boolean {
+  const [pose, unwrapped] = [tree.pose as Tree | undefined, tree.unwrapped as Tree | undefined];
+  return pose?.["x (m)"] === unwrapped?.["unwrapped_x (m)"] && pose?.["y (m)"] === unwrapped?.["unwrapped_y (m)"];
+}
 
 // the values of a tree by path; names have their unit behind them: "x (m)"
 function flatten(tree: Tree, prefix: string, values: Map<string, Value>): void {
@@ -365,13 +410,28 @@ function flatten(tree: Tree, prefix: string, values: Map<string, Value>): void {
     if (value === null || (prefix === "" && kKnownGroups.has(name))) {
       continue;
     }
+    if (prefix === "" && name === "unwrapped" && isSamePlace(tree)) {
+      continue;
+    }
+    if (prefix === "" && isFlat(name, value)) {
+      const only = Object.values(value)[0] as number | string | null;
+      if (only !== null) {
+        const path = name.startsWith(kLua) ? `Lua variables/${name.slice(kLua.length)}` : `State/${name}`;
+        values.set(path, { value: name === "colliding" ? only !== 0 : only, unit: "" });
+      }
+      continue;
+    }
     const [, full = name, unit = ""] = /^(.*?)(?: \(([^()]*)\))?$/.exec(name) ?? [];
     // "readings:proximity" has "proximity_1", of which "1" says the same
     const label = `${prefix.split(/[:/]/).pop() ?? ""}_`;
     const plain = prefix !== "" && full.startsWith(label) ? full.slice(label.length) : full;
     const path = prefix === "" ? `State/${plain}` : `${prefix}/${plain}`;
     if (Array.isArray(value) && value.every((item) => typeof item !== "object")) {
-      values.set(path, { value: value.join(", "), unit });
+      if (value.length > 0) {
+        values.set(path, { value: value.join(", "), unit });
+      }
+    } else if (Array.isArray(value)) {
+      value.forEach((item, i) => values.set(`${name}/${i + 1}`, { value: describe(item as Tree), unit: "" }));
     } else if (typeof value === "object") {
       flatten(value as Tree, prefix === "" ? name : `${prefix}/${name}`, values); // names in lists are numbers
     } else {
@@ -406,8 +466,9 @@ export class Inspector {
     type: "search",
     placeholder: "Find by id or type",
     "aria-label": "Find an entity",
-    oninput: () => this.fillList(),
+    oninput: () => this.find(),
   });
+  private readonly findRow = h("div", { class: "row find" }, this.search);
   private readonly list = h("ul", { class: "entities", "aria-label": "Entities" });
   private readonly hint = h("p", { class: "empty" });
   /** Of the state that is shown, s. */
@@ -427,9 +488,9 @@ export class Inspector {
       "div",
       { class: "inspector" },
       this.parameterArea,
+      this.findRow,
       this.hint,
       this.cardArea,
-      h("div", { class: "row find" }, this.search),
       this.list,
     );
     this.updateHint();
@@ -580,6 +641,16 @@ export class Inspector {
     this.hint.hidden = this.pinned.length > 0;
     this.hint.textContent =
       "Click a robot to see its values. Hold Shift to compare several side by side.";
+  }
+
+  // what is found is shown below the field, above the cards
+  private find(): void {
+    if (this.search.value === "") {
+      this.element.append(this.list);
+    } else {
+      this.findRow.after(this.list);
+    }
+    this.fillList();
   }
 
   private fillList(): void {

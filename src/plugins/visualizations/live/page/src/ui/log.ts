@@ -33,7 +33,7 @@ export class LogPanel {
       this.empty,
       this.list,
     );
-    this.clear("");
+    this.clear();
   }
 
   /** The last lines that contain an id, as a word of its own; the latest one is the last. */
@@ -55,11 +55,15 @@ export class LogPanel {
     this.apply();
   }
 
-  clear(note: string, tickLength = 0.1): void {
+  clear(tickLength = 0.1): void {
     this.list.replaceChildren();
     this.tickLength = tickLength;
+    this.empty.hidden = false;
+  }
+
+  /** What is said while there are no lines. */
+  setNote(note: string): void {
     this.empty.textContent = note;
-    this.empty.hidden = note === "";
   }
 
   add(lines: LogLine[]): void {

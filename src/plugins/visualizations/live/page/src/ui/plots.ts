@@ -142,7 +142,7 @@ export class Plot {
       {
         width: this.holder.clientWidth,
         height: 110,
-        padding: [6, 8, 0, 0],
+        padding: [6, 18, 0, 0],
         legend: { show: false },
         cursor: { y: false, points: { size: 6 }, drag: { x: false, y: false } },
         scales: { x: { time: false } },
