@@ -2,6 +2,7 @@
 #define ARGOS3_CORE_UTILITY_SPATIAL_RECTANGLE_H
 
 #include <argos3/core/utility/datatypes/datatypes.h>
+#include <argos3/core/utility/math/planar_vector.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,11 +16,6 @@
  */
 
 namespace argos {
-
-/** A vector in the plane, m. */
-struct SPlanarVector {
-  Real X, Y;
-};
 
 /** A vector of the world frame, in the frame of a rectangle. */
 template <typename RECTANGLE>

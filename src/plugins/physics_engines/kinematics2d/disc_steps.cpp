@@ -27,10 +27,6 @@ constexpr Real kMinShare = 1e-3;
 constexpr UInt8 kNoRound = 255;
 static_assert(kMaxRounds < kNoRound);
 
-Real SquaredLength(const SStep& step) {
-  return step.X * step.X + step.Y * step.Y;
-}
-
 bool IsWithinReach(const CCellLists& lists, UInt32 cell, Real x, Real y, Real reach) {
   if (lists.IsEmpty()) {
     return false;
@@ -272,8 +268,8 @@ void CDiscSwarm::FindActive(size_t beginCell, size_t endCell, const CCellLists& 
       }
       const SPlace& disc = m_places[place];
       const UInt32 slot = disc.Slot;
-      m_targets[place] = {m_stepX[slot], m_stepY[slot], m_radius[slot], 0.0};
-      m_done[place] = SStep();
+      m_targets[place] = {{m_stepX[slot], m_stepY[slot]}, m_radius[slot], 0.0};
+      m_done[place] = SPlanarVector{};
       m_movedIn[0][place] = m_movedIn[1][place] = kNoRound;
       if (++numFound == found.size()) {
         flush();
@@ -285,15 +281,15 @@ void CDiscSwarm::FindActive(size_t beginCell, size_t endCell, const CCellLists& 
 
 // Computes one round's step of a robot. @return true if it moves.
 bool CDiscSwarm::StepOne(SActiveDisc& active, const CCellLists& walls, const CCellLists& solids,
-                         const std::vector<SStep>& done, std::vector<SStep>& next) {
+                         const std::vector<SPlanarVector>& done, std::vector<SPlanarVector>& next) {
   STarget& target = m_targets[active.Place];
-  const SStep& here = done[active.Place];
-  const SStep missing = {target.X - here.X, target.Y - here.Y};
-  const Real length = std::sqrt(SquaredLength(missing));
+  const SPlanarVector& here = done[active.Place];
+  const SPlanarVector missing = target.Step - here;
+  const Real length = std::sqrt(SquareLength(missing));
   const Real path = PathOf(PlaceOf(active), target);
-  const bool mayBePushed = path > std::sqrt(target.X * target.X + target.Y * target.Y) + 1e-6;
+  const bool mayBePushed = path > std::sqrt(SquareLength(target.Step)) + 1e-6;
   CHalfPlanes planes;
-  SStep goal;
+  SPlanarVector goal = {};
   Real share = 1.0;
   // obstacles beyond the path are left out; if there are too many, the path is shortened
   for (bool fits = false; !fits && share > kMinShare; share *= 0.25) {
@@ -306,47 +302,45 @@ bool CDiscSwarm::StepOne(SActiveDisc& active, const CCellLists& walls, const CCe
            LimitByGhosts(active, here, bound, planes);
     // sums depend on the order because of rounding, and the order of the discs on threads
     planes.Sort();
-    const SStep push = planes.SumPushes();
-    goal = {share * missing.X + push.X, share * missing.Y + push.Y};
-    const Real goalLength = std::sqrt(SquaredLength(goal));
+    const SPlanarVector push = planes.SumPushes();
+    goal = share * missing + push;
+    const Real goalLength = std::sqrt(SquareLength(goal));
     if (!fits || goalLength > bound) {
       const Real scale = fits && goalLength > 0.0 ? bound / goalLength : 0.0;
-      goal = {goal.X * scale, goal.Y * scale};
+      goal = scale * goal;
     }
   }
-  SStep step = planes.FindNearest(goal);
+  SPlanarVector step = planes.FindNearest(goal);
   // obstacles were only considered within the path
-  const Real room = path - std::sqrt(SquaredLength(here));
-  const Real stepLength = std::sqrt(SquaredLength(step));
-  const SStep there = {here.X + step.X, here.Y + step.Y};
-  if (SquaredLength(there) > path * path && stepLength > 0.0) {
+  const Real room = path - std::sqrt(SquareLength(here));
+  const Real stepLength = std::sqrt(SquareLength(step));
+  if (SquareLength(here + step) > path * path && stepLength > 0.0) {
     const Real scale = std::max(0.0, room / stepLength);
-    step = {step.X * scale, step.Y * scale};
+    step = scale * step;
   }
-  next[active.Place] = {here.X + step.X, here.Y + step.Y};
-  const SStep left = {target.X - next[active.Place].X, target.Y - next[active.Place].Y};
+  next[active.Place] = here + step;
+  const SPlanarVector left = target.Step - next[active.Place];
   active.HasArrived =
-      target.Depth == 0.0 &&
-      SquaredLength(left) <= kArrived * kArrived * (target.X * target.X + target.Y * target.Y);
+      target.Depth == 0.0 && SquareLength(left) <= kArrived * kArrived * SquareLength(target.Step);
   return stepLength > kNegligibleStep * target.Radius;
 }
 
-bool CDiscSwarm::LimitByDiscs(const SActiveDisc& active, const std::vector<SStep>& done, Real bound,
-                              CHalfPlanes& planes) {
+bool CDiscSwarm::LimitByDiscs(const SActiveDisc& active, const std::vector<SPlanarVector>& done,
+                              Real bound, CHalfPlanes& planes) {
   STarget& target = m_targets[active.Place];
   const SPlace& disc = PlaceOf(active);
-  const SStep& here = done[active.Place];
-  const SStep missing = {target.X - here.X, target.Y - here.Y};
+  const SPlanarVector& here = done[active.Place];
+  const SPlanarVector missing = target.Step - here;
   return !ForPlacesNear(active, [&](UInt32 other) {
     const SPlace& neighbour = m_places[other];
-    const Real dx = m_period.X.Shorten(neighbour.X - disc.X);
-    const Real dy = m_period.Y.Shorten(neighbour.Y - disc.Y);
+    const SPlanarVector start = {m_period.X.Shorten(neighbour.X - disc.X),
+                                 m_period.Y.Shorten(neighbour.Y - disc.Y)};
     const STarget& otherTarget = m_targets[other];
-    const SStep& there = done[other];
-    const SStep missingThere = {otherTarget.X - there.X, otherTarget.Y - there.Y};
-    const SStep offset = {dx + (there.X - here.X), dy + (there.Y - here.Y)};
-    const SStep relative = {missingThere.X - missing.X, missingThere.Y - missing.Y};
-    SSeparation separation = SeparateDiscs(offset, relative, target.Radius + otherTarget.Radius);
+    const SPlanarVector& there = done[other];
+    const SPlanarVector missingThere = otherTarget.Step - there;
+    const SPlanarVector offset = start + (there - here);
+    SSeparation separation =
+        SeparateDiscs(offset, missingThere - missing, target.Radius + otherTarget.Radius);
     if (offset.X == 0.0 && offset.Y == 0.0 && disc.Slot > neighbour.Slot) {
       separation.NormalX = -separation.NormalX;
     }
@@ -367,7 +361,7 @@ bool CDiscSwarm::LimitByDiscs(const SActiveDisc& active, const std::vector<SStep
 }
 
 bool CDiscSwarm::LimitByFootprints(const SActiveDisc& active, const CCellLists& lists,
-                                   UInt32 firstId, const SStep& done, Real bound,
+                                   UInt32 firstId, const SPlanarVector& done, Real bound,
                                    CHalfPlanes& planes) {
   if (lists.IsEmpty()) {
     return true;
@@ -376,7 +370,7 @@ bool CDiscSwarm::LimitByFootprints(const SActiveDisc& active, const CCellLists& 
   const SPlace& disc = PlaceOf(active);
   const Real x = disc.X + done.X;
   const Real y = disc.Y + done.Y;
-  const SStep missing = {target.X - done.X, target.Y - done.Y};
+  const SPlanarVector missing = target.Step - done;
   for (const UInt32 number : lists.Get(active.Cell)) {
     const SFootprint& footprint = lists.GetFootprint(number);
     if (ComputeDistance(footprint, x, y) - target.Radius >= bound) {
@@ -401,7 +395,7 @@ bool CDiscSwarm::LimitByFootprints(const SActiveDisc& active, const CCellLists& 
   return true;
 }
 
-bool CDiscSwarm::LimitByGhosts(const SActiveDisc& active, const SStep& done, Real bound,
+bool CDiscSwarm::LimitByGhosts(const SActiveDisc& active, const SPlanarVector& done, Real bound,
                                CHalfPlanes& planes) {
   STarget& target = m_targets[active.Place];
   const SPlace& disc = PlaceOf(active);
@@ -426,7 +420,7 @@ bool CDiscSwarm::LimitByGhosts(const SActiveDisc& active, const SStep& done, Rea
 void CDiscSwarm::Finish(const SActiveDisc& active) {
   const STarget& target = m_targets[active.Place];
   const SPlace& disc = PlaceOf(active);
-  const SStep& done = m_done[active.Place];
+  const SPlanarVector& done = m_done[active.Place];
   m_nextX[disc.Slot] = disc.X + done.X;
   m_nextY[disc.Slot] = disc.Y + done.Y;
   m_allowance[disc.Slot] = std::min(target.Depth, target.Radius);

@@ -205,7 +205,7 @@ Real CDiscSwarm::GetRoomBack(UInt32 slot) const {
              : std::max(0.0, static_cast<Real>(disc.Reach) - m_radius[slot] - kMaxRounding);
 }
 
-void CDiscSwarm::PushBack(UInt32 slot, const SStep& step) {
+void CDiscSwarm::PushBack(UInt32 slot, const SPlanarVector& step) {
   CheckPlaces();
   CheckSlot(slot);
   SPlace& disc = m_places[m_sort.GetPlace(slot)];

@@ -101,14 +101,14 @@ class CDiscSwarm {
     return m_radius[slot];
   }
   /** The step of this substep that the drive commands, m. */
-  SStep GetPlannedStep(UInt32 slot) const {
+  SPlanarVector GetPlannedStep(UInt32 slot) const {
     CheckSlot(slot);
     return {m_stepX[slot], m_stepY[slot]};
   }
   /** After Plan(): how far PushBack() may move a disc, m. */
   Real GetRoomBack(UInt32 slot) const;
   /** Between Plan() and Step(): moves a disc by a step, in place of the one that was planned. */
-  void PushBack(UInt32 slot, const SStep& step);
+  void PushBack(UInt32 slot, const SPlanarVector& step);
   /** After Plan(): the radius of the largest circle that a disc does not leave in the tick, m. */
   Real GetMaxReach() const { return static_cast<Real>(m_maxReach.load(std::memory_order_relaxed)); }
   /** Its greatest pushing force, N. */
@@ -142,7 +142,7 @@ class CDiscSwarm {
   };
   /** The target of an active disc, and its limits. */
   struct STarget {
-    Real X, Y;  // m, relative to the start of the tick
+    SPlanarVector Step;  // m, from the start of the tick
     Real Radius;  // m
     Real Depth;  // m, of the deepest overlap
   };
@@ -191,12 +191,13 @@ class CDiscSwarm {
   size_t DropArrived(size_t numLeft);
   bool MayMove(const SActiveDisc& active, UInt8 round) const;
   bool StepOne(SActiveDisc& active, const CCellLists& walls, const CCellLists& solids,
-               const std::vector<SStep>& done, std::vector<SStep>& next);
-  bool LimitByDiscs(const SActiveDisc& active, const std::vector<SStep>& done, Real bound,
+               const std::vector<SPlanarVector>& done, std::vector<SPlanarVector>& next);
+  bool LimitByDiscs(const SActiveDisc& active, const std::vector<SPlanarVector>& done, Real bound,
                     CHalfPlanes& planes);
   bool LimitByFootprints(const SActiveDisc& active, const CCellLists& lists, UInt32 firstId,
-                         const SStep& done, Real bound, CHalfPlanes& planes);
-  bool LimitByGhosts(const SActiveDisc& active, const SStep& done, Real bound, CHalfPlanes& planes);
+                         const SPlanarVector& done, Real bound, CHalfPlanes& planes);
+  bool LimitByGhosts(const SActiveDisc& active, const SPlanarVector& done, Real bound,
+                     CHalfPlanes& planes);
   void Finish(const SActiveDisc& active);
   template <typename VISIT>
   bool ForPlacesAround(UInt32 cell, VISIT&& visit) const;
@@ -242,7 +243,7 @@ class CDiscSwarm {
   std::vector<SPlace> m_places;  // in order of cells
   // by place, for active discs only
   std::vector<STarget> m_targets;
-  std::vector<SStep> m_done, m_next;  // m; steps made before and after a round
+  std::vector<SPlanarVector> m_done, m_next;  // m; steps made before and after a round
   // the last even and the last odd round in which the disc moved, or kNoRound
   std::vector<UInt8> m_movedIn[2];
   // in any order; not a vector, which would fill what no tick has needed yet

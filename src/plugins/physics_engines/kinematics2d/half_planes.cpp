@@ -24,8 +24,8 @@ void CHalfPlanes::Sort() {
   }
 }
 
-SStep CHalfPlanes::SumPushes() const {
-  SStep sum;
+SPlanarVector CHalfPlanes::SumPushes() const {
+  SPlanarVector sum = {};
   for (size_t i = 0; i < m_size; ++i) {
     sum.X -= m_planes[i].Push * m_planes[i].NormalX;
     sum.Y -= m_planes[i].Push * m_planes[i].NormalY;
@@ -33,8 +33,8 @@ SStep CHalfPlanes::SumPushes() const {
   return sum;
 }
 
-SStep CHalfPlanes::FindNearest(const SStep& target) const {
-  SStep step = target;
+SPlanarVector CHalfPlanes::FindNearest(const SPlanarVector& target) const {
+  SPlanarVector step = target;
   for (size_t i = 0; i < m_size; ++i) {
     const SHalfPlane& plane = m_planes[i];
     if (plane.NormalX * step.X + plane.NormalY * step.Y <= plane.Limit) {
@@ -43,7 +43,7 @@ SStep CHalfPlanes::FindNearest(const SStep& target) const {
     // the nearest step that this plane and the previous ones allow is on the border of this one
     if (!FindOnLine(i, target, step)) {
       // no step is left because of rounding; a step of length 0 is always possible
-      return SStep();
+      return SPlanarVector{};
     }
   }
   return step;
@@ -51,7 +51,8 @@ SStep CHalfPlanes::FindNearest(const SStep& target) const {
 
 // The step on the border of a half plane that is nearest to the target and that the previous planes
 // allow.
-bool CHalfPlanes::FindOnLine(size_t number, const SStep& target, SStep& step) const {
+bool CHalfPlanes::FindOnLine(size_t number, const SPlanarVector& target,
+                             SPlanarVector& step) const {
   const SHalfPlane& line = m_planes[number];
   const Real directionX = -line.NormalY;
   const Real directionY = line.NormalX;

@@ -33,7 +33,7 @@ class CHalfPlanes {
   /** Sorts the planes by id, so that the result does not depend on the order of Add() calls. */
   void Sort();
   /** The sum of the steps that overlaps request, in the order of the planes. */
-  SStep SumPushes() const;
+  SPlanarVector SumPushes() const;
   /**
    * The allowed step that is nearest to @p target.
    *
@@ -41,10 +41,10 @@ class CHalfPlanes {
    * programming, with the distance as the goal, as in J. van den Berg et al., Reciprocal n-Body
    * Collision Avoidance (2011).
    */
-  SStep FindNearest(const SStep& target) const;
+  SPlanarVector FindNearest(const SPlanarVector& target) const;
 
  private:
-  bool FindOnLine(size_t number, const SStep& target, SStep& step) const;
+  bool FindOnLine(size_t number, const SPlanarVector& target, SPlanarVector& step) const;
 
   std::array<SHalfPlane, 64> m_planes;
   size_t m_size = 0;

@@ -26,7 +26,7 @@ void CSolids::AddPushesOfDiscs(UInt32 slot, const CDiscSwarm& discs) {
   std::sort(m_nearDiscs.begin(), m_nearDiscs.end());
   for (const UInt32 disc : m_nearDiscs) {
     const SPlanarPose pose = discs.GetPoseNear(disc, solid.Pose.X, solid.Pose.Y);
-    const SStep step = discs.GetPlannedStep(disc);
+    const SPlanarVector step = discs.GetPlannedStep(disc);
     for (size_t pushed = solid.FirstFootprint; pushed < solid.FirstFootprint + solid.NumFootprints;
          ++pushed) {
       const SSeparation contact =
@@ -116,7 +116,7 @@ UInt32 CSolids::AddDiscToSolver(UInt32 disc, const CDiscSwarm& discs) {
   m_numberOfDisc.resize(discs.GetSize(), CPushSolver::kNone);
   UInt32& number = m_numberOfDisc[disc];
   if (number == CPushSolver::kNone) {
-    const SStep step = discs.GetPlannedStep(disc);
+    const SPlanarVector step = discs.GetPlannedStep(disc);
     const Real radius = discs.GetRadius(disc);
     number = m_solver.AddBody({step.X, step.Y, 0.0}, discs.GetMaxForce(disc),
                               CPushSolver::kUnlimited, radius * radius, kDiscKey | disc);
@@ -151,7 +151,7 @@ void CSolids::TakeTwists(const CDiscSwarm& discs) {
   }
   for (SPusher& pusher : m_pushers) {
     const STwist& twist = m_solver.GetTwist(pusher.Number);
-    SStep planned;
+    SPlanarVector planned = {};
     STwist back = twist;
     if (pusher.IsDisc) {
       planned = discs.GetPlannedStep(pusher.Slot);
@@ -184,14 +184,14 @@ Real CSolids::PushBack(const SPusher& pusher, CDiscSwarm& discs) {
     return Move(robot, pusher.Back, discs);
   }
   const Real most = std::min(1.0, discs.GetRoomBack(pusher.Slot) / length);
-  const SStep step = {most * pusher.Back.X, most * pusher.Back.Y};
+  const SPlanarVector step = {most * pusher.Back.X, most * pusher.Back.Y};
   const Real share = ComputeFreeShare(pusher.Slot, step, discs);
   discs.PushBack(pusher.Slot, {share * step.X, share * step.Y});
   return most * share;
 }
 
 // The share of a step that a disc can make without touching anything.
-Real CSolids::ComputeFreeShare(UInt32 disc, const SStep& step, const CDiscSwarm& discs) {
+Real CSolids::ComputeFreeShare(UInt32 disc, const SPlanarVector& step, const CDiscSwarm& discs) {
   const SPlanarPose pose = discs.GetPose(disc);
   const Real radius = discs.GetRadius(disc);
   const Real reach = radius + std::hypot(step.X, step.Y);

@@ -216,7 +216,7 @@ class CSolids {
   void MoveIsland(std::span<const SMember> members, const CDiscSwarm& discs);
   bool MovePushed(CDiscSwarm& discs);
   Real PushBack(const SPusher& pusher, CDiscSwarm& discs);
-  Real ComputeFreeShare(UInt32 disc, const SStep& step, const CDiscSwarm& discs);
+  Real ComputeFreeShare(UInt32 disc, const SPlanarVector& step, const CDiscSwarm& discs);
   void StepDriven(SSolid& solid, const CDiscSwarm& discs);
   void GatherObstacles(const SSolid& solid, Real margin, const CDiscSwarm& discs);
   Real Move(SSolid& solid, const STwist& twist, const CDiscSwarm& discs);

@@ -19,7 +19,7 @@ struct SNearest {
 /** A disc with a planned step, in the frame of a shape. */
 struct SDiscAtShape {
   Real X, Y, Radius;
-  SStep Step;
+  SPlanarVector Step;
 
   // to a point of the shape, if that is nearest to the disc after a share of the step
   SNearest MeasureTo(Real pointX, Real pointY, Real share) const {
@@ -74,7 +74,7 @@ struct SDiscAtPolygon : SDiscAtShape {
 };
 
 // The share of a step after which a point enters a rectangle; kNoHit: not in this step.
-Real EnterBox(Real x, Real y, const SStep& step, Real halfX, Real halfY) {
+Real EnterBox(Real x, Real y, const SPlanarVector& step, Real halfX, Real halfY) {
   const bool isBeside =
       (step.X == 0.0 && std::abs(x) >= halfX) || (step.Y == 0.0 && std::abs(y) >= halfY);
   SRaySpan inside = {0.0, 1.0};
@@ -84,7 +84,7 @@ Real EnterBox(Real x, Real y, const SStep& step, Real halfX, Real halfY) {
 }
 
 // the same for a circle around the origin that the point approaches
-Real EnterCircle(Real x, Real y, const SStep& step, Real radius) {
+Real EnterCircle(Real x, Real y, const SPlanarVector& step, Real radius) {
   const Real approach = x * step.X + y * step.Y;
   const SRaySpan inside =
       FindNegative(step.X * step.X + step.Y * step.Y, approach, x * x + y * y - radius * radius);
@@ -287,7 +287,8 @@ SSide FindBestSide(const SFootprint& a, const SFootprint& b) {
 
 // The ends of the side of a polygon that faces a direction most directly; first the one with the
 // greater coordinate in its frame, as of a rectangle.
-void FindIncidentSide(const CCorners& polygon, const CVector2& direction, SStep (&ends)[2]) {
+void FindIncidentSide(const CCorners& polygon, const CVector2& direction,
+                      SPlanarVector (&ends)[2]) {
   Real least = HUGE_VAL;
   size_t incident = 0;
   for (size_t i = 0; i < polygon.GetSize(); ++i) {
@@ -309,7 +310,7 @@ void FindIncidentSide(const CCorners& polygon, const CVector2& direction, SStep 
 }
 
 // The ends of the side of a shape that faces a direction most directly.
-void FindIncidentSide(const SFootprint& box, Real x, Real y, SStep (&ends)[2]) {
+void FindIncidentSide(const SFootprint& box, Real x, Real y, SPlanarVector (&ends)[2]) {
   if (box.Polygon != nullptr) {
     FindIncidentSide(CCorners(box), CVector2(x, y), ends);
     return;
@@ -330,10 +331,10 @@ void FindIncidentSide(const SFootprint& box, Real x, Real y, SStep (&ends)[2]) {
 }
 
 // Clips a line to the points beside a side. @return false if none is.
-bool Clip(SStep (&ends)[2], const SSide& side) {
+bool Clip(SPlanarVector (&ends)[2], const SSide& side) {
   const Real tangentX = -side.NormalY;
   const Real tangentY = side.NormalX;
-  const auto along = [&](const SStep& end) {
+  const auto along = [&](const SPlanarVector& end) {
     return (end.X - side.X) * tangentX + (end.Y - side.Y) * tangentY;
   };
   for (const Real sign : {-1.0, 1.0}) {
@@ -355,10 +356,10 @@ bool Clip(SStep (&ends)[2], const SSide& side) {
 
 int FindContactsOfSides(const SFootprint& a, const SFootprint& b, SSeparation* contacts) {
   const SSide side = FindBestSide(a, b);
-  SStep ends[2];
+  SPlanarVector ends[2];
   FindIncidentSide(side.IsFirst ? b : a, side.NormalX, side.NormalY, ends);
-  const SStep whole[2] = {ends[0], ends[1]};
-  const auto gapOf = [&side](const SStep& end) {
+  const SPlanarVector whole[2] = {ends[0], ends[1]};
+  const auto gapOf = [&side](const SPlanarVector& end) {
     return (end.X - side.X) * side.NormalX + (end.Y - side.Y) * side.NormalY - side.Half;
   };
   int count = 2;
@@ -376,9 +377,9 @@ int FindContactsOfSides(const SFootprint& a, const SFootprint& b, SSeparation* c
 
 }  // namespace
 
-SSeparation SeparateFromFootprint(Real x, Real y, Real radius, const SStep& step,
+SSeparation SeparateFromFootprint(Real x, Real y, Real radius, const SPlanarVector& step,
                                   const SFootprint& footprint) {
-  const SStep offset = {footprint.X - x, footprint.Y - y};
+  const SPlanarVector offset = {footprint.X - x, footprint.Y - y};
   if (footprint.Radius > 0.0) {
     SSeparation separation = SeparateDiscs(offset, {-step.X, -step.Y}, radius + footprint.Radius);
     separation.PointX = footprint.X - footprint.Radius * separation.NormalX;
@@ -403,11 +404,11 @@ SSeparation SeparateFromFootprint(Real x, Real y, Real radius, const SStep& step
 
 int FindContacts(const SFootprint& a, const SFootprint& b, SSeparation* contacts) {
   if (a.Radius > 0.0) {
-    contacts[0] = SeparateFromFootprint(a.X, a.Y, a.Radius, SStep(), b);
+    contacts[0] = SeparateFromFootprint(a.X, a.Y, a.Radius, SPlanarVector{}, b);
     return 1;
   }
   if (b.Radius > 0.0) {
-    const SSeparation back = SeparateFromFootprint(b.X, b.Y, b.Radius, SStep(), a);
+    const SSeparation back = SeparateFromFootprint(b.X, b.Y, b.Radius, SPlanarVector{}, a);
     contacts[0] = {-back.NormalX, -back.NormalY, back.Gap, back.PointX, back.PointY};
     return 1;
   }
@@ -416,10 +417,10 @@ int FindContacts(const SFootprint& a, const SFootprint& b, SSeparation* contacts
 
 Real ComputeGap(const SFootprint& a, const SFootprint& b) {
   if (a.Radius > 0.0) {
-    return SeparateFromFootprint(a.X, a.Y, a.Radius, SStep(), b).Gap;
+    return SeparateFromFootprint(a.X, a.Y, a.Radius, SPlanarVector{}, b).Gap;
   }
   if (b.Radius > 0.0) {
-    return SeparateFromFootprint(b.X, b.Y, b.Radius, SStep(), a).Gap;
+    return SeparateFromFootprint(b.X, b.Y, b.Radius, SPlanarVector{}, a).Gap;
   }
   return FindBestSide(a, b).Gap;
 }

@@ -1,6 +1,7 @@
 #ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_PLANAR_SEPARATION_H
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_PLANAR_SEPARATION_H
 
+#include <argos3/core/utility/math/planar_vector.h>
 #include <argos3/plugins/simulator/physics_engines/planar/footprints.h>
 
 #include <cmath>
@@ -8,10 +9,7 @@
 namespace argos {
 
 /** A step in the plane, m. */
-struct SStep {
-  Real X = 0.0;
-  Real Y = 0.0;
-};
+using SStep = SPlanarVector;
 
 /**
  * A separating line of two convex shapes, or their contact if they touch or overlap.
@@ -34,28 +32,25 @@ struct SSeparation {
  * @param relative  planned step of the second relative to the first, m.
  * @param reach     sum of the radii, m.
  */
-inline SSeparation SeparateDiscs(const SStep& offset, const SStep& relative, Real reach) {
-  const Real squaredDistance = offset.X * offset.X + offset.Y * offset.Y;
-  const Real squaredPath = relative.X * relative.X + relative.Y * relative.Y;
-  const Real approach = offset.X * relative.X + offset.Y * relative.Y;
-  Real x = offset.X;
-  Real y = offset.Y;
+inline SSeparation SeparateDiscs(const SPlanarVector& offset, const SPlanarVector& relative,
+                                 Real reach) {
+  const Real squaredDistance = SquareLength(offset);
+  const Real squaredPath = SquareLength(relative);
+  const Real approach = Dot(offset, relative);
+  SPlanarVector between = offset;
   if (approach < 0.0 && squaredDistance > reach * reach) {
     Real share = std::fmin(1.0, -approach / squaredPath);
-    const Real nearestX = x + share * relative.X;
-    const Real nearestY = y + share * relative.Y;
-    if (nearestX * nearestX + nearestY * nearestY < reach * reach) {
+    if (SquareLength(offset + share * relative) < reach * reach) {
       const Real root = approach * approach - squaredPath * (squaredDistance - reach * reach);
       share = std::fmax(0.0, (-approach - std::sqrt(std::fmax(0.0, root))) / squaredPath);
     }
-    x += share * relative.X;
-    y += share * relative.Y;
+    between = offset + share * relative;
   }
-  const Real length = std::sqrt(x * x + y * y);
+  const Real length = std::sqrt(SquareLength(between));
   SSeparation separation;
   if (length > 0.0) {
-    separation.NormalX = x / length;
-    separation.NormalY = y / length;
+    separation.NormalX = between.X / length;
+    separation.NormalY = between.Y / length;
   } else {
     separation.NormalX = 1.0;
   }
@@ -64,7 +59,7 @@ inline SSeparation SeparateDiscs(const SStep& offset, const SStep& relative, Rea
 }
 
 /** The same for a disc with a planned step and a fixed footprint. */
-SSeparation SeparateFromFootprint(Real x, Real y, Real radius, const SStep& step,
+SSeparation SeparateFromFootprint(Real x, Real y, Real radius, const SPlanarVector& step,
                                   const SFootprint& footprint);
 
 /**

@@ -16,7 +16,7 @@ using Catch::Matchers::WithinAbs;
 
 namespace {
 
-bool Allows(const std::vector<SHalfPlane>& planes, const SStep& step, Real slack) {
+bool Allows(const std::vector<SHalfPlane>& planes, const SPlanarVector& step, Real slack) {
   for (const SHalfPlane& plane : planes) {
     if (plane.NormalX * step.X + plane.NormalY * step.Y > plane.Limit + slack) {
       return false;
@@ -26,8 +26,8 @@ bool Allows(const std::vector<SHalfPlane>& planes, const SStep& step, Real slack
 }
 
 // nearest candidate: the wanted step, its projections on borders, or a corner
-SStep SearchNearest(const std::vector<SHalfPlane>& planes, const SStep& wanted) {
-  std::vector<SStep> candidates = {wanted};
+SPlanarVector SearchNearest(const std::vector<SHalfPlane>& planes, const SPlanarVector& wanted) {
+  std::vector<SPlanarVector> candidates = {wanted};
   for (const SHalfPlane& a : planes) {
     const Real excess = a.NormalX * wanted.X + a.NormalY * wanted.Y - a.Limit;
     candidates.push_back({wanted.X - excess * a.NormalX, wanted.Y - excess * a.NormalY});
@@ -39,9 +39,9 @@ SStep SearchNearest(const std::vector<SHalfPlane>& planes, const SStep& wanted) 
       }
     }
   }
-  SStep best;
+  SPlanarVector best = {};
   Real least = HUGE_VAL;
-  for (const SStep& step : candidates) {
+  for (const SPlanarVector& step : candidates) {
     const Real distance = std::hypot(step.X - wanted.X, step.Y - wanted.Y);
     if (distance < least && Allows(planes, step, 1e-12)) {
       least = distance;
@@ -67,9 +67,9 @@ TEST_CASE("half planes: the step found is the nearest one that all planes allow"
       planes.push_back({std::cos(angle), std::sin(angle), limit, static_cast<UInt32>(i), 0.0});
       REQUIRE(solver.Add(planes.back()));
     }
-    const SStep wanted = {random.Uniform(-2, 2), random.Uniform(-2, 2)};
-    const SStep found = solver.FindNearest(wanted);
-    const SStep best = SearchNearest(planes, wanted);
+    const SPlanarVector wanted = {random.Uniform(-2, 2), random.Uniform(-2, 2)};
+    const SPlanarVector found = solver.FindNearest(wanted);
+    const SPlanarVector best = SearchNearest(planes, wanted);
     CAPTURE(scene, wanted.X, wanted.Y);
     // corners of planes 1e-6 rad apart are found to 1e-16 / 1e-6
     REQUIRE_THAT(found.X, WithinAbs(best.X, 1e-9));
@@ -90,8 +90,8 @@ TEST_CASE("half planes: after sorting, the result does not depend on the order o
   }
   forwards.Sort();
   backwards.Sort();
-  const SStep a = forwards.FindNearest({1.0, 1.0});
-  const SStep b = backwards.FindNearest({1.0, 1.0});
+  const SPlanarVector a = forwards.FindNearest({1.0, 1.0});
+  const SPlanarVector b = backwards.FindNearest({1.0, 1.0});
   CHECK(a.X == b.X);
   CHECK(a.Y == b.Y);
 }

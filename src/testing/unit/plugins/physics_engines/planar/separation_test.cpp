@@ -94,7 +94,7 @@ Real DistanceToShape(const SFootprint& box, Real x, Real y) {
 }
 
 // least distance during a step of the centre, by sampling
-Real LeastDistance(const SFootprint& box, Real x, Real y, const SStep& step) {
+Real LeastDistance(const SFootprint& box, Real x, Real y, const SPlanarVector& step) {
   Real least = HUGE_VAL;
   for (int i = 0; i <= 2000; ++i) {
     least = std::min(least, DistanceToShape(box, x + i / 2000.0 * step.X, y + i / 2000.0 * step.Y));
@@ -109,8 +109,8 @@ TEST_CASE("separation: the line between discs that miss each other allows the wh
   CRandomStream random(1, "test", "separation", "discs");
   int missed = 0;
   for (int scene = 0; scene < 3000; ++scene) {
-    const SStep offset = {random.Uniform(-1, 1), random.Uniform(-1, 1)};
-    const SStep relative = {random.Uniform(-2, 2), random.Uniform(-2, 2)};
+    const SPlanarVector offset = {random.Uniform(-1, 1), random.Uniform(-1, 1)};
+    const SPlanarVector relative = {random.Uniform(-2, 2), random.Uniform(-2, 2)};
     constexpr Real kReach = 0.2;
     if (std::hypot(offset.X, offset.Y) <= kReach) {
       continue;
@@ -147,7 +147,7 @@ TEST_CASE("separation: disc and shape are on opposite sides of the line", "[unit
                                : MakeBox(random.Uniform(-1, 1), random.Uniform(-1, 1),
                                          random.Uniform(-std::numbers::pi, std::numbers::pi),
                                          random.Uniform(0.01, 0.5), random.Uniform(0.01, 0.5));
-    const SStep step = {random.Uniform(-2, 2), random.Uniform(-2, 2)};
+    const SPlanarVector step = {random.Uniform(-2, 2), random.Uniform(-2, 2)};
     const Real start = DistanceToShape(box, 0.0, 0.0);
     if (start <= kRadius) {
       continue;
@@ -228,7 +228,7 @@ TEST_CASE("separation: a rectangle as a polygon is separated as the rectangle",
     const SFootprint sameA = AsPolygon(a, cornersA);
     const SFootprint sameB = AsPolygon(b, cornersB);
     CAPTURE(scene);
-    const SStep step = {random.Uniform(-1, 1), random.Uniform(-1, 1)};
+    const SPlanarVector step = {random.Uniform(-1, 1), random.Uniform(-1, 1)};
     check(SeparateFromFootprint(0.1, 0.2, 0.1, step, sameA),
           SeparateFromFootprint(0.1, 0.2, 0.1, step, a));
     SSeparation boxes[2], mixed[2], polygons[2];
