@@ -8,7 +8,6 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -75,54 +74,66 @@ std::vector<std::string> SplitList(const std::string& text) {
   return words;
 }
 
-struct SPlotSetter {
-  const char* Kind; /**< to which the option belongs; empty: to both */
-  std::function<void(const std::string&)> Set;
+struct SPlotOption {
+  const char* Name;
+  const char* Kind = ""; /**< to which the option belongs; empty: to both */
   bool HasValue = true;
 };
 
-typedef std::map<std::string, SPlotSetter> TPlotSetters;
+constexpr SPlotOption kPlotOptions[] = {
+    {"-o"},
+    {"--output"},
+    {"--from"},
+    {"--to"},
+    {"--robots", "trajectories"},
+    {"--run", "trajectories"},
+    {"--label", "metrics"},
+    {"--ended", "metrics"},
+    {"--log", "metrics", false},
+    {"--xlog", "metrics", false},
+};
 
-TPlotSetters ListSetters(SPlotOptions& options) {
+const SPlotOption& FindOption(const std::string& name) {
+  std::vector<std::string> names;
+  for (const SPlotOption& option : kPlotOptions) {
+    if (option.Name == name) {
+      return option;
+    }
+    names.emplace_back(option.Name);
+  }
+  THROW_ARGOSEXCEPTION("unknown option " << name << DidYouMean(name, names) << kSeeHelp);
+}
+
+// @param value  of an option that has one.
+void SetOption(SPlotOptions& options, const std::string& name, const std::string& value) {
   STrajectoryRequest& trajectories = options.Trajectories;
   SMetricRequest& metrics = options.Metrics;
-  const auto setOutput = [&options](const std::string& text) { options.Output = text; };
-  const auto setRobots = [&](const std::string& text) { trajectories.Robots = SplitList(text); };
-  const auto setRun = [&](const std::string& text) {
-    if (ParseNumber(text, trajectories.Run) != ENumberParsing::Ok) {
-      THROW_ARGOSEXCEPTION("--run must be a whole number, found \"" << text << '"');
+  if (name == "-o" || name == "--output") {
+    options.Output = value;
+  } else if (name == "--from") {
+    trajectories.Span.From = metrics.Span.From = ParseSeconds(name, value);
+  } else if (name == "--to") {
+    trajectories.Span.To = metrics.Span.To = ParseSeconds(name, value);
+  } else if (name == "--robots") {
+    trajectories.Robots = SplitList(value);
+  } else if (name == "--run") {
+    if (ParseNumber(value, trajectories.Run) != ENumberParsing::Ok) {
+      THROW_ARGOSEXCEPTION("--run must be a whole number, found \"" << value << '"');
     }
-  };
-  const auto setFrom = [&](const std::string& text) {
-    trajectories.Span.From = metrics.Span.From = ParseSeconds("--from", text);
-  };
-  const auto setTo = [&](const std::string& text) {
-    trajectories.Span.To = metrics.Span.To = ParseSeconds("--to", text);
-  };
-  const auto setLabel = [&](const std::string& text) { metrics.Label = text; };
-  const auto setEnded = [&](const std::string& text) { metrics.Ended = ParseEndedRuns(text); };
-  const auto setLog = [&](const std::string&) { metrics.IsLogarithmic = true; };
-  const auto setTimeLog = [&](const std::string&) { metrics.IsTimeLogarithmic = true; };
-  return {{"-o", {"", setOutput}},
-          {"--output", {"", setOutput}},
-          {"--from", {"", setFrom}},
-          {"--to", {"", setTo}},
-          {"--robots", {"trajectories", setRobots}},
-          {"--run", {"trajectories", setRun}},
-          {"--label", {"metrics", setLabel}},
-          {"--ended", {"metrics", setEnded}},
-          {"--log", {"metrics", setLog, false}},
-          {"--xlog", {"metrics", setTimeLog, false}}};
+  } else if (name == "--label") {
+    metrics.Label = value;
+  } else if (name == "--ended") {
+    metrics.Ended = ParseEndedRuns(value);
+  } else if (name == "--log") {
+    metrics.IsLogarithmic = true;
+  } else if (name == "--xlog") {
+    metrics.IsTimeLogarithmic = true;
+  }
 }
 
 SPlotOptions ParseArguments(const std::vector<std::string>& arguments) {
   SPlotOptions options;
-  const TPlotSetters setters = ListSetters(options);
   std::map<std::string, std::string> kinds;  // of the options that are given
-  std::vector<std::string> names;
-  for (const auto& [name, setter] : setters) {
-    names.push_back(name);
-  }
   for (size_t i = 0; i < arguments.size(); ++i) {
     const std::string& argument = arguments[i];
     if (argument == "-h" || argument == "--help") {
@@ -132,16 +143,12 @@ SPlotOptions ParseArguments(const std::vector<std::string>& arguments) {
     } else if (argument.size() < 2 || argument[0] != '-') {
       (options.Kind.empty() ? options.Kind : options.Words.emplace_back()) = argument;
     } else {
-      const auto setter = setters.find(argument);
-      if (setter == setters.end()) {
-        THROW_ARGOSEXCEPTION("unknown option " << argument << DidYouMean(argument, names)
-                                               << kSeeHelp);
-      }
-      if (setter->second.HasValue && ++i == arguments.size()) {
+      const SPlotOption& option = FindOption(argument);
+      if (option.HasValue && ++i == arguments.size()) {
         THROW_ARGOSEXCEPTION(argument << " needs a value");
       }
-      setter->second.Set(arguments[i]);
-      kinds[argument] = setter->second.Kind;
+      SetOption(options, argument, arguments[i]);
+      kinds[argument] = option.Kind;
     }
   }
   for (const auto& [option, kind] : kinds) {

@@ -30,6 +30,10 @@ UInt32 CountProcessors() {
 
 }  // namespace
 
+void RunIfChosen(CLI::App& command, TCampaignCommand& chosen, const TCampaignCommand& run) {
+  command.callback([&chosen, run] { chosen = run; });
+}
+
 void AddFile(CLI::App& command, std::string& file) {
   command.add_option("FILE", file, "the campaign file")->required();
 }

@@ -2,14 +2,11 @@
 #define ARGOS3_CAMPAIGN_PROGRAM_COMMAND_OPTIONS_H
 
 #include <argos3/campaign/design/campaign.h>
+#include <argos3/campaign/program/commands.h>
 #include <argos3/campaign/scheduling/campaign_manager.h>
 #include <argos3/campaign/store/result_store.h>
 
 #include <string>
-
-namespace CLI {
-class App;
-}
 
 namespace argos {
 
@@ -24,6 +21,9 @@ struct SExecutionOptions {
   bool IsQuiet = false;
   bool HasLiveViews = false; /**< of the runs */
 };
+
+/** Sets @p chosen to @p run if the arguments select the command. */
+void RunIfChosen(CLI::App& command, TCampaignCommand& chosen, const TCampaignCommand& run);
 
 /** Adds the campaign's file, the first argument of all commands. */
 void AddFile(CLI::App& command, std::string& file);

@@ -43,7 +43,7 @@ void AddExportCommand(CLI::App& app, TCampaignCommand& chosen) {
   command.add_option("--csv", options->CSVFolder, "tables: runs.csv, and a file for each series")
       ->type_name("FOLDER");
   command.add_option("--json", options->JSONFile, "one JSON object")->type_name("FILE");
-  command.callback([options, &chosen] { chosen = [options] { return Export(*options); }; });
+  RunIfChosen(command, chosen, [options] { return Export(*options); });
 }
 
 }  // namespace argos

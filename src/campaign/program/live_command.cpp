@@ -10,6 +10,8 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
+#include <vector>
 
 namespace argos {
 
@@ -43,26 +45,25 @@ int Open(const std::vector<SLiveRunEntry>& runs, size_t number) {
   return CAMPAIGN_DONE;
 }
 
+// @param number  of the run to open; none: the runs are listed.
+int ListOrOpen(const std::optional<size_t>& number) {
+  const std::vector<SLiveRunEntry> runs = ListLiveRuns();
+  if (number) {
+    return Open(runs, *number);
+  }
+  PrintRuns(runs);
+  return CAMPAIGN_DONE;
+}
+
 }  // namespace
 
 void AddLiveCommand(CLI::App& app, TCampaignCommand& chosen) {
   CLI::App& command = *app.add_subcommand(
       "live", "list your runs on this computer that can be watched in a browser, with their URLs");
-  const auto number = std::make_shared<size_t>(0);
-  CLI::Option* const open =
-      command.add_option("--open", *number, "open the run with this number of the list")
-          ->type_name("N");
-  command.callback([number, open, &chosen] {
-    const bool isOpened = open->count() > 0;
-    chosen = [number, isOpened] {
-      const std::vector<SLiveRunEntry> runs = ListLiveRuns();
-      if (isOpened) {
-        return Open(runs, *number);
-      }
-      PrintRuns(runs);
-      return static_cast<int>(CAMPAIGN_DONE);
-    };
-  });
+  const auto number = std::make_shared<std::optional<size_t>>();
+  command.add_option("--open", *number, "open the run with this number of the list")
+      ->type_name("N");
+  RunIfChosen(command, chosen, [number] { return ListOrOpen(*number); });
 }
 
 }  // namespace argos

@@ -124,7 +124,7 @@ void AddReportCommand(CLI::App& app, TCampaignCommand& chosen) {
   command.add_option("--reference", figure.Reference, "height of a dashed line, of means")
       ->type_name("NUMBER");
   command.add_flag("--log", figure.IsLogarithmic, "logarithmic axis of the metric");
-  command.callback([options, &chosen] { chosen = [options] { return MakeReport(*options); }; });
+  RunIfChosen(command, chosen, [options] { return MakeReport(*options); });
 }
 
 }  // namespace argos

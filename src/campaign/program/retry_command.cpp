@@ -139,7 +139,7 @@ void AddRetryCommand(CLI::App& app, TCampaignCommand& chosen) {
                   "only runs for which this Lua expression of factors, metrics and seed is true, "
                   "such as \"other_load > 0.1\"")
       ->type_name("CONDITION");
-  command.callback([options, &chosen] { chosen = [options] { return Retry(*options); }; });
+  RunIfChosen(command, chosen, [options] { return Retry(*options); });
 }
 
 }  // namespace argos

@@ -166,7 +166,7 @@ void AddCommand(CLI::App& app, TCampaignCommand& chosen, bool isResumed) {
       "and execute nothing");
   command.add_flag("--accept-change", options->AcceptsChange,
                    "the experiment has changed: begin a new generation of runs");
-  command.callback([options, &chosen] { chosen = [options] { return Run(*options); }; });
+  RunIfChosen(command, chosen, [options] { return Run(*options); });
 }
 
 }  // namespace

@@ -115,7 +115,7 @@ void AddShareCommand(CLI::App& app, TCampaignCommand& chosen) {
   command.add_option("--submission", options->Submission, "digest of the submitted campaign")
       ->required();
   command.add_flag("--retry", options->RepeatsFailedRuns, "repeat stored runs that have failed");
-  command.callback([options, &chosen] { chosen = [options] { return RunShare(*options); }; });
+  RunIfChosen(command, chosen, [options] { return RunShare(*options); });
 }
 
 void AddMergeCommand(CLI::App& app, TCampaignCommand& chosen) {
@@ -128,7 +128,7 @@ void AddMergeCommand(CLI::App& app, TCampaignCommand& chosen) {
   command
       .add_option("--resubmit", options->Resubmissions, "how often missing runs may be submitted")
       ->group("");
-  command.callback([options, &chosen] { chosen = [options] { return Merge(*options); }; });
+  RunIfChosen(command, chosen, [options] { return Merge(*options); });
 }
 
 }  // namespace argos

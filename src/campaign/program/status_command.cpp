@@ -94,7 +94,7 @@ void AddStatusCommand(CLI::App& app, TCampaignCommand& chosen) {
       *app.add_subcommand("status", "print how many runs are done, and which have failed");
   const auto file = std::make_shared<std::string>();
   AddFile(command, *file);
-  command.callback([file, &chosen] { chosen = [file] { return PrintStatus(*file); }; });
+  RunIfChosen(command, chosen, [file] { return PrintStatus(*file); });
 }
 
 }  // namespace argos

@@ -92,7 +92,7 @@ void AddSubmitCommand(CLI::App& app, TCampaignCommand& chosen) {
   command.add_flag_callback(
       "--retry", [options] { options->Failed = EFailedRuns::Repeated; },
       "repeat stored runs that have failed, too; their results replace the stored ones");
-  command.callback([options, &chosen] { chosen = [options] { return Submit(*options); }; });
+  RunIfChosen(command, chosen, [options] { return Submit(*options); });
 }
 
 }  // namespace argos
