@@ -33,7 +33,7 @@ class CCampaignReader {
     for (const std::string& line : m_document.DescribeUnread()) {
       m_errors.Add("", CARGoSException(line));
     }
-    CheckExperiment();
+    m_errors.Try("", [this] { CheckExperiment(); });
     m_errors.ThrowIfAny("errors in the campaign");
     return m_campaign;
   }
@@ -59,15 +59,17 @@ class CCampaignReader {
     return (std::filesystem::path(m_campaign.File).parent_path() / path).string();
   }
 
+  void ReadExperimentFile(TConfigurationNode& root) {
+    m_campaign.ExperimentFile = ResolvePath(ReadText(root, "experiment"));
+    std::string problem;
+    if (!ReadInputFile(m_campaign.ExperimentFile, m_campaign.ExperimentText, problem)) {
+      ThrowAt(root, "attribute \"experiment\": \"" + m_campaign.ExperimentFile +
+                        "\" cannot be read: " + problem);
+    }
+  }
+
   void ReadRootAttributes(TConfigurationNode& root) {
-    m_errors.Try("", [&] {
-      m_campaign.ExperimentFile = ResolvePath(ReadText(root, "experiment"));
-      std::string problem;
-      if (!ReadInputFile(m_campaign.ExperimentFile, m_campaign.ExperimentText, problem)) {
-        ThrowAt(root, "attribute \"experiment\": \"" + m_campaign.ExperimentFile +
-                          "\" cannot be read: " + problem);
-      }
-    });
+    m_errors.Try("", [&] { ReadExperimentFile(root); });
     m_campaign.Title = ReadOptionalText(root, "title");
     m_errors.Try("", [&] {
       const std::string stem = std::filesystem::path(m_campaign.File).stem().string();
@@ -139,24 +141,22 @@ class CCampaignReader {
   }
 
   void CheckExperiment() {
-    m_errors.Try("", [&] {
-      if (m_campaign.ExperimentText.empty()) {
-        throw CAlreadyReported("no experiment");
-      }
-      const std::string original = m_campaign.ExperimentText;
-      CConfigurationDocument document;
-      document.Parse(original, m_campaign.ExperimentFile);
-      if (document.GetRoot().Value() != kExperimentTag) {
-        THROW_ARGOSEXCEPTION(document.GetRoot().GetLocation()
-                             << ": the root element is <" << document.GetRoot().Value()
-                             << ">, expected <" << kExperimentTag << ">; is it an experiment?");
-      }
-      m_campaign.ExperimentSource = original;
-      ApplyConstants(m_errors, m_campaign.ExperimentFile, m_constants, m_campaign.ExperimentText);
-      const std::set<std::string> ofThreads = CheckSettings(
-          m_errors, m_campaign.ExperimentFile, m_campaign.ExperimentText, m_constants, m_design);
-      NoteThreads(ofThreads);
-    });
+    if (m_campaign.ExperimentText.empty()) {
+      throw CAlreadyReported("no experiment");
+    }
+    const std::string original = m_campaign.ExperimentText;
+    CConfigurationDocument document;
+    document.Parse(original, m_campaign.ExperimentFile);
+    if (document.GetRoot().Value() != kExperimentTag) {
+      THROW_ARGOSEXCEPTION(document.GetRoot().GetLocation()
+                           << ": the root element is <" << document.GetRoot().Value()
+                           << ">, expected <" << kExperimentTag << ">; is it an experiment?");
+    }
+    m_campaign.ExperimentSource = original;
+    ApplyConstants(m_errors, m_campaign.ExperimentFile, m_constants, m_campaign.ExperimentText);
+    const std::set<std::string> ofThreads = CheckSettings(
+        m_errors, m_campaign.ExperimentFile, m_campaign.ExperimentText, m_constants, m_design);
+    NoteThreads(ofThreads);
   }
 
   // the number of threads is that of <execution>, unless a setting has another
@@ -175,15 +175,13 @@ class CCampaignReader {
                                                << "\" is no number of threads");
       }
     }
-    const auto setsThreads = [&paths](const SSetting& setting) {
-      return paths.count(setting.Path) > 0;
-    };
+    const auto isOfThreads = [&paths](const std::string& path) { return paths.count(path) > 0; };
     for (SFactor& factor : m_campaign.Factors) {
-      factor.SetsThreads =
-          std::all_of(factor.Levels.begin(), factor.Levels.end(), [&](const SLevel& level) {
-            return !level.Settings.empty() &&
-                   std::all_of(level.Settings.begin(), level.Settings.end(), setsThreads);
-          });
+      factor.SetsThreads = true;
+      for (const SLevel& level : factor.Levels) {
+        factor.SetsThreads = factor.SetsThreads && !level.Settings.empty() &&
+                             std::ranges::all_of(level.Settings, isOfThreads, &SSetting::Path);
+      }
     }
   }
 

@@ -245,38 +245,41 @@ void RefuseEqualCombinations(const SDesignSource& design, const SCampaign& campa
   }
 }
 
+// @throws CARGoSException unless there are combinations, and no two of them are equal.
+void AddCombinations(CLoadErrors& errors, SDesignSource& design, SCampaign& campaign) {
+  const TSelections selections = Select(design);
+  for (const SFactorSource& source : design.Factors) {
+    campaign.Factors.push_back(source.Factor);
+  }
+  CCombiner combiner(errors, design);
+  bool isComplete = true;
+  for (const std::vector<UInt32>& selection : selections) {
+    SCombination combination;
+    const bool isValid = combiner.Combine(selection, combination);
+    isComplete = isComplete && isValid;
+    if (!isValid) {
+      continue;
+    }
+    if (combiner.IsExcluded()) {
+      ++campaign.NumExcluded;
+    } else {
+      campaign.Combinations.push_back(std::move(combination));
+    }
+  }
+  if (!isComplete) {
+    return;
+  }
+  if (campaign.Combinations.empty()) {
+    THROW_ARGOSEXCEPTION(design.Location << ": every combination is excluded");
+  }
+  combiner.WarnOfUselessExclusions(campaign.Warnings);
+  RefuseEqualCombinations(design, campaign);
+}
+
 }  // namespace
 
 void MakeCombinations(CLoadErrors& errors, SDesignSource& design, SCampaign& campaign) {
-  errors.Try("", [&] {
-    const TSelections selections = Select(design);
-    for (const SFactorSource& source : design.Factors) {
-      campaign.Factors.push_back(source.Factor);
-    }
-    CCombiner combiner(errors, design);
-    bool isComplete = true;
-    for (const std::vector<UInt32>& selection : selections) {
-      SCombination combination;
-      const bool isValid = combiner.Combine(selection, combination);
-      isComplete = isComplete && isValid;
-      if (!isValid) {
-        continue;
-      }
-      if (combiner.IsExcluded()) {
-        ++campaign.NumExcluded;
-      } else {
-        campaign.Combinations.push_back(std::move(combination));
-      }
-    }
-    if (!isComplete) {
-      return;
-    }
-    if (campaign.Combinations.empty()) {
-      THROW_ARGOSEXCEPTION(design.Location << ": every combination is excluded");
-    }
-    combiner.WarnOfUselessExclusions(campaign.Warnings);
-    RefuseEqualCombinations(design, campaign);
-  });
+  errors.Try("", [&] { AddCombinations(errors, design, campaign); });
 }
 
 }  // namespace argos

@@ -66,6 +66,21 @@ void ReadElement(CLoadErrors& errors, TConfigurationNode& node,
   }
 }
 
+static const TChildReaders::mapped_type& FindReader(const TConfigurationNode& element,
+                                                    const std::string& parent,
+                                                    const TChildReaders& readers) {
+  const auto reader = readers.find(element.Value());
+  if (reader == readers.end()) {
+    std::vector<std::string> known;
+    for (const auto& [name, function] : readers) {
+      known.push_back(name);
+    }
+    ThrowAt(element,
+            "there is no such element in <" + parent + ">" + DidYouMean(element.Value(), known));
+  }
+  return reader->second;
+}
+
 void ReadChildren(CLoadErrors& errors, TConfigurationNode& node, const TChildReaders& readers,
                   const std::vector<std::string>& single) {
   std::map<std::string, std::string> first;
@@ -73,20 +88,12 @@ void ReadChildren(CLoadErrors& errors, TConfigurationNode& node, const TChildRea
   for (child = child.begin(&node); child != child.end(); ++child) {
     ReadElement(errors, *child, [&](TConfigurationNode& element) {
       const std::string tag = element.Value();
-      const auto reader = readers.find(tag);
-      if (reader == readers.end()) {
-        std::vector<std::string> known;
-        for (const auto& [name, function] : readers) {
-          known.push_back(name);
-        }
-        ThrowAt(element,
-                "there is no such element in <" + node.Value() + ">" + DidYouMean(tag, known));
-      }
+      const TChildReaders::mapped_type& read = FindReader(element, node.Value(), readers);
       const auto [other, isFirst] = first.emplace(tag, element.GetLocation());
       if (!isFirst && std::find(single.begin(), single.end(), tag) != single.end()) {
         ThrowAt(element, "it is given twice, first at " + other->second);
       }
-      reader->second(element);
+      read(element);
     });
   }
 }

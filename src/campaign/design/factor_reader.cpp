@@ -178,18 +178,19 @@ SFactorSource ReadFactor(TConfigurationNode& node, EDesign design) {
   return source;
 }
 
+bool IsNamedIn(const std::string& text, const std::string& name) {
+  return HasExpression(text) && text.find(name) != std::string::npos;
+}
+
 bool IsNamedInExpressions(const std::string& name, const SDesignSource& design) {
+  const auto isNamedIn = [&name](const std::string& text) { return IsNamedIn(text, name); };
   for (const SFactorSource& source : design.Factors) {
-    const auto names = [&name](const std::string& text) {
-      return HasExpression(text) && text.find(name) != std::string::npos;
-    };
-    const auto namesInValue = [&names](const SSetting& setting) { return names(setting.Value); };
-    if (std::any_of(source.Sets.begin(), source.Sets.end(), namesInValue)) {
+    if (std::ranges::any_of(source.Sets, isNamedIn, &SSetting::Value)) {
       return true;
     }
     for (const SLevel& level : source.Factor.Levels) {
-      if (names(level.Value) ||
-          std::any_of(level.Settings.begin(), level.Settings.end(), namesInValue)) {
+      if (isNamedIn(level.Value) ||
+          std::ranges::any_of(level.Settings, isNamedIn, &SSetting::Value)) {
         return true;
       }
     }
@@ -197,11 +198,21 @@ bool IsNamedInExpressions(const std::string& name, const SDesignSource& design) 
   return false;
 }
 
+void AddFactor(TConfigurationNode& node, SDesignSource& design) {
+  const SFactorSource source = ReadFactor(node, design.Design);
+  for (const SFactorSource& other : design.Factors) {
+    // names become columns of tables, which do not distinguish cases
+    if (StringToLowerCase(other.Factor.Name) == StringToLowerCase(source.Factor.Name)) {
+      ThrowAt(node,
+              "the name \"" + source.Factor.Name + "\" is given twice, first at " + other.Location);
+    }
+  }
+  design.Factors.push_back(source);
+}
+
 void CheckThatFactorsSetSomething(CLoadErrors& errors, const SDesignSource& design) {
   for (const SFactorSource& source : design.Factors) {
-    const bool setsNothing =
-        std::all_of(source.SettingLocations.begin(), source.SettingLocations.end(),
-                    [](const std::vector<std::string>& locations) { return locations.empty(); });
+    const bool setsNothing = std::ranges::all_of(source.SettingLocations, std::ranges::empty);
     if (setsNothing && !IsNamedInExpressions(source.Factor.Name, design)) {
       errors.Add("", CARGoSException(source.Location + ": the factor \"" + source.Factor.Name +
                                      "\" changes nothing: give it path=\"...\", or elements <set "
@@ -244,15 +255,7 @@ SDesignSource ReadFactors(CLoadErrors& errors, TConfigurationNode& node) {
   size_t numFactors = 0;
   const auto readFactor = [&](TConfigurationNode& element) {
     ++numFactors;
-    const SFactorSource source = ReadFactor(element, design.Design);
-    for (const SFactorSource& other : design.Factors) {
-      // names become columns of tables, which do not distinguish cases
-      if (StringToLowerCase(other.Factor.Name) == StringToLowerCase(source.Factor.Name)) {
-        ThrowAt(element, "the name \"" + source.Factor.Name + "\" is given twice, first at " +
-                             other.Location);
-      }
-    }
-    design.Factors.push_back(source);
+    AddFactor(element, design);
   };
   const auto readExclusion = [&](TConfigurationNode& element) {
     design.Exclusions.push_back({ReadText(element, "where"), Locate(element)});

@@ -115,6 +115,10 @@ void CheckLook(TConfigurationNode& node, const std::string& name) {
   }
 }
 
+bool IsOneOf(const std::string& name, const std::vector<std::string>& names) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
 void ReadFigure(TConfigurationNode& node, const SFigureKind& kind, SCampaign& campaign) {
   // reads what every figure has: its data and its look
   static const std::vector<std::string> kLooks = {"where",  "title",  "file",  "xlabel",
@@ -125,18 +129,30 @@ void ReadFigure(TConfigurationNode& node, const SFigureKind& kind, SCampaign& ca
   figure.Kind = node.Value();
   figure.Line = static_cast<int>(node.GetLine());
   for (const std::string& name : node.GetAttributeNames()) {
-    const auto isOneOf = [&name](const std::vector<std::string>& names) {
-      return std::find(names.begin(), names.end(), name) != names.end();
-    };
-    const bool isAxis = std::any_of(kind.Axes.begin(), kind.Axes.end(),
-                                    [&name](const SAxis& axis) { return axis.Attribute == name; });
+    const bool isAxis = std::ranges::find(kind.Axes, name, &SAxis::Attribute) != kind.Axes.end();
     // others are reported as unused
-    if (isAxis || isOneOf(kLooks) || isOneOf(kind.OwnLooks)) {
+    if (isAxis || IsOneOf(name, kLooks) || IsOneOf(name, kind.OwnLooks)) {
       CheckLook(node, name);
       figure.Attributes.emplace_back(name, ReadText(node, name));
     }
   }
   campaign.Figures.push_back(figure);
+}
+
+SComparison ReadComparison(TConfigurationNode& node, const SCampaign& campaign) {
+  CheckAxes(node, {{"metric", EAxis::Metric, true}, {"factor", EAxis::Factor, true}}, campaign);
+  SComparison comparison;
+  comparison.Metric = ReadText(node, "metric");
+  comparison.Factor = ReadText(node, "factor");
+  GetNodeAttributeOrDefault(node, "paired", comparison.IsPaired, false);
+  comparison.Line = static_cast<int>(node.GetLine());
+  for (const SFactor& factor : campaign.Factors) {
+    if (factor.Name == comparison.Factor && factor.Levels.size() < 2) {
+      ThrowAt(node, "attribute \"factor\": \"" + factor.Name +
+                        "\" has one value only: there is nothing to compare");
+    }
+  }
+  return comparison;
 }
 
 }  // namespace
@@ -154,20 +170,7 @@ void ReadFigures(CLoadErrors& errors, TConfigurationNode& node, SCampaign& campa
 
 void ReadTests(CLoadErrors& errors, TConfigurationNode& node, SCampaign& campaign) {
   const auto readComparison = [&campaign](TConfigurationNode& element) {
-    CheckAxes(element, {{"metric", EAxis::Metric, true}, {"factor", EAxis::Factor, true}},
-              campaign);
-    SComparison comparison;
-    comparison.Metric = ReadText(element, "metric");
-    comparison.Factor = ReadText(element, "factor");
-    GetNodeAttributeOrDefault(element, "paired", comparison.IsPaired, false);
-    comparison.Line = static_cast<int>(element.GetLine());
-    for (const SFactor& factor : campaign.Factors) {
-      if (factor.Name == comparison.Factor && factor.Levels.size() < 2) {
-        ThrowAt(element, "attribute \"factor\": \"" + factor.Name +
-                             "\" has one value only: there is nothing to compare");
-      }
-    }
-    campaign.Comparisons.push_back(comparison);
+    campaign.Comparisons.push_back(ReadComparison(element, campaign));
   };
   ReadChildren(errors, node, {{"compare", readComparison}});
 }

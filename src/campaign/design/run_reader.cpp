@@ -124,6 +124,17 @@ SCollectedMetric ReadFileMetric(TConfigurationNode& node) {
   return metric;
 }
 
+void AddMetric(const SCollectedMetric& metric, const TConfigurationNode& node,
+               SCampaign& campaign) {
+  for (const SCollectedMetric& other : campaign.Metrics) {
+    if (StringToLowerCase(other.Name) == StringToLowerCase(metric.Name) &&
+        other.IsSeries == metric.IsSeries) {
+      ThrowAt(node, "the name \"" + metric.Name + "\" is given twice");
+    }
+  }
+  campaign.Metrics.push_back(metric);
+}
+
 }  // namespace
 
 void ReadRuns(TConfigurationNode& node, SCampaign& campaign) {
@@ -162,19 +173,10 @@ void ReadExecution(TConfigurationNode& node, SCampaign& campaign) {
 
 bool ReadCollected(CLoadErrors& errors, TConfigurationNode& node, SCampaign& campaign) {
   size_t numElements = 0;
-  const auto add = [&](const SCollectedMetric& metric, TConfigurationNode& element) {
-    for (const SCollectedMetric& other : campaign.Metrics) {
-      if (StringToLowerCase(other.Name) == StringToLowerCase(metric.Name) &&
-          other.IsSeries == metric.IsSeries) {
-        ThrowAt(element, "the name \"" + metric.Name + "\" is given twice");
-      }
-    }
-    campaign.Metrics.push_back(metric);
-  };
   const auto readWith = [&](SCollectedMetric (*read)(TConfigurationNode&)) {
     return [&, read](TConfigurationNode& element) {
       ++numElements;
-      add(read(element), element);
+      AddMetric(read(element), element, campaign);
     };
   };
   ReadChildren(errors, node,

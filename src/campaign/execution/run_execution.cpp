@@ -96,17 +96,19 @@ class CExecution {
     m_run.Do([this] { Summarize(); });
     m_run.Destroy();
     m_result.PeakMemory = GetPeakMemory();
-    m_run.Do([this] {
-      if (const std::string failed = TakeFailedOutputs(); !failed.empty()) {
-        THROW_ARGOSEXCEPTION(failed);
-      }
-      CollectColumns(m_setup.Metrics, m_request.Folder, m_result);
-    });
+    m_run.Do([this] { CollectOutputs(); });
     TakeSummary(m_run.Finish());
     return std::move(m_result);
   }
 
  private:
+  void CollectOutputs() {
+    if (const std::string failed = TakeFailedOutputs(); !failed.empty()) {
+      THROW_ARGOSEXCEPTION(failed);
+    }
+    CollectColumns(m_setup.Metrics, m_request.Folder, m_result);
+  }
+
   void Load() {
     if (chdir(m_request.Folder.c_str()) != 0) {
       THROW_ARGOSEXCEPTION("the folder \""

@@ -118,8 +118,7 @@ void CompareMany(const SLevelSamples& samples, const std::vector<std::vector<Rea
   } else {
     // Dunn's pairs have the same order
     const std::vector<SGroupComparison> dunn = CompareByDunn(groups, EPValueAdjustment::Holm);
-    std::transform(dunn.begin(), dunn.end(), pValues.begin(),
-                   [](const SGroupComparison& pair) { return pair.AdjustedPValue; });
+    std::ranges::transform(dunn, pValues.begin(), &SGroupComparison::AdjustedPValue);
   }
   for (size_t i = 0; i < pValues.size(); ++i) {
     result.Pairs[i].PValue = pValues[i];

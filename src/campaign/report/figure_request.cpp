@@ -122,6 +122,24 @@ SFigureRequest MakeFigureRequest(const SCampaign& campaign, const SFigure& figur
   return request;
 }
 
+static SFigureRequest MakeRequest(const char* kind, const std::string& y, const std::string& x,
+                                  const std::string& group) {
+  SFigureRequest request;
+  request.Kind = kind;
+  request.X = x;
+  request.Y = y;
+  request.Group = group;
+  return request;
+}
+
+// The factor by which the figure is grouped, if it has that many and has a colour for each level.
+static std::string FindGroup(const CReportData& data, const std::vector<std::string>& varied,
+                             size_t index) {
+  const bool isGrouped =
+      index < varied.size() && data.GetLevels(data.FindFactor(varied[index])).size() <= kMaxColors;
+  return isGrouped ? varied[index] : "";
+}
+
 std::vector<SFigureRequest> ListFigureRequests(const CReportData& data) {
   const SCampaign& campaign = data.GetCampaign();
   std::vector<SFigureRequest> requests;
@@ -137,27 +155,13 @@ std::vector<SFigureRequest> ListFigureRequests(const CReportData& data) {
       varied.push_back(campaign.Factors[factor].Name);
     }
   }
-  const auto findGroup = [&](size_t index) -> std::string {
-    return index < varied.size() &&
-                   data.GetLevels(data.FindFactor(varied[index])).size() <= kMaxColors
-               ? varied[index]
-               : "";
-  };
-  const auto add = [&requests](const char* kind, const std::string& y, const std::string& x,
-                               const std::string& group) {
-    SFigureRequest& request = requests.emplace_back();
-    request.Kind = kind;
-    request.X = x;
-    request.Y = y;
-    request.Group = group;
-  };
   for (const std::string& metric : data.GetStore().ListMetrics()) {
     if (!varied.empty()) {
-      add("boxplot", metric, varied[0], findGroup(1));
+      requests.push_back(MakeRequest("boxplot", metric, varied[0], FindGroup(data, varied, 1)));
     }
   }
   for (const std::string& series : data.GetStore().ListSeries()) {
-    add("series", series, "", findGroup(0));
+    requests.push_back(MakeRequest("series", series, "", FindGroup(data, varied, 0)));
   }
   return requests;
 }

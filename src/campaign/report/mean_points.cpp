@@ -25,9 +25,7 @@ class CPointAxis {
   CPointAxis(const CReportData& data, const std::string& name) {
     const std::vector<std::string> metrics = data.GetStore().ListMetrics();
     const auto& factors = data.GetCampaign().Factors;
-    const bool isFactor =
-        std::any_of(factors.begin(), factors.end(),
-                    [&name](const SFactor& factor) { return factor.Name == name; });
+    const bool isFactor = std::ranges::find(factors, name, &SFactor::Name) != factors.end();
     if (!isFactor && std::find(metrics.begin(), metrics.end(), name) != metrics.end()) {
       for (const SRunValue& value : data.ReadMetric(name)) {
         m_values[{value.Combination, value.Seed}] = value.Value;
@@ -95,14 +93,10 @@ void KeepPositive(const std::string& metric, SMeans& means) {
   size_t numKept = 0;
   for (SGroupMeans& group : means.Groups) {
     const size_t count = group.Points.size();
-    group.Samples.erase(std::remove_if(group.Samples.begin(), group.Samples.end(),
-                                       [](const SPowerLawSample& sample) {
-                                         return ComputeMoments(sample.Y).Mean <= 0.0;
-                                       }),
-                        group.Samples.end());
-    group.Points.erase(std::remove_if(group.Points.begin(), group.Points.end(),
-                                      [](const SMeanPoint& point) { return point.Mean <= 0.0; }),
-                       group.Points.end());
+    std::erase_if(group.Samples, [](const SPowerLawSample& sample) {
+      return ComputeMoments(sample.Y).Mean <= 0.0;
+    });
+    std::erase_if(group.Points, [](const SMeanPoint& point) { return point.Mean <= 0.0; });
     means.NumMeansNotPositive += count - group.Points.size();
     means.NumRunsNotPositive += static_cast<size_t>(
         std::count_if(group.Y.begin(), group.Y.end(), [](Real value) { return value <= 0.0; }));
@@ -160,9 +154,8 @@ SMeans SMeans::Collect(const CReportData& data, const SFigureRequest& request,
       points.push_back(MakePoint(sample.first, sample.second, request.HasDeviationBars));
       runs.push_back({points.back().X, std::move(sample.second)});
     }
-    const auto isBefore = [](const auto& a, const auto& b) { return a.X < b.X; };
-    std::stable_sort(points.begin(), points.end(), isBefore);
-    std::stable_sort(runs.begin(), runs.end(), isBefore);
+    std::ranges::stable_sort(points, {}, &SMeanPoint::X);
+    std::ranges::stable_sort(runs, {}, &SPowerLawSample::X);
   }
   if (request.IsLogarithmic) {
     KeepPositive(request.Y, means);
@@ -197,8 +190,7 @@ std::string SMeans::MakeFrame(const CReportData& data, const SFigureRequest& req
   Real high = request.Reference.value_or(-std::numeric_limits<Real>::infinity());
   bool isNegative = low < 0.0;
   for (const SGroupMeans& group : Groups) {
-    isNegative = isNegative || std::any_of(group.Y.begin(), group.Y.end(),
-                                           [](Real value) { return value < 0.0; });
+    isNegative = isNegative || std::ranges::any_of(group.Y, [](Real value) { return value < 0.0; });
     for (const SMeanPoint& point : group.Points) {
       levels[point.X] = FormatNumber(point.X);
       low = std::min(low, point.Lower);

@@ -27,6 +27,17 @@ bool Contains(const std::vector<size_t>& indices, size_t index) {
   return std::find(indices.begin(), indices.end(), index) != indices.end();
 }
 
+std::pair<size_t, UInt32> KeyOf(const SRunValue& value) {
+  return {value.Combination, value.Seed};
+}
+
+// @return 0 if it is no number.
+Real ToNumber(const std::string& text) {
+  Real number = 0.0;
+  ParseNumber(text, number);
+  return number;
+}
+
 }  // namespace
 
 bool ParseLevels(const std::vector<std::string>& levels, std::vector<Real>& numbers) {
@@ -80,13 +91,7 @@ void CReportData::FindLevels() {
     }
     std::vector<Real> numbers;
     if (ParseLevels(levels, numbers)) {
-      std::stable_sort(levels.begin(), levels.end(), [](const auto& a, const auto& b) {
-        Real first = 0.0;
-        Real second = 0.0;
-        ParseNumber(a, first);
-        ParseNumber(b, second);
-        return first < second;
-      });
+      std::ranges::stable_sort(levels, {}, ToNumber);
     }
   }
 }
@@ -133,9 +138,7 @@ std::vector<SRunValue> CReportData::ReadMetric(const std::string& name) const {
       values.push_back({index->second, value.Seed, value.Value});
     }
   }
-  std::stable_sort(values.begin(), values.end(), [](const SRunValue& a, const SRunValue& b) {
-    return std::make_tuple(a.Combination, a.Seed) < std::make_tuple(b.Combination, b.Seed);
-  });
+  std::ranges::stable_sort(values, {}, KeyOf);
   return values;
 }
 

@@ -36,6 +36,30 @@ bool IsControl(char c) {
   return static_cast<unsigned char>(c) < 0x20 || c == 0x7F;
 }
 
+std::string EscapeForHTML(char c) {
+  switch (c) {
+    case '&':
+      return "&amp;";
+    case '<':
+      return "&lt;";
+    case '>':
+      return "&gt;";
+    case '"':
+      return "&quot;";
+    case '\'':
+      return "&#39;";
+    case '\t':
+    case '\n':
+      return std::string(1, c);
+    default:
+      return IsControl(c) ? kReplacement : std::string(1, c);
+  }
+}
+
+char BlankIfControl(char c) {
+  return IsControl(c) ? ' ' : c;
+}
+
 }  // namespace
 
 std::string FormatNumber(Real value) {
@@ -77,29 +101,11 @@ std::string FormatLevel(Real level) {
 }
 
 std::string EscapeHTML(const std::string& text) {
-  return ConvertText(text, [](char c) -> std::string {
-    switch (c) {
-      case '&':
-        return "&amp;";
-      case '<':
-        return "&lt;";
-      case '>':
-        return "&gt;";
-      case '"':
-        return "&quot;";
-      case '\'':
-        return "&#39;";
-      case '\t':
-      case '\n':
-        return std::string(1, c);
-      default:
-        return IsControl(c) ? kReplacement : std::string(1, c);
-    }
-  });
+  return ConvertText(text, EscapeForHTML);
 }
 
 std::string MakeLine(const std::string& text) {
-  return ConvertText(text, [](char c) { return std::string(1, IsControl(c) ? ' ' : c); });
+  return ConvertText(text, BlankIfControl);
 }
 
 std::string QuoteField(const std::string& text) {

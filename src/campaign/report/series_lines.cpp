@@ -88,10 +88,9 @@ void KeepPositive(SBand& band) {
 
 SBand ComputeBand(SSeriesGroup group, const SSeriesStyle& style) {
   SBand band;
-  const auto isLonger = [&group](const std::vector<Real>& run) {
-    return run.size() != group.Runs.front().size();
-  };
-  band.HasEnded = std::any_of(group.Runs.begin(), group.Runs.end(), isLonger);
+  for (const std::vector<Real>& run : group.Runs) {
+    band.HasEnded = band.HasEnded || run.size() != group.Runs.front().size();
+  }
   ApplyToEndedRuns(group.Runs, style.Ended);
   if (!group.Runs.empty()) {
     band.Bands =
@@ -168,9 +167,8 @@ std::string MakeBandKey(const SBand& band, bool showsCount) {
 // the text of all bands; empty if they differ
 std::string FindCommonRuns(const std::vector<SBand>& bands) {
   const std::string text = DescribeRuns(bands.front());
-  const bool isCommon = std::all_of(bands.begin(), bands.end(), [&text](const SBand& band) {
-    return DescribeRuns(band) == text;
-  });
+  const bool isCommon = std::ranges::all_of(
+      bands, [&text](const std::string& other) { return other == text; }, DescribeRuns);
   return isCommon ? text : "";
 }
 
@@ -226,7 +224,7 @@ std::string MakeSeriesAxes(const std::vector<SBand>& bands, const SSeriesStyle& 
 }
 
 std::string DescribeEnding(const std::vector<SBand>& bands, EEndedRuns rule) {
-  if (std::none_of(bands.begin(), bands.end(), [](const SBand& band) { return band.HasEnded; })) {
+  if (std::ranges::none_of(bands, &SBand::HasEnded)) {
     return "";
   }
   if (rule == EEndedRuns::Hold) {

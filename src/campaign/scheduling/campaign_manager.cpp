@@ -211,8 +211,7 @@ void CCampaignManager::WarnOfFirstFailure(const SPlannedRun& run, const SRunResu
 }
 
 bool CCampaignManager::IsIdle() const {
-  return std::all_of(m_workers.begin(), m_workers.end(),
-                     [](const SWorker& worker) { return worker.Runs.empty(); });
+  return std::ranges::all_of(m_workers, std::ranges::empty, &SWorker::Runs);
 }
 
 bool CCampaignManager::AreRunsShort() const {

@@ -177,8 +177,7 @@ UInt64 CSequentialRunPlan::CountOpen() const {
 }
 
 size_t CSequentialRunPlan::CountCompleteCombinations() const {
-  return static_cast<size_t>(std::count_if(m_states.begin(), m_states.end(),
-                                           [](const SState& state) { return !state.IsOpen(); }));
+  return static_cast<size_t>(std::ranges::count(m_states, false, &SState::IsOpen));
 }
 
 }  // namespace argos

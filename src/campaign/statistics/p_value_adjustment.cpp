@@ -13,8 +13,7 @@ std::vector<Real> AdjustByHolm(std::span<const Real> pValues) {
   const size_t n = pValues.size();
   std::vector<size_t> order(n);
   std::iota(order.begin(), order.end(), size_t(0));
-  std::sort(order.begin(), order.end(),
-            [pValues](size_t a, size_t b) { return pValues[a] < pValues[b]; });
+  std::ranges::sort(order, {}, [pValues](size_t i) { return pValues[i]; });
   std::vector<Real> adjusted(n);
   Real greatest = 0.0;
   for (size_t i = 0; i < n; ++i) {

@@ -8,8 +8,7 @@ namespace argos {
 SRanking ComputeRanks(std::span<const Real> values) {
   std::vector<size_t> order(values.size());
   std::iota(order.begin(), order.end(), size_t(0));
-  std::sort(order.begin(), order.end(),
-            [values](size_t a, size_t b) { return values[a] < values[b]; });
+  std::ranges::sort(order, {}, [values](size_t i) { return values[i]; });
   SRanking ranking;
   ranking.Ranks.resize(values.size());
   for (size_t begin = 0; begin < order.size();) {

@@ -37,10 +37,7 @@ void ApplyToEndedRuns(std::vector<std::vector<Real>>& series, EEndedRuns rule) {
   if (series.empty() || rule == EEndedRuns::Survivors) {
     return;
   }
-  const auto isShorter = [](const std::vector<Real>& a, const std::vector<Real>& b) {
-    return a.size() < b.size();
-  };
-  const auto [shortest, longest] = std::minmax_element(series.begin(), series.end(), isShorter);
+  const auto [shortest, longest] = std::ranges::minmax_element(series, {}, std::ranges::size);
   const size_t length = rule == EEndedRuns::Drop ? shortest->size() : longest->size();
   for (std::vector<Real>& each : series) {
     const auto last =

@@ -1,5 +1,6 @@
 #include <argos3/campaign/store/experiment_files.h>
 
+#include <argos3/campaign/design/element_reading.h>
 #include <argos3/core/utility/configuration/argos_configuration.h>
 #include <argos3/core/utility/datatypes/digest.h>
 #include <argos3/core/utility/files/input_file.h>
@@ -120,27 +121,24 @@ std::string ComputeTextDigest(const std::string& text) {
   return fmt::format("{:016x}", digest.GetValue());
 }
 
+// Reads a line without the blanks around it. @return false at the end.
+static bool ReadTrimmed(std::istream& stream, std::string& line) {
+  if (!std::getline(stream, line)) {
+    line = "(end of the file)";
+    return false;
+  }
+  line = TrimBlanks(line);
+  return true;
+}
+
 std::string DescribeFirstDifference(const std::string& before, const std::string& now) {
   std::istringstream beforeLines(before);
   std::istringstream nowLines(now);
-  constexpr const char* kBlanks = " \t\r";
-  const auto readLine = [](std::istream& stream, std::string& line) {
-    if (!std::getline(stream, line)) {
-      line = "(end of the file)";
-      return false;
-    }
-    const size_t first = line.find_first_not_of(kBlanks);
-    const std::string trimmed =
-        first == std::string::npos ? ""
-                                   : line.substr(first, line.find_last_not_of(kBlanks) + 1 - first);
-    line = trimmed;
-    return true;
-  };
   for (int number = 1;; ++number) {
     std::string beforeLine;
     std::string nowLine;
-    const bool hadLine = readLine(beforeLines, beforeLine);
-    const bool hasLine = readLine(nowLines, nowLine);
+    const bool hadLine = ReadTrimmed(beforeLines, beforeLine);
+    const bool hasLine = ReadTrimmed(nowLines, nowLine);
     if (!hadLine && !hasLine) {
       return before == now ? "" : "blanks or line breaks";
     }
