@@ -39,8 +39,8 @@ TTriple SolveLaw(const CImpulseSolver::SBlock& block, const SSymmetric3& k, cons
   if (block.Kind == EKind::Drive) {
     next[0] = Clamped(now[0] - errors[0] / k.XX, block.TorqueLimit);
   } else {
-    next[0] =
-        std::max(0.0, now[0] - (errors[0] + block.Softness * now[0]) / (k.XX + block.Softness));
+    const Real soft = block.Softness * (now[0] - block.Settled);
+    next[0] = std::max(0.0, now[0] - (errors[0] + soft) / (k.XX + block.Softness));
     limit = block.Friction * next[0];
   }
   if (!(limit > 0.0)) {

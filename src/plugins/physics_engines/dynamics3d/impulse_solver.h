@@ -73,6 +73,7 @@ class CImpulseSolver {
     std::array<Real, 3> Targets{};  // relative speeds, m/s, rad/s
     // of a contact along the normal: m/s for an impulse of 1 N s; 0: kSoftness of its resistance
     Real Softness = 0.0;
+    Real Settled = 0.0;  // N s, of a contact: normal impulse for which softness makes no speed
     Real Friction = 0.0;  // of a contact: coefficient
     // m, of a contact: radius of the patch on which it rubs against spinning about the normal, and
     // how far the pressure moves ahead of its middle against rolling

@@ -7,7 +7,7 @@
 namespace argos {
 
 void CRigidContacts::Remember(const SRigidContact& contact, SMemory& memory) {
-  memory = {contact.Key, contact.Place, contact.Force, contact.Friction};
+  memory = {contact.Key, contact.Place, contact.Force, contact.Friction, contact.Settled};
 }
 
 void CRigidContacts::StartSubstep() {
@@ -44,6 +44,7 @@ bool CRigidContacts::Inherit(CKeyTable<SMemory>& memories, SRigidContact& contac
     isTaken[best] = true;
     contact.Force = all[best].Force;
     contact.Friction = all[best].Friction;
+    contact.Settled = all[best].Settled;
   }
   return first < all.size();
 }

@@ -29,6 +29,7 @@ struct SRigidContact {
   Real Patch = 0.0;  // m; radius of the surface that touches, where two objects have one contact
   Real Force = 0.0;  // N, along the normal: before a substep that of the last one
   CVector3 Friction;  // N
+  Real Settled = 0.0;  // N: the force to which it has given way
 };
 
 /**
@@ -66,6 +67,7 @@ class CRigidContacts {
     CVector3 Place;
     Real Force = 0.0;
     CVector3 Friction;
+    Real Settled = 0.0;
   };
 
   static void Remember(const SRigidContact& contact, SMemory& memory);

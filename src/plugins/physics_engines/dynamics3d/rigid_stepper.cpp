@@ -159,6 +159,27 @@ CRigidStepper::SEffort CRigidStepper::ChooseEffort(const SSubstep& substep, size
           extrapolates};
 }
 
+// Objects that begin to touch, or whose forces are forgotten because a body was placed, bear their
+// weights at once.
+void CRigidStepper::StartFromWeights(const SSubstep& substep, size_t island,
+                                     SWorkspace& space) const {
+  CImpulseSolver& solver = space.Solver;
+  const Real fall = -substep.Gravity.GetZ() * substep.Length;
+  const bool areNew =
+      std::all_of(solver.Blocks.begin(), solver.Blocks.end(), [](const SBlock& block) {
+        return block.Kind == EBlock::Contact && block.Impulses[0] == 0.0;
+      });
+  if (solver.Blocks.empty() || !areNew || !(fall > 0.0) || !AreObjects(island)) {
+    return;
+  }
+  std::vector<Real>& heights = space.Weights.GetHeights();
+  heights.clear();
+  for (const SMember& member : space.Members) {
+    heights.push_back(member.Centre.GetZ());
+  }
+  space.Weights.Apply(solver, fall);
+}
+
 bool CRigidStepper::AreObjects(size_t island) const {
   return std::none_of(m_bodies.begin() + m_islands[island].Starts[kBodies],
                       m_bodies.begin() + m_islands[island + 1].Starts[kBodies],
@@ -199,6 +220,7 @@ void CRigidStepper::StepIsland(const SSubstep& substep, size_t island, SWorkspac
       AddDrive(substep, *m_bodies[i], space);
     }
   }
+  StartFromWeights(substep, island, space);
   solver.Prepare();
   const SEffort effort = ChooseEffort(substep, island, solver);
   solver.Solve(effort.Sweeps, effort.Tolerance, effort.Extrapolates);
@@ -282,6 +304,7 @@ void CRigidStepper::AddContact(const SSubstep& substep, const SRigidContact& con
   block.Patch = contact.Patch;
   block.RollArm = kRollShare * contact.Patch;
   block.Impulses[0] = contact.Force * substep.Length;
+  block.Settled = contact.Settled * substep.Length;
   const CVector3 friction = contact.Friction * substep.Length;
   block.Impulses[1] = friction.DotProduct(block.Directions[1]);
   block.Impulses[2] = friction.DotProduct(block.Directions[2]);
@@ -373,6 +396,8 @@ void CRigidStepper::StoreForces(const SSubstep& substep, size_t island, SWorkspa
   for (UInt32 i = begin.Starts[kContacts]; i < end.Starts[kContacts]; ++i, ++block) {
     SRigidContact& contact = substep.Contacts.GetContacts()[m_contacts[i]];
     contact.Force = block->Impulses[0] * rate;
+    // so that what becomes lighter is not lifted
+    contact.Settled = std::min(block->Settled * rate, contact.Force);
     contact.Friction =
         (block->Directions[1] * block->Impulses[1] + block->Directions[2] * block->Impulses[2]) *
         rate;

@@ -4,6 +4,7 @@
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/contact_finder.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/impulse_solver.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_grips.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/weight_start.h>
 
 #include <array>
 #include <vector>
@@ -60,15 +61,15 @@ class CRigidStepper {
   struct SWorkspace {
     CImpulseSolver Solver;
     std::vector<SMember> Members;  // by number in the solver
-    std::vector<UInt32> Blocks;  // of contacts: their number
+    CWeightStart Weights;
 
     // for an island of usual size: one may be the first that is not solved in the plane
     void Reserve() {
       constexpr size_t kBodies = 32;
       constexpr size_t kBlocks = 8 * kBodies;
       Solver.Reserve(kBodies, kBlocks);
+      Weights.Reserve(kBodies, kBlocks);
       Members.reserve(kBodies + 1);
-      Blocks.reserve(kBlocks);
     }
   };
 
@@ -77,6 +78,7 @@ class CRigidStepper {
   template <typename VALUE, typename PLACE, typename GET>
   void Distribute(EList list, size_t count, PLACE&& placeOf, GET&& get, std::vector<VALUE>& sorted);
   void StepIsland(const SSubstep& substep, size_t island, SWorkspace& space);
+  void StartFromWeights(const SSubstep& substep, size_t island, SWorkspace& space) const;
   SEffort ChooseEffort(const SSubstep& substep, size_t island, const CImpulseSolver& solver) const;
   bool AreObjects(size_t island) const;
   bool IsTumbling(size_t island, Real& fastest) const;

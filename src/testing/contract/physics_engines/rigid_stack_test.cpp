@@ -263,6 +263,48 @@ TEST_CASE("rigid stack: a tower stands for an hour, and does not move once it st
   }
 }
 
+TEST_CASE("rigid stack: boxes on each other bear their weights from the first tick on",
+          "[contract][engine][rigid]") {
+  const bool isPyramid = GENERATE(false, true);
+  CAPTURE(isPyramid);
+  // forces are forgotten when this one is moved
+  const std::string aside =
+      SBoxXml{"aside", CVector3(0.1, 0.1, 0.1), CVector3(0, 5, 0), CVector3(), 0.5}.ToXml();
+  CRigidScene world(GroundedEngine("sleep='false'"),
+                    (isPyramid ? PyramidXml(10) : Stack(10)) + aside);
+  const auto check = [&] {
+    for (int row = 0; row < 10; ++row) {
+      for (int i = 0; i < (isPyramid ? 10 - row : 1); ++i) {
+        CAPTURE(row, i);
+        const CVector3 place(isPyramid ? 0.21 * (i + 0.5 * row) : 0.0, 0, 0.1 * row);
+        const std::string id = Name(isPyramid ? 100 * row + i : row);
+        // they would sink by 10 um and more if each gave way in turn
+        CHECK(Distance(world.Position(id), place) < 1e-8);
+      }
+    }
+  };
+  world.Step();
+  check();
+  CHECK(world.Body("aside").MoveTo(CVector3(0, 5.5, 0), CQuaternion()));
+  world.Step();
+  check();
+}
+
+TEST_CASE("rigid stack: a tower does not rise when what is on it is removed",
+          "[contract][engine][rigid]") {
+  CRigidScene world(GroundedEngine("sleep='false'"), Stack(5));
+  world.Step(2);
+  world.GetSimulator().GetLoopFunctions().RemoveEntity(Name(4));
+  world.GetSimulator().GetLoopFunctions().RemoveEntity(Name(3));
+  for (int tick = 0; tick < 50; ++tick) {
+    world.Step();
+    for (int i = 0; i < 3; ++i) {
+      CAPTURE(tick, i);
+      CHECK_THAT(world.Position(Name(i)).GetZ(), WithinAbs(0.1 * i, 1e-5));
+    }
+  }
+}
+
 TEST_CASE("rigid stack: a pyramid of boxes stands, and falls asleep", "[contract][engine][rigid]") {
   constexpr int kRows = 12;
   CRigidScene world(GroundedEngine(), PyramidXml(kRows));

@@ -1,6 +1,7 @@
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/impulse_solver.h>
 
 #include <argos3/core/utility/math/random_stream.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/weight_start.h>
 
 #include <catch2/catch.hpp>
 
@@ -123,6 +124,44 @@ TEST_CASE("impulse solver: a tower of cubes keeps its momentum, and converges wi
   }
   solver.Prepare();
   CHECK(solver.Solve(400, 1e-5) <= 2);
+}
+
+TEST_CASE("weight start: contacts bear what is above them by the law of the lever, with no sweep",
+          "[dynamics3d]") {
+  // a cube of 2 kg, with its middle at x = 0.2, on another one and on the ground
+  constexpr Real kFall = 0.1;  // m/s
+  CImpulseSolver solver;
+  solver.Clear();
+  solver.Bodies.push_back(Cube(CVector3(0, 0, -kFall)));
+  solver.Bodies.push_back(Cube(CVector3(0, 0, -kFall), 2.0));
+  for (const Real y : {-0.5, 0.5}) {
+    for (const Real x : {-0.5, 0.5}) {
+      solver.Blocks.push_back(Below(1, 0, CVector3(x, y, -0.5), CVector3(), 0.5));
+    }
+    solver.Blocks.push_back(Below(2, 1, CVector3(-0.3, y, -0.5), CVector3(-0.1, y, 0.5), 0.5));
+    solver.Blocks.push_back(Below(2, 0, CVector3(0.5, y, -0.5), CVector3(), 0.5));
+  }
+  // a wall, which bears nothing
+  solver.Blocks.push_back(Below(2, 0, CVector3(0.5, 0, 0), CVector3(), 0.5));
+  solver.Blocks.back().Directions = {-CVector3::X, CVector3::Y, CVector3::Z};
+  for (CImpulseSolver::SBlock& block : solver.Blocks) {
+    // as of contacts in a scene
+    block.Softness = 0.0;
+  }
+  CWeightStart weights;
+  weights.GetHeights() = {0.0, 0.5, 1.5};
+  weights.Apply(solver, kFall);
+  // of 0.2 N s, 5/8 press on the cube below, 0.1 m beside its middle
+  const Real ofBoth = 0.5 * 0.2 * 5.0 / 8.0;
+  const Real wanted[] = {0.25 * (0.1 + 2.0 * ofBoth) + ofBoth * 0.1,
+                         0.25 * (0.1 + 2.0 * ofBoth) - ofBoth * 0.1, ofBoth, 0.5 * 0.2 * 3.0 / 8.0};
+  for (size_t i = 0; i < 8; ++i) {
+    CAPTURE(i);
+    CHECK_THAT(solver.Blocks[i].Impulses[0], WithinAbs(wanted[i % 4], 1e-6));
+  }
+  CHECK(solver.Blocks[8].Impulses[0] == 0.0);
+  solver.Prepare();
+  CHECK(solver.Solve(400, 1e-6) == 1);
 }
 
 TEST_CASE(
