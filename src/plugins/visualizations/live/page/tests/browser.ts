@@ -27,6 +27,7 @@ export async function launch(): Promise<Browser> {
       "--use-angle=swiftshader",
       "--enable-unsafe-swiftshader",
       "--ignore-gpu-blocklist",
+      "--disable-gpu-rasterization", // as browsers do where the processor draws
       "--no-sandbox",
     ],
   });

@@ -5,6 +5,8 @@ import type { Browser } from "playwright-core";
 
 import { Tab, launch, missingBrowser } from "./browser";
 import { endPrograms, run, startRun } from "./runs";
+import { SlowLink } from "./slow_link";
+import { Watcher, mostBehind } from "./watcher";
 
 const kTimeout = 40_000; // ms, of a test
 const skip =
@@ -97,4 +99,62 @@ test("live: a robot is dragged, refused in a wall, added and removed", { skip, t
   assert.equal(await tab.page.locator(".menu:not([hidden])").count(), 0);
   await tab.page.getByRole("region", { name: "cylinder_added_2" }).waitFor();
   assert.deepEqual(await tab.close(), []);
+});
+
+const linkSeconds = Number(process.env.LINK_SECONDS ?? 5);
+
+interface Arrival {
+  at: number;
+  tick: number;
+}
+
+// when the page shows which tick, in the clock of this program
+async function watchPage(tab: Tab): Promise<() => Promise<Arrival[]>> {
+  await tab.page.evaluate(() => {
+    const shown: Arrival[] = [];
+    const root = document.getElementById("app")!;
+    Object.assign(window, { shown });
+    new MutationObserver(() =>
+      shown.push({ at: performance.timeOrigin + performance.now(), tick: Number(root.dataset.tick) }),
+    ).observe(root, { attributeFilter: ["data-tick"] });
+  });
+  return async () => {
+    const shown = await tab.page.evaluate(() => (window as unknown as { shown: Arrival[] }).shown);
+    return shown.map(({ at, tick }) => ({ at: at - performance.timeOrigin, tick }));
+  };
+}
+
+// 1,000 robots in real time: their states need 3 % of the link, so that what a viewer is behind is the way there and
+// back. With LINK_SECONDS it is also measured with the page, which is slow where other programs run.
+test("live: over 10 Mbit/s and 100 ms a viewer gets each tenth of a second, half a second old at most", { skip, timeout: kTimeout + 1500 * linkSeconds }, async () => {
+  const { url } = await startRun("rooms", "--set", "//distribute/entity/@quantity=1000", "--threads", "0");
+  const { port } = new URL(url);
+  const link = await SlowLink.open(Number(port), 1.25e6, 50);
+  const near = new Watcher(url);
+  await near.waitForTick(0);
+  const far = new Watcher(url, link.port);
+  await far.waitForTick(0);
+  const isMeasured = process.env.LINK_SECONDS !== undefined;
+  const tab = isMeasured ? await Tab.open(browser, url.replace(port, String(link.port))) : null;
+  await tab?.waitForTick((tick) => tick === 0, "the first state");
+  const shownOfPage = tab === null ? null : await watchPage(tab);
+  near.command("play");
+  await far.waitForTick(10 * linkSeconds + 10);
+  const report = (shown: Arrival[]): { behind: number; count: number; text: string } => {
+    const behind = mostBehind(near.arrivals, shown, 10);
+    const later = shown.filter(({ tick }) => tick > 10);
+    const gaps = later.slice(1).map(({ at }, i) => at - later[i]!.at);
+    const text = `${behind} ticks behind, ${later.length} states, gaps of at most ${Math.max(...gaps).toFixed(0)} ms`;
+    return { behind, count: later.length, text };
+  };
+  const { behind, count, text } = report(far.arrivals);
+  if (shownOfPage !== null) {
+    console.log(`viewer: ${text}; page: ${report(await shownOfPage()).text}`);
+  }
+  assert.ok(behind <= 5, text);
+  assert.ok(count >= 9 * linkSeconds, text);
+  near.close();
+  far.close();
+  link.close();
+  assert.deepEqual((await tab?.close()) ?? [], []);
 });

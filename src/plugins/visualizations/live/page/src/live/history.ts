@@ -112,7 +112,9 @@ export class History {
 
   /** The tick of the last state at a tick or before it. */
   tickAt(tick: number): number {
-    return this.neighbour(tick, 0);
+    const group = this.groupAt(tick);
+    const states = (group?.states ?? []).filter((state) => state.tick <= tick);
+    return states.at(-1)?.tick ?? this.firstTick;
   }
 
   /** The tick of the state that is count after, or before, that of a tick. */
@@ -123,10 +125,15 @@ export class History {
     return ticks[Math.min(Math.max(at + count, 0), ticks.length - 1)] ?? tick;
   }
 
+  // that of the last state at the tick or before it, or else the first one
+  private groupAt(tick: number): Group | undefined {
+    const groups = this.groups.filter(({ states }) => states.length > 0);
+    return groups.filter(({ states }) => states[0]!.tick <= tick).at(-1) ?? groups[0];
+  }
+
   /** The last state at the tick or before it; arrays change with the next call. Null: it has none. */
   read(tick: number): Frame | null {
-    const groups = this.groups.filter(({ states }) => states.length > 0);
-    const group = groups.filter(({ states }) => states[0]!.tick <= tick).at(-1) ?? groups[0];
+    const group = this.groupAt(tick);
     if (group === undefined || this.info === null) {
       return null;
     }

@@ -386,11 +386,12 @@ export class View {
 
   /** Draws, if the picture would be another one. Returns whether it has drawn. */
   render(now: number): boolean {
-    if (this.frame === null) {
-      this.renderer.clear();
+    if (!this.needsPicture(now)) {
       return false;
     }
-    if (!this.needsPicture(now)) {
+    if (this.frame === null) {
+      this.renderer.clear();
+      this.hasChosen = true;
       return false;
     }
     const size = this.renderer.getSize(new Vector2());

@@ -1,0 +1,132 @@
+// Measures the page in a headless Chromium, with a run or a replay:
+//   node tests/measure_page.mjs first ARGUMENTS OF ARGOS3...   time and processor time to the first picture
+//   node tests/measure_page.mjs seek ARGUMENTS OF ARGOS3...    to show ticks at random, and memory
+// such as "node tests/measure_page.mjs seek --replay run.rec". The environment variables ARGOS3 and CHROMIUM name the programs.
+import { spawn } from "node:child_process";
+import { readFileSync, readdirSync } from "node:fs";
+
+import { chromium } from "playwright-core";
+
+const kSeeks = 200;
+const [what, ...arguments_] = process.argv.slice(2);
+const program = spawn(process.env.ARGOS3 ?? "argos3", [...arguments_, "--live"]);
+const url = await new Promise((resolve, reject) => {
+  let text = "";
+  const read = (data) => {
+    text += String(data);
+    const found = /Live view: (http:\S+)/.exec(text);
+    if (found !== null) {
+      resolve(found[1]);
+    }
+  };
+  program.stdout.on("data", read);
+  program.stderr.on("data", read);
+  program.on("exit", () => reject(new Error(text)));
+});
+const browser = await chromium.launch({
+  executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
+  args: [
+    ...["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"],
+    ...["--disable-gpu-rasterization", "--no-sandbox"], // the former as browsers do where the processor draws
+  ],
+});
+
+function stat(pid) {
+  try {
+    const text = readFileSync(`/proc/${pid}/stat`, "utf8");
+    const fields = text.replace(/^.*\) /, "").split(" ");
+    return { parent: Number(fields[1]), cpu: (Number(fields[11]) + Number(fields[12])) / 100 };
+  } catch {
+    return { parent: 0, cpu: 0 };
+  }
+}
+
+// the browser's processes: descendants of this one, but not the simulator
+function browserProcesses() {
+  const all = readdirSync("/proc").filter((name) => /^\d+$/.test(name)).map(Number);
+  const parents = new Map(all.map((pid) => [pid, stat(pid).parent]));
+  const isOurs = (pid) => {
+    for (let at = pid; at > 1; at = parents.get(at) ?? 0) {
+      if (at === program.pid) {
+        return false;
+      }
+      if (at === process.pid) {
+        return true;
+      }
+    }
+    return false;
+  };
+  return all.filter((pid) => pid !== process.pid && isOurs(pid));
+}
+
+const cpuOfBrowser = () => browserProcesses().reduce((sum, pid) => sum + stat(pid).cpu, 0);
+const megabytes = (pid, name) => Number(new RegExp(`${name}:\\s+(\\d+)`).exec(readFileSync(`/proc/${pid}/status`, "utf8"))?.[1]) / 1024;
+const quantile = (sorted, share) => sorted[Math.min(sorted.length - 1, Math.floor(share * sorted.length))];
+
+const page = await browser.newPage({ viewport: { width: 1280, height: 800 } });
+await page.addInitScript(() => {
+  // when the page has first drawn a state
+  const watch = () => {
+    if (document.getElementById("app")?.dataset.tick !== undefined) {
+      requestAnimationFrame(() => setTimeout(() => (window.firstPicture = performance.now())));
+    } else {
+      setTimeout(watch, 5);
+    }
+  };
+  watch();
+});
+const before = cpuOfBrowser();
+await page.goto(url);
+await page.waitForFunction(() => window.firstPicture !== undefined, null, { timeout: 60_000 });
+const first = await page.evaluate(() => window.firstPicture);
+console.log(`first picture after ${first.toFixed(0)} ms; processor time of the browser ${(cpuOfBrowser() - before).toFixed(2)} s`);
+
+if (what === "seek") {
+  const memory = async (when) => {
+    const session = await page.context().newCDPSession(page);
+    await session.send("HeapProfiler.collectGarbage");
+    const { usedSize, backingStorageSize = 0 } = await session.send("Runtime.getHeapUsage");
+    const pids = browserProcesses().filter((pid) => readFileSync(`/proc/${pid}/cmdline`, "utf8").includes("--type=renderer"));
+    const resident = Math.max(...pids.map((pid) => megabytes(pid, "VmRSS")));
+    console.log(
+      `${when}: heap of the page ${(usedSize / 2 ** 20).toFixed(0)} MB, arrays ${(backingStorageSize / 2 ** 20).toFixed(0)} MB, ` +
+        `its process ${resident.toFixed(0)} MB, argos3 ${megabytes(program.pid, "VmRSS").toFixed(0)} MB`,
+    );
+  };
+  await memory("at the start");
+  const cpu = cpuOfBrowser();
+  const times = await page.evaluate(async (count) => {
+    const slider = document.querySelector("input.time");
+    const root = document.getElementById("app");
+    const last = Number(slider.max);
+    const result = [];
+    let random = 1;
+    for (let i = 0; i < count; ++i) {
+      random = (random * 48271) % 2147483647;
+      const tick = random % (last + 1);
+      const start = performance.now();
+      const isShown = new Promise((resolve) => {
+        const observer = new MutationObserver(() => {
+          if (root.dataset.tick === String(tick)) {
+            observer.disconnect();
+            resolve();
+          }
+        });
+        observer.observe(root, { attributeFilter: ["data-tick"] });
+      });
+      slider.value = String(tick);
+      slider.dispatchEvent(new Event("input"));
+      await isShown;
+      result.push(performance.now() - start);
+    }
+    return result;
+  }, kSeeks);
+  times.sort((a, b) => a - b);
+  console.log(
+    `${kSeeks} ticks at random, ms: median ${quantile(times, 0.5).toFixed(0)}, 95 % ${quantile(times, 0.95).toFixed(0)}, most ${times.at(-1).toFixed(0)}; ` +
+      `processor time for each: browser ${((1000 * (cpuOfBrowser() - cpu)) / kSeeks).toFixed(0)} ms`,
+  );
+  await memory("at the end");
+}
+await browser.close();
+program.kill("SIGKILL");

@@ -1,0 +1,44 @@
+// A link of limited rate, with a delay, to a server on this computer.
+
+import { type AddressInfo, type Server, type Socket, connect, createServer } from "node:net";
+
+export class SlowLink {
+  private readonly server: Server;
+  private readonly sockets = new Set<Socket>();
+
+  private constructor(port: number, bytesPerSecond: number, delay: number) {
+    this.server = createServer((near) => {
+      const far = connect(port, "127.0.0.1");
+      for (const [from, to] of [
+        [near, far],
+        [far, near],
+      ] as const) {
+        this.sockets.add(from);
+        from.setNoDelay(true);
+        let isFreeAt = 0; // when all that was taken has been sent, ms
+        from.on("data", (chunk) => {
+          isFreeAt = Math.max(isFreeAt, performance.now()) + (1000 * chunk.length) / bytesPerSecond;
+          setTimeout(() => to.writable && to.write(chunk), isFreeAt + delay - performance.now());
+        });
+        from.on("error", () => to.destroy());
+        from.on("close", () => to.destroy());
+      }
+    });
+  }
+
+  /** To a port; the delay, ms, is that of one way. */
+  static async open(port: number, bytesPerSecond: number, delay: number): Promise<SlowLink> {
+    const link = new SlowLink(port, bytesPerSecond, delay);
+    await new Promise<void>((resolve) => link.server.listen(0, "127.0.0.1", resolve));
+    return link;
+  }
+
+  get port(): number {
+    return (this.server.address() as AddressInfo).port;
+  }
+
+  close(): void {
+    this.server.close();
+    this.sockets.forEach((socket) => socket.destroy());
+  }
+}
