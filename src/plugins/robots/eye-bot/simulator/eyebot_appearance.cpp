@@ -25,7 +25,7 @@ constexpr Real kHoopElevation =
     0.5 * (eyebot::kLowerLEDRingElevation + eyebot::kUpperLEDRingElevation);
 constexpr Real kHoopThickness = 0.018;
 constexpr Real kArmHeight = 0.012;
-constexpr Real kRotorDistance = 0.142;  // of its axis from the robot's
+constexpr Real kRotorDistance = 0.142;  // distance of its axis from the robot's
 constexpr Real kRotorRadius = 0.088;
 constexpr Real kUpperRotor = 0.205;  // height
 constexpr Real kLowerRotor = 0.118;
@@ -33,7 +33,7 @@ constexpr Real kCoreRadius = 0.046;
 constexpr Real kCoreTop = 0.235;
 constexpr Real kFootDistance = 0.11;
 
-// in the plane, relative to the robot's axis
+// @return a point of the plane, relative to the robot's axis
 CVector3 At(Real distance, const CRadians& angle) {
   return CVector3(distance * Cos(angle), distance * Sin(angle), 0.0);
 }

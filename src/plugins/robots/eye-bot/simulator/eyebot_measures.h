@@ -30,7 +30,7 @@ constexpr Real kMaxForce = 1000.0;  // N, along each axis
 constexpr Real kMaxTorque = 1000.0;  // N m
 
 // two rings of LEDs, one above the other, and one LED under an arm
-constexpr UInt32 kNumRingLEDs = 16;  // of each ring
+constexpr UInt32 kNumRingLEDs = 16;  // number in each ring
 constexpr Real kLEDRingRadius = kBodyRadius + 0.005;
 constexpr Real kLowerLEDRingElevation = 0.1535;
 constexpr Real kUpperLEDRingElevation = 0.1635;

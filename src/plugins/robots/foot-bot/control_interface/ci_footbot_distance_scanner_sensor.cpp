@@ -6,7 +6,7 @@ namespace argos {
 
 namespace {
 
-// both ranges while it rotates, once in the map of their range and once in the map of both
+// nodes of both ranges while it rotates, once in the map of their range and once in that of both
 constexpr size_t kMaxNodes = 48;
 
 void WriteRange(CLuaTable list, const CCI_FootBotDistanceScannerSensor::TReadingsMap& readings) {

@@ -66,7 +66,7 @@ class CCI_FootBotDistanceScannerSensor : public CTableSensor {
    */
   void SetReadings(const TReadings& shortRange, const TReadings& longRange);
 
-  // after SetReadings(), as of the last call of their functions
+  // filled by the functions that return them, from the last SetReadings()
   mutable TReadingsMap m_tReadingsMap;
   mutable TReadingsMap m_tShortReadingsMap;
   mutable TReadingsMap m_tLongReadingsMap;
@@ -86,7 +86,7 @@ class CCI_FootBotDistanceScannerSensor : public CTableSensor {
   void Fill(TReadingsMap& map, bool& isStale, bool withShort, bool withLong) const;
   void Put(TReadingsMap& map, const SReading& reading) const;
 
-  // of the last SetReadings()
+  // readings of the last SetReadings()
   TReadings m_short;
   TReadings m_long;
   mutable bool m_isBothStale = false;

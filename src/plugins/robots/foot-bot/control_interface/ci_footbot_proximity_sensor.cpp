@@ -4,7 +4,7 @@
 
 namespace argos {
 
-// as published with ARGoS 3
+// ARGoS 3 has the same numbers
 const SSensorPlaces<CRadians> CCI_FootBotProximitySensor::kPlaces = {
     "footbot_proximity", "proximity", 24, &GetAngleOnRing<24>};
 

@@ -32,7 +32,7 @@ class CFootBotDistanceScannerDefaultActuator : public CSimulatedActuator,
 
   void RequireFinite(Real value, const char* what) const;
 
-  TScanner* m_scanner = nullptr;  // of the robot
+  TScanner* m_scanner = nullptr;
   const CControllableEntity* m_robot = nullptr;
   CDeviceNoise m_noise;
   // last commands of the controller

@@ -13,7 +13,7 @@ namespace argos {
 
 namespace {
 
-// in [0, 2 PI)
+// @return the same direction in [0, 2 PI)
 CRadians Normalize(CRadians angle) {
   angle.UnsignedNormalize();
   return angle < CRadians::TWO_PI ? angle : CRadians::ZERO;

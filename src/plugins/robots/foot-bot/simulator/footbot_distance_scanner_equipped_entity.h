@@ -57,8 +57,8 @@ class CFootBotDistanceScannerEquippedEntity : public CEntity {
   SMount m_mount;
   EMode m_mode = MODE_OFF;
   CRadians m_rotation;
-  CRadians m_current;  // at the end of the last tick
-  CRadians m_previous;  // at the end of the one before
+  CRadians m_current;  // angle at the end of the last tick
+  CRadians m_previous;  // angle at the end of the tick before
   Real m_speed = 0.0;  // rad/s
   CTickWatch m_tick;
 };

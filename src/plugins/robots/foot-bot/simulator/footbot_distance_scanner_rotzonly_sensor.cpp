@@ -14,17 +14,17 @@ namespace argos {
 namespace {
 
 constexpr int kHeadsOfARange = 2;
-constexpr int kSamplesOfATick = 6;  // while it rotates
+constexpr int kSamplesOfATick = 6;  // number while it rotates
 constexpr size_t kMaxBeams = 2 * kHeadsOfARange * kSamplesOfATick;
 static_assert(kMaxBeams <= CRayCaster::kMaxRays, "all beams are cast with one query");
 
-// in [0, 2 PI)
+// @return the same angle in [0, 2 PI)
 Real WrapTurn(Real angle) {
   const Real wrapped = std::fmod(angle, 2.0 * ARGOS_PI);
   return wrapped < 0.0 ? wrapped + 2.0 * ARGOS_PI : wrapped;
 }
 
-// from the previous angle to the current one, in the direction of rotation
+// @return the turn from the previous angle to the current one, in the direction of rotation
 Real ComputeSweep(const CFootBotDistanceScannerEquippedEntity& scanner) {
   const Real difference = (scanner.GetRotation() - scanner.GetPreviousRotation()).GetValue();
   return scanner.GetRotationSpeed() < 0.0 ? -WrapTurn(-difference) : WrapTurn(difference);

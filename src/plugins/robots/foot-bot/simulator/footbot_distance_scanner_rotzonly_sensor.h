@@ -29,7 +29,7 @@ class CFootBotDistanceScannerRotZOnlySensor
   // converts a fraction of a range that ends at maximum (m) to cm
   Real ToReading(Real fraction, Real minimum, Real maximum);
 
-  CFootBotDistanceScannerEquippedEntity* m_scanner = nullptr;  // of the robot
+  CFootBotDistanceScannerEquippedEntity* m_scanner = nullptr;
   CRayCaster m_caster;
   bool m_showRays = false;
   // readings of one tick; members to keep their memory allocated

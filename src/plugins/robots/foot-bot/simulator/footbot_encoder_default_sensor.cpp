@@ -36,7 +36,7 @@ class CFootBotEncoderDefaultSensor : public CNoisySensor<CCI_FootBotEncoderSenso
   }
   void ResetReading() override { m_sReading = SReading(0.0, 0.0, m_sReading.WheelAxisLength); }
 
-  const COdometerEntity* m_odometer = nullptr;  // of the robot
+  const COdometerEntity* m_odometer = nullptr;
 };
 
 }  // namespace

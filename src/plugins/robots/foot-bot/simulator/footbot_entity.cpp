@@ -55,7 +55,7 @@ std::shared_ptr<const CProximitySensorEquippedEntity::SLayout> MakeProximity() {
 }
 
 CEntity& MakeLightRing(CRobotEntity& robot) {
-  // same layout as the proximity sensors
+  // the light sensors are placed like the proximity sensors
   static const std::shared_ptr<const SRayLayout> layout = MakeProximity();
   return MakeLightSensors(robot, layout);
 }

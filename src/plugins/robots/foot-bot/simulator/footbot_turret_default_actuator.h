@@ -26,10 +26,10 @@ class CFootBotTurretDefaultActuator : public CSimulatedActuator, public CCI_Foot
   void Reset() override;
 
  private:
-  CTurretEntity* m_turret = nullptr;  // of the robot
+  CTurretEntity* m_turret = nullptr;
   const CControllableEntity* m_robot = nullptr;
   ETurretModes m_mode = MODE_OFF;
-  CRadians m_rotation;  // with noise
+  CRadians m_rotation;  // applied rotation, with noise
   Real m_speed = 0.0;  // rad/s
   CDeviceNoise m_noise;
 };

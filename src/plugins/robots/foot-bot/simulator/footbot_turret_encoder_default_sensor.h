@@ -18,7 +18,7 @@ class CFootBotTurretEncoderDefaultSensor : public CNoisySensor<CCI_FootBotTurret
   void Configure(TConfigurationNode& tree) override;
   void ResetReading() override;
 
-  const CTurretEntity* m_turret = nullptr;  // of the robot
+  const CTurretEntity* m_turret = nullptr;
 };
 
 }  // namespace argos

@@ -8,7 +8,7 @@ namespace argos {
 /** The directional LEDs of a robot. In Lua: robot.directional_leds, see CLEDColors. */
 class CCI_DirectionalLEDsActuator : public CLEDColors {
  protected:
-  TSettings m_tInitSettings;  // at the start, and after a reset
+  TSettings m_tInitSettings;  // settings at the start, and after a reset
 
  private:
   const char* GetLabel() const override { return "directional_leds"; }

@@ -37,7 +37,7 @@ class CCI_PositioningSensor : public CTableSensor {
  protected:
   SReading m_sReading;
   CRadians m_cAngle;  // the orientation is a rotation by this angle, with noise
-  CVector3 m_cAxis;  // about this axis
+  CVector3 m_cAxis;  // axis of the rotation by m_cAngle
 
  private:
   const char* GetLuaName() const override { return "positioning"; }

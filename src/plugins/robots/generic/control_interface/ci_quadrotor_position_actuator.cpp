@@ -15,7 +15,7 @@ void CCI_QuadRotorPositionActuator::CreateLuaState(lua_State* state) {
                         [](TDevice& device, Real x, Real y, Real z) {
                           device.SetRelativePosition(CVector3(x, y, z));
                         });
-  // in degrees, as published with ARGoS 3, where Lua's other angles are in radians
+  // takes degrees, like ARGoS 3; Lua's other angles are in radians
   quadrotor.AddFunction("set_absolute_yaw", *this, [](TDevice& device, Real degrees) {
     device.SetAbsoluteYaw(ToRadians(CDegrees(degrees)));
   });

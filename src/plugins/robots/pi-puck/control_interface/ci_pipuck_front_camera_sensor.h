@@ -65,12 +65,12 @@ class CCI_PiPuckFrontCameraSensor : public CTableSensor {
   void CopyReadings(Real* numbers, std::size_t count) const override;
 
  protected:
-  static const CVector3 POSITION_OFFSET;  // in the frame of the anchor "origin", m
+  static const CVector3 POSITION_OFFSET;  // frame: anchor "origin", m
   static const Real DEFAULT_ROTATION;  // degrees
   static const CVector2 DEFAULT_RESOLUTION;  // pixels
   static const CVector2 DEFAULT_FOCAL_LENGTH;  // pixels
 
-  CQuaternion m_cOrientationOffset;  // in the frame of the anchor "origin"
+  CQuaternion m_cOrientationOffset;  // frame: anchor "origin"
   CVector2 m_cResolution;  // pixels
   CVector2 m_cPrincipalPoint;  // pixels
   CVector2 m_cFocalLength;  // pixels

@@ -16,7 +16,7 @@ class CCI_PiPuckSystemSensor : public CTableSensor {
   void CopyReadings(Real* numbers, std::size_t count) const override;
 
  protected:
-  Real m_fTime = 0.0;  // since the start, s
+  Real m_fTime = 0.0;  // time since the start, s
   Real m_fTemperature = 0.0;  // always 0
 
  private:

@@ -20,7 +20,7 @@ class CPiPuckDifferentialDriveDefaultActuator : public CSimulatedActuator,
   void Reset() override;
 
  private:
-  CPiPuckDifferentialDriveEntity* m_drive = nullptr;  // of the robot
+  CPiPuckDifferentialDriveEntity* m_drive = nullptr;
   Real m_left = 0.0;  // m/s
   Real m_right = 0.0;  // m/s
 };

@@ -20,7 +20,7 @@ class CPiPuckDifferentialDriveDefaultSensor : public CSimulatedSensor,
   Real GetRightVelocity() override { return m_right; }
 
  private:
-  const CPiPuckDifferentialDriveEntity* m_drive = nullptr;  // of the robot
+  const CPiPuckDifferentialDriveEntity* m_drive = nullptr;
   Real m_left = 0.0;  // m/s
   Real m_right = 0.0;  // m/s
 };

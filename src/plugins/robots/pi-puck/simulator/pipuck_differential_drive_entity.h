@@ -41,7 +41,7 @@ class CPiPuckDifferentialDriveEntity : public CWheeledEntity {
 
   void SetTarget(EWheel wheel, Real velocity);
 
-  CBodyMotion m_motion;  // since the end of the previous tick
+  CBodyMotion m_motion;  // motion since the end of the previous tick
   CTickWatch m_tick;
   Real m_velocities[NUM_WHEELS] = {};  // m/s
 };

@@ -30,7 +30,7 @@ constexpr size_t kCornerOrder[] = {2, 3, 0, 1};
 }  // namespace
 
 void CPiPuckFrontCameraDefaultSensor::SetRobot(CComposableEntity& robot) {
-  // only a Pi-Puck has this component
+  // throws unless the robot is a Pi-Puck
   robot.GetComponent<CPiPuckDifferentialDriveEntity>("differential_drive");
   m_robot = &robot.GetComponent<CControllableEntity>("controller");
   m_anchor = &robot.GetComponent<CEmbodiedEntity>("body").GetOriginAnchor();
@@ -53,7 +53,7 @@ void CPiPuckFrontCameraDefaultSensor::Init(TConfigurationNode& tree) {
   GetNodeAttributeOrDefault(tree, "show_frustum", m_showsFrustum, m_showsFrustum);
   GetNodeAttributeOrDefault(tree, "show_tag_rays", m_showsTagRays, m_showsTagRays);
   GetNodeAttributeOrDefault(tree, "show_led_rays", m_showsLEDRays, m_showsLEDRays);
-  Disable();  // until the controller enables it
+  Disable();  // the controller may enable it
 }
 
 void CPiPuckFrontCameraDefaultSensor::Reset() {
@@ -103,7 +103,7 @@ std::vector<CVector3> CPiPuckFrontCameraDefaultSensor::ComputeCorners() const {
 
 SBoundingBox CPiPuckFrontCameraDefaultSensor::ComputeField() const {
   SBoundingBox field{m_position, m_position};
-  // without the memory of ComputeCorners(): the corners at the far end, and the camera
+  // encloses the corners at the far end, and the camera; ComputeCorners() would need memory
   const Real x = 0.5 * m_cResolution.GetX() / m_cFocalLength.GetX() * kFar;
   const Real y = 0.5 * m_cResolution.GetY() / m_cFocalLength.GetY() * kFar;
   for (const Real signX : {-1.0, 1.0}) {

@@ -53,17 +53,17 @@ class CPiPuckFrontCameraDefaultSensor : public CSimulatedSensor,
   void ShowFrustum() const;
 
   CControllableEntity* m_robot = nullptr;
-  const SAnchor* m_anchor = nullptr;  // of the camera
+  const SAnchor* m_anchor = nullptr;  // holds the camera
   CTagMedium* m_tagMedium = nullptr;
   CDirectionalLEDMedium* m_ledMedium = nullptr;
   bool m_showsFrustum = false;
   bool m_showsTagRays = false;
   bool m_showsLEDRays = false;
-  UInt32 m_extraTicks = 1;  // by which the camera's clock is ahead of the experiment's
+  UInt32 m_extraTicks = 1;  // lead of the camera's clock over the experiment's
   CEntitiesInSight<CTagEntity, kTagPoints> m_tagsInSight;
   CEntitiesInSight<CDirectionalLEDEntity> m_ledsInSight;
-  // of the current tick
-  CVector3 m_position;  // of the camera, m, world frame
+  // data of the current tick
+  CVector3 m_position;  // camera, m, world frame
   CQuaternion m_orientation;  // world frame
   STag::TVector m_tags;
   std::vector<std::pair<CVector3, CColor>> m_leds;  // places in the frame of the camera, m

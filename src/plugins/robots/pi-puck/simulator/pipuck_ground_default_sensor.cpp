@@ -12,7 +12,7 @@
 namespace argos {
 
 void CPiPuckGroundDefaultSensor::SetRobot(CComposableEntity& robot) {
-  // only a Pi-Puck has this component
+  // throws unless the robot is a Pi-Puck
   robot.GetComponent<CPiPuckDifferentialDriveEntity>("differential_drive");
   m_anchor = &robot.GetComponent<CEmbodiedEntity>("body").GetOriginAnchor();
   m_robot = &robot.GetComponent<CControllableEntity>("controller");
@@ -24,7 +24,7 @@ void CPiPuckGroundDefaultSensor::Init(TConfigurationNode& tree) {
 }
 
 void CPiPuckGroundDefaultSensor::Update() {
-  constexpr Real kWhite = 255.0;  // of CColor::ToGrayScale()
+  constexpr Real kWhite = 255.0;  // CColor::ToGrayScale() of white
   CFloorEntity& floor = m_robot->GetSpace().GetFloorEntity();
   for (SInterface& interface : m_interfaces) {
     CVector3 start = std::get<1>(interface.Configuration);

@@ -13,7 +13,7 @@ constexpr Real kGravity = 9.81;  // m/s^2
 }  // namespace
 
 void CPiPuckImuDefaultSensor::SetRobot(CComposableEntity& robot) {
-  // only a Pi-Puck has this component
+  // throws unless the robot is a Pi-Puck
   robot.GetComponent<CPiPuckDifferentialDriveEntity>("differential_drive");
   m_motion.SetBody(robot.GetComponent<CEmbodiedEntity>("body"));
   Enable();

@@ -18,9 +18,9 @@ class CPiPuckImuDefaultSensor : public CSimulatedSensor, public CCI_PiPuckImuSen
   void Reset() override;
 
  private:
-  CBodyMotion m_motion;  // since the last tick
+  CBodyMotion m_motion;  // motion since the last tick
   CTickWatch m_tick;
-  CVector3 m_velocity;  // in the last tick, m/s, world frame
+  CVector3 m_velocity;  // mean of the last tick, m/s, world frame
 };
 
 }  // namespace argos

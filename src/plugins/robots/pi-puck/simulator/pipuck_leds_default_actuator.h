@@ -24,7 +24,7 @@ class CPiPuckLEDsDefaultActuator : public CSimulatedActuator, public CCI_PiPuckL
   void Reset() override;
 
  private:
-  CDirectionalLEDEquippedEntity* m_leds = nullptr;  // of the robot
+  CDirectionalLEDEquippedEntity* m_leds = nullptr;
   std::array<bool, NUM_LEDS> m_isOn{};
 };
 

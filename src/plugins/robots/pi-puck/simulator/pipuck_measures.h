@@ -17,12 +17,12 @@ constexpr Real kBodyHeight = 0.08;
 constexpr Real kMass = 0.4;  // kg
 // kg m^2: m (2R)^2 / 2, four times that of an even disc, as published
 constexpr Real kPlanarInertia = 0.5 * kMass * (2.0 * kBodyRadius) * (2.0 * kBodyRadius);
-constexpr Real kClearance = 0.00125;  // of the shell above the ground
+constexpr Real kClearance = 0.00125;  // height of the shell above the ground
 
 // wheels
 constexpr Real kInterwheelDistance = 0.0565;
 constexpr Real kWheelRadius = 0.02125;
-constexpr Real kWheelFaceY = 0.0255;  // of the inner face of the left wheel
+constexpr Real kWheelFaceY = 0.0255;  // y of the inner face of the left wheel
 constexpr Real kMaxDriveForce = 1.5;  // N
 constexpr Real kMaxDriveTorque = 1.5;  // N m
 

@@ -27,7 +27,7 @@ SRayLayout MakeLayout(
 }  // namespace
 
 void CPiPuckRangefindersDefaultSensor::SetRobot(CComposableEntity& robot) {
-  // only a Pi-Puck has this component
+  // throws unless the robot is a Pi-Puck
   robot.GetComponent<CPiPuckDifferentialDriveEntity>("differential_drive");
   m_caster.SetRobot(robot);
   m_anchor = &m_caster.GetBody().GetOriginAnchor();

@@ -40,8 +40,8 @@ class CPiPuckSimulatedSensor : public CSimulatedSensor, public CONTROL_INTERFACE
   void SetShowRays(bool show) { m_bShowRays = show; }
 
  protected:
-  const SAnchor* m_anchor = nullptr;  // of all sensors
-  std::vector<SInterface> m_interfaces;  // in the order of the labels
+  const SAnchor* m_anchor = nullptr;  // holds all sensors
+  std::vector<SInterface> m_interfaces;  // ordered by label
   bool m_bShowRays = false;
 };
 

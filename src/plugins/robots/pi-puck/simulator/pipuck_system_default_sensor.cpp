@@ -9,7 +9,7 @@
 namespace argos {
 
 void CPiPuckSystemDefaultSensor::SetRobot(CComposableEntity& robot) {
-  // only a Pi-Puck has this component
+  // throws unless the robot is a Pi-Puck
   robot.GetComponent<CPiPuckDifferentialDriveEntity>("differential_drive");
   m_robot = &robot.GetComponent<CControllableEntity>("controller");
   Enable();

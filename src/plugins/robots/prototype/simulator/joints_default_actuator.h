@@ -28,7 +28,7 @@ class CJointsDefaultActuator : public CSimulatedActuator, public CCI_JointsActua
     Real MaxImpulse;  // N m s or N s
   };
 
-  CJointEquippedEntity* m_joints = nullptr;  // of the robot
+  CJointEquippedEntity* m_joints = nullptr;
   std::vector<SMotor> m_motors;  // (interfaces)
 };
 

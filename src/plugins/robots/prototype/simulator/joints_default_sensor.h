@@ -22,8 +22,8 @@ class CJointsDefaultSensor : public CSimulatedSensor, public CCI_JointsSensor {
   void Reset() override;
 
  private:
-  CJointEquippedEntity* m_joints = nullptr;  // of the robot
-  std::vector<size_t> m_numbers;  // of the joints, (interfaces)
+  CJointEquippedEntity* m_joints = nullptr;
+  std::vector<size_t> m_numbers;  // numbers of the joints, (interfaces)
 };
 
 }  // namespace argos

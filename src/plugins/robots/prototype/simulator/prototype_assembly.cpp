@@ -21,7 +21,7 @@ constexpr Real kTurnTolerance = 0.01;
 
 struct SLinkNode {
   TConfigurationNode* Node = nullptr;
-  SShapeDescription Shape;  // in the frame of the link
+  SShapeDescription Shape;  // frame: link
   SBodyPose Described;  // its own position and orientation
   bool IsPlaced = false;
 };
@@ -29,7 +29,7 @@ struct SLinkNode {
 // one end of a joint
 struct SJointEnd {
   size_t Link = 0;
-  SBodyPose Frame;  // in the frame of the link
+  SBodyPose Frame;  // frame: link
 };
 
 struct SJointNode {
@@ -84,7 +84,7 @@ class CAssembler {
       m_moving.HasFixedBase = !movable;
       body->Articulation = std::make_shared<const SArticulation>(std::move(m_moving));
     } else if (movable) {
-      body->GroundFriction = SGroundFrictionDescription();  // that of boxes
+      body->GroundFriction = SGroundFrictionDescription();  // boxes have the same
     }
     m_result.Body = std::move(body);
     return std::move(m_result);

@@ -14,14 +14,13 @@ namespace argos {
 /** A link of a prototype as it is placed at the start. */
 struct SPlacedLink {
   std::string Id;
-  SBodyPose Pose; /**< in the frame of the body, m */
+  SBodyPose Pose; /**< frame of the body, m */
   UInt32 Group = 0; /**< number of the link of the articulation: fixed joints join links */
 };
 
 /** A prototype put together. */
 struct SPrototypeAssembly {
-  std::vector<SPlacedLink>
-      Links; /**< in the order of the file; SBodyDescription::Shapes likewise */
+  std::vector<SPlacedLink> Links; /**< order of the file; SBodyDescription::Shapes likewise */
   std::shared_ptr<const SBodyDescription> Body;
 };
 

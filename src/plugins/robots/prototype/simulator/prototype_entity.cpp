@@ -24,7 +24,7 @@ namespace argos {
 
 namespace {
 
-// for drawing only
+// sizes that only views use
 constexpr Real kLEDDiameter = 0.008;  // m
 constexpr std::array<CColor, 4> kLinkColors = {CColor(96, 108, 122), CColor(201, 142, 64),
                                                CColor(92, 145, 118), CColor(140, 110, 160)};

@@ -17,7 +17,7 @@ void CCameraDefaultSensor::SetRobot(CComposableEntity& robot) {
 
 void CCameraDefaultSensor::Init(TConfigurationNode& tree) {
   CCI_CameraSensor::Init(tree);
-  CCI_CameraSensor::Disable();  // until the controller enables it
+  CCI_CameraSensor::Disable();  // the controller may enable it
   GetNodeAttributeOrDefault(tree, "show_frustum", m_showFrustum, false);
   TConfigurationNodeIterator camera("camera");
   for (camera = camera.begin(&tree); camera != camera.end(); ++camera) {

@@ -43,10 +43,10 @@ class CCameraDefaultSensor : public CSimulatedSensor, public CCI_CameraSensor {
   void ShowFrustum(const CPinholeCamera& camera) const;
 
   CComposableEntity* m_robot = nullptr;
-  CEmbodiedEntity* m_body = nullptr;  // of the robot
-  CControllableEntity* m_controller = nullptr;  // of the robot
+  CEmbodiedEntity* m_body = nullptr;
+  CControllableEntity* m_controller = nullptr;
   bool m_showFrustum = false;
-  std::vector<SCamera> m_cameras;  // in the order of m_vecInterfaces
+  std::vector<SCamera> m_cameras;  // same order as m_vecInterfaces
 };
 
 }  // namespace argos

@@ -52,7 +52,7 @@ class CCameraSensorSimulatedAlgorithm : public CBaseConfigurableResource {
   std::vector<std::pair<bool, CRay3>> m_vecCheckedRays;
 
  private:
-  const CPinholeCamera* m_camera = nullptr;  // of the current Update()
+  const CPinholeCamera* m_camera = nullptr;  // camera of the current Update()
 };
 
 }  // namespace argos

@@ -58,7 +58,7 @@ CCameraTagDetector::SReading& CCameraTagDetector::NextReading() {
                         [this](SReading& reading) { reading.Payload.reserve(m_longest); });
 }
 
-// in all readings: the assignment of tags to readings changes from tick to tick
+// Reserves in all readings: the assignment of tags to readings changes from tick to tick.
 void CCameraTagDetector::ReserveFor(const std::string& payload) {
   if (payload.size() > m_longest) {
     m_longest = payload.size();

@@ -62,7 +62,7 @@ class CColoredBlobCamera : public CSimulatedSensor, public INTERFACE {
   void InitCamera(TConfigurationNode& tree, const std::vector<std::string>& quantities,
                   const char* shiftPurpose) {
     INTERFACE::Init(tree);
-    INTERFACE::Disable();  // until the controller enables it
+    INTERFACE::Disable();  // the controller may enable it
     m_medium = &ReadMedium<CLEDMedium>(tree, m_robot->GetSimulator(), "an LED medium");
     m_medium->KeepPoints();
     GetNodeAttributeOrDefault(tree, "show_rays", m_showRays, false);
@@ -85,11 +85,11 @@ class CColoredBlobCamera : public CSimulatedSensor, public INTERFACE {
     }
   }
 
-  CAMERA* m_camera = nullptr;  // of the robot
+  CAMERA* m_camera = nullptr;
   CLEDMedium* m_medium = nullptr;
   bool m_showRays = false;
   Real m_noiseStdDev = 0.0;  // its unit depends on the derived class
-  std::unique_ptr<CRandomStream> m_shifts;  // only with noise_std_dev
+  std::unique_ptr<CRandomStream> m_shifts;  // null without noise_std_dev
   CDeviceNoise m_noise;
   CEntitiesInSight<CLEDEntity> m_sight;
   std::vector<typename INTERFACE::SBlob> m_blobs;  // the list in the readings points to them

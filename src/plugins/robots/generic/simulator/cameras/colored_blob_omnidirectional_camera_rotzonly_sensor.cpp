@@ -13,7 +13,7 @@ constexpr Real kCmPerM = 100.0;
 // numbers of the quantities that <noise> may be on
 enum : size_t { QUANTITY_DISTANCE, QUANTITY_ANGLE };
 
-// to [-PI,PI)
+// @return the same direction in [-PI,PI)
 CRadians Wrap(CRadians angle) {
   angle.SignedNormalize();
   return angle >= CRadians::PI ? -CRadians::PI : angle;
@@ -24,8 +24,8 @@ CRadians Wrap(CRadians angle) {
 // pose of the camera in one tick
 struct CColoredBlobOmnidirectionalCameraRotZOnlySensor::SEye {
   CVector3 Position;  // m, world frame
-  Real Cos, Sin;  // of the robot's yaw
-  Real HalfSide;  // of the square field of view on the ground, m
+  Real Cos, Sin;  // cosine and sine of the robot's yaw
+  Real HalfSide;  // half the side of the square field of view on the ground, m
 };
 
 void CColoredBlobOmnidirectionalCameraRotZOnlySensor::SetRobot(CComposableEntity& robot) {
@@ -85,7 +85,7 @@ void CColoredBlobOmnidirectionalCameraRotZOnlySensor::AddBlob(const SEye& eye,
                                                               const CLEDEntity& led,
                                                               const SSightPoint& point) {
   const CVector3 toLED = point.Position - eye.Position;
-  // in the robot's frame
+  // position in the robot's frame
   CVector2 seen(eye.Cos * toLED.GetX() + eye.Sin * toLED.GetY(),
                 eye.Cos * toLED.GetY() - eye.Sin * toLED.GetX());
   if (m_shifts != nullptr) {

@@ -24,7 +24,7 @@ class CColoredBlobOmnidirectionalCameraRotZOnlySensor
   SEye ComputeEye() const;
   void AddBlob(const SEye& eye, const CLEDEntity& led, const SSightPoint& point);
 
-  CEmbodiedEntity* m_body = nullptr;  // of the robot
+  CEmbodiedEntity* m_body = nullptr;
 };
 
 }  // namespace argos

@@ -36,12 +36,12 @@ class CColoredBlobPerspectiveCameraDefaultSensor::CEye {
 
   const CVector3& GetPosition() const { return m_position; }
 
-  // around the cone of view, world frame
+  // encloses the cone of view, world frame
   SBoundingBox GetField() const {
     const CVector3 end = m_position + m_ahead * m_range;
     SBoundingBox field;
     for (UInt32 axis = 0; axis < 3; ++axis) {
-      // of the disc at the end of the cone, whose normal is the direction
+      // extent of the disc at the end of the cone, whose normal is the direction
       const Real extent =
           m_range * m_tanAperture * std::sqrt(std::max(0.0, 1.0 - m_ahead[axis] * m_ahead[axis]));
       field.MinCorner[axis] = std::min(m_position[axis], end[axis] - extent);
@@ -65,7 +65,7 @@ class CColoredBlobPerspectiveCameraDefaultSensor::CEye {
     point.Rotate(m_toCamera);
     const Real ahead = point.GetX();
     const Real squareAside = point.GetY() * point.GetY() + point.GetZ() * point.GetZ();
-    const Real radius = ahead * m_tanAperture;  // of the cone, there
+    const Real radius = ahead * m_tanAperture;  // radius of the cone there
     if (ahead <= 0.0 || ahead >= m_range || squareAside >= radius * radius) {
       return false;
     }

@@ -16,7 +16,7 @@ namespace argos {
 
 namespace {
 
-// to either side
+// greatest angles to either side
 constexpr CDegrees kMaxPan(180.0);
 constexpr CDegrees kMaxTilt(90.0);
 
@@ -53,11 +53,11 @@ class CPanTiltCameraDefaultActuator : public CSimulatedActuator, public CCI_PanT
   void SetTarget(size_t quantity, SAxis& axis, const CRadians& angle);
   CRadians Approach(const CRadians& current, const CRadians& target) const;
 
-  CPerspectiveCameraEquippedEntity* m_camera = nullptr;  // of the robot
+  CPerspectiveCameraEquippedEntity* m_camera = nullptr;
   CControllableEntity* m_robot = nullptr;
   SAxis m_pan = {"pan", {}, CRadians()};
   SAxis m_tilt = {"tilt", {}, CRadians()};
-  CRadians m_maxStep;  // in one tick; 0: unlimited
+  CRadians m_maxStep;  // greatest turn in one tick; 0: unlimited
   CDeviceNoise m_noise;
 };
 

@@ -23,7 +23,8 @@ struct STerm {
 };
 
 const std::vector<std::string> kModels = {"uniform", "gaussian", "rayleigh"};
-constexpr const char* kSpreads[] = {"level", "std_dev", "sigma"};  // of each model
+constexpr const char* kSpreads[] = {"level", "std_dev",
+                                    "sigma"};  // names of the attribute of each model
 
 const CElementText kNoiseText(
     "noise", "the authors of this project", "Noise of a sensor or an actuator.",
@@ -104,8 +105,8 @@ Real Draw(const STerm& term, CRandomStream& stream) {
 
 struct CDeviceNoise::SState {
   const CControllableEntity& Robot;
-  std::string Purpose;  // of the stream
-  std::vector<std::vector<STerm>> Terms;  // by quantity
+  std::string Purpose;  // purpose of the stream
+  std::vector<std::vector<STerm>> Terms;  // index: quantity
   CRandomStream Stream;
 
   SState(const CControllableEntity& robot, const std::string& purpose, size_t numQuantities)

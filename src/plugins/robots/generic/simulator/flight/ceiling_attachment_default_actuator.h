@@ -30,8 +30,8 @@ class CCeilingAttachmentDefaultActuator : public CSimulatedActuator,
   /** @return m, from the top of the body to the ceiling. */
   Real ComputeGap() const;
 
-  CQuadRotorEntity* m_quadrotor = nullptr;  // of the robot
-  const CEmbodiedEntity* m_body = nullptr;  // of the robot
+  CQuadRotorEntity* m_quadrotor = nullptr;
+  const CEmbodiedEntity* m_body = nullptr;
   const CSpace* m_space = nullptr;
   Real m_reach = 0.05;  // m
   bool m_wantsAttachment = false;

@@ -30,7 +30,7 @@ class CQuadRotorActuator : public CSimulatedActuator, public INTERFACE {
   }
 
   CQuadRotorControl m_control;
-  TARGET m_target;  // with noise
+  TARGET m_target;  // target with noise
   CDeviceNoise m_noise;
 };
 

@@ -41,8 +41,8 @@ class CQuadRotorControl {
   CRadians ComputeYaw() const;
 
  private:
-  CQuadRotorEntity* m_quadrotor = nullptr;  // of the robot; null until Acquire()
-  CEmbodiedEntity* m_body = nullptr;  // of the robot
+  CQuadRotorEntity* m_quadrotor = nullptr;  // null until Acquire()
+  CEmbodiedEntity* m_body = nullptr;
   CControllableEntity* m_robot = nullptr;
 };
 

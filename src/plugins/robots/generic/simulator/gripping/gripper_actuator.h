@@ -54,10 +54,10 @@ class CGripperActuator : public CSimulatedActuator, public INTERFACE {
   /** In [0,1]; see CGripperEquippedEntity. */
   virtual Real ComputeLockState(const VALUE& value) const = 0;
 
-  CGripperEquippedEntity* m_gripper = nullptr;  // of the robot
+  CGripperEquippedEntity* m_gripper = nullptr;
   const CControllableEntity* m_robot = nullptr;
   VALUE m_ordered{};  // last value set by the controller
-  VALUE m_applied{};  // with noise
+  VALUE m_applied{};  // value with noise
   CDeviceNoise m_noise;
 };
 

@@ -22,7 +22,7 @@ class CMagnetsDefaultActuator : public CSimulatedActuator, public CCI_MagnetsAct
   void Reset() override;
 
  private:
-  CMagnetEquippedEntity* m_magnets = nullptr;  // of the robot
+  CMagnetEquippedEntity* m_magnets = nullptr;
   CComposableEntity* m_robot = nullptr;
   CDeviceNoise m_noise;
 };

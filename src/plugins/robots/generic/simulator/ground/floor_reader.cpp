@@ -14,8 +14,8 @@ namespace argos {
 
 namespace {
 
-constexpr Real kWhite = 255.0;  // of CColor::ToGrayScale()
-constexpr Real kThreshold = 0.5;  // between black and white
+constexpr Real kWhite = 255.0;  // CColor::ToGrayScale() of white
+constexpr Real kThreshold = 0.5;  // divides black from white
 
 }  // namespace
 

@@ -63,7 +63,7 @@ class CFloorReader {
  private:
   CControllableEntity& GetRobot() const;
 
-  CGroundSensorEquippedEntity* m_sensors = nullptr;  // of the robot
+  CGroundSensorEquippedEntity* m_sensors = nullptr;
   CSpace* m_space = nullptr;
   CDeviceNoise m_noise;
   bool m_readsNoiseLevel = true;

@@ -24,8 +24,8 @@ class CGroundRotZOnlySensor : public CPlainReadingsSensor<CCI_GroundSensor, CFlo
   void Update() override;
 
  protected:
-  CEmbodiedEntity* m_pcEmbodiedEntity = nullptr;  // of the robot; null if it has none
-  CGroundSensorEquippedEntity*& m_pcGroundSensorEntity;  // of the robot
+  CEmbodiedEntity* m_pcEmbodiedEntity = nullptr;  // null if the robot has none
+  CGroundSensorEquippedEntity*& m_pcGroundSensorEntity;
   CFloorEntity* m_pcFloorEntity = nullptr;  // current after Update(); null before there is a floor
   CSpace& m_cSpace;
 };

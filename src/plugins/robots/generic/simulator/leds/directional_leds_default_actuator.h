@@ -19,7 +19,7 @@ class CDirectionalLEDsDefaultActuator : public CSimulatedActuator,
   void Reset() override;
 
  private:
-  CDirectionalLEDEquippedEntity* m_leds = nullptr;  // of the robot
+  CDirectionalLEDEquippedEntity* m_leds = nullptr;
 };
 
 }  // namespace argos

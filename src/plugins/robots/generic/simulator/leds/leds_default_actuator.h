@@ -21,7 +21,7 @@ class CLEDsDefaultActuator : public CSimulatedActuator, public CCI_LEDsActuator 
 
  private:
   CComposableEntity* m_robot = nullptr;
-  CLEDEquippedEntity* m_leds = nullptr;  // of the robot
+  CLEDEquippedEntity* m_leds = nullptr;
 };
 
 }  // namespace argos

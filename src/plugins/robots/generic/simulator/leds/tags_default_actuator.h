@@ -19,7 +19,7 @@ class CTagsDefaultActuator : public CSimulatedActuator, public CCI_TagsActuator 
 
  private:
   TSettings m_initSettings;
-  CTagEquippedEntity* m_tags = nullptr;  // of the robot
+  CTagEquippedEntity* m_tags = nullptr;
 };
 
 }  // namespace argos

@@ -18,7 +18,7 @@ namespace {
 // response to distance as published with ARGoS 3
 constexpr Real kDecay = 2.0;
 constexpr Real kReach = 2.5;
-// of max(0, 1 - 2 delta / PI) over a full turn
+// mean of max(0, 1 - 2 delta / PI) over a full turn
 constexpr Real kMeanShare = 0.25;
 
 }  // namespace
@@ -50,7 +50,7 @@ bool CAngularLight::ComputeBeam(size_t light, SBeam& beam) {
     return false;
   }
   const SAnchor& origin = m_caster.GetBody().GetOriginAnchor();
-  // in a periodic arena, the nearest image of the lamp
+  // a periodic arena has images of the lamp: the nearest one counts
   const CVector3 place = m_caster.GetSpace().GetContext().Arena.Period.FindNearest(
       lamp.GetPosition(), origin.Position);
   CVector3 towards = place - origin.Position;

@@ -74,7 +74,7 @@ class CAngularLight {
  private:
   struct SBeam {
     Real Strength = 0.0;  // g(D)
-    CRadians Azimuth;  // in the robot's frame
+    CRadians Azimuth;  // robot's frame
     bool HasAzimuth = false;
   };
 
@@ -83,9 +83,9 @@ class CAngularLight {
   bool ComputeBeam(size_t light, SBeam& beam);
   static Real ComputeShare(const SBeam& beam, const CRadians& sensor);
 
-  CLightSensorEquippedEntity* m_sensors = nullptr;  // of the robot
+  CLightSensorEquippedEntity* m_sensors = nullptr;
   CRayCaster m_caster;
-  const CLights* m_lights = nullptr;  // of the space
+  const CLights* m_lights = nullptr;  // all lights of the space
   CDeviceNoise m_noise;
   bool m_showRays = false;
 };

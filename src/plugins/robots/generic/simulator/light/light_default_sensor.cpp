@@ -78,9 +78,9 @@ struct CLightDefaultSensor::SEyeBatch {
   CVector3 Center;  // world frame, m
   Real Reach = 0.0;  // m, planar radius of the positions around the centre
   Real MinZ = HUGE_VAL, MaxZ = -HUGE_VAL;  // m, of the positions
-  Real Distances[kBatch];  // to the light, m
-  ESight Sights[kBatch];  // of the light
-  SPlanarRays<kBatch> Lines;  // to the light
+  Real Distances[kBatch];  // distances to the light, m
+  ESight Sights[kBatch];  // say if the light is visible
+  SPlanarRays<kBatch> Lines;  // lines to the light
   Real Readings[kBatch];
 
   SEyeBatch(const SRayLayout& layout, const SAnchor* const* anchors, size_t first, size_t count);
@@ -167,7 +167,7 @@ void CLightDefaultSensor::AddLights(SEyeBatch& eyes) {
     if (light->GetIntensity() <= 0.0) {
       continue;
     }
-    // in a periodic arena, the nearest image of the light
+    // a periodic arena has images of the light: the nearest one counts
     const CVector3 place =
         m_cSpace.GetContext().Arena.Period.FindNearest(light->GetPosition(), eyes.Center);
     FindLightsAhead(place, eyes);

@@ -51,10 +51,10 @@ class CLightDefaultSensor : public CNoisySensor<CCI_LightSensor>, protected CInh
   void Show(const CVector3& light, const SEyeBatch& eyes) const;
 
   CRayCaster m_caster;
-  const CLights* m_lights;  // of the space
+  const CLights* m_lights;  // all lights of the space
 
  protected:
-  // of the robot; the first two refer to what the rays use
+  // the first two refer to what the rays use
   CEmbodiedEntity*& m_pcEmbodiedEntity;
   CControllableEntity*& m_pcControllableEntity;
   CLightSensorEquippedEntity* m_pcLightEntity = nullptr;

@@ -68,11 +68,11 @@ class CPheromoneMediumActuator : public CSimulatedActuator, public CCI_Pheromone
 
  private:
   CControllableEntity* m_robot = nullptr;
-  CEmbodiedEntity* m_body = nullptr;  // of the robot
+  CEmbodiedEntity* m_body = nullptr;
   std::unique_ptr<CPheromoneMedium::CUser> m_user;
-  std::vector<size_t> m_layers;  // of the medium, (m_vecInterfaces)
-  CVector3 m_offset;  // in the robot's frame, m
-  CDeviceNoise m_noise;  // on "rate"
+  std::vector<size_t> m_layers;  // numbers in the medium, (m_vecInterfaces)
+  CVector3 m_offset;  // robot's frame, m
+  CDeviceNoise m_noise;  // added to "rate"
 };
 
 }  // namespace

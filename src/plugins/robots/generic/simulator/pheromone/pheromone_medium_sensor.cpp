@@ -74,11 +74,11 @@ class CPheromoneMediumSensor : public CSimulatedSensor, public CCI_PheromoneSens
 
  private:
   CControllableEntity* m_robot = nullptr;
-  CEmbodiedEntity* m_body = nullptr;  // of the robot
+  CEmbodiedEntity* m_body = nullptr;
   CPheromoneMedium* m_medium = nullptr;
-  std::vector<size_t> m_layers;  // of the medium, (m_vecInterfaces)
-  std::vector<CVector3> m_points;  // in the robot's frame, m
-  CDeviceNoise m_noise;  // on "value"
+  std::vector<size_t> m_layers;  // numbers in the medium, (m_vecInterfaces)
+  std::vector<CVector3> m_points;  // robot's frame, m
+  CDeviceNoise m_noise;  // added to "value"
 };
 
 }  // namespace

@@ -100,8 +100,9 @@ class CProximityRays {
   /** Of the parts of all rays that are within the range. */
   SRayBounds ComputeBounds(const SRayLayout& layout) const;
 
-  CProximitySensorEquippedEntity* m_sensors = nullptr;  // of the robot
-  const SAnchor* m_anchor = nullptr;  // of the first ray, which keeps it; null until the first tick
+  CProximitySensorEquippedEntity* m_sensors = nullptr;
+  const SAnchor* m_anchor =
+      nullptr;  // holds the first ray, and is kept by it; null until the first tick
   CRayCaster m_caster;
   CDeviceNoise m_noise;
   Real m_range = HUGE_VAL;  // m

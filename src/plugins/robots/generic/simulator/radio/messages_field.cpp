@@ -48,7 +48,7 @@ class CMessagesReader : public CFieldReader {
   }
 
   CControllableEntity& m_robot;
-  CCI_RangeAndBearingSensor* m_sensor = nullptr;  // of the current controller
+  CCI_RangeAndBearingSensor* m_sensor = nullptr;  // sensor of the current controller
   UInt32 m_numControllers = 0;
 };
 

@@ -32,7 +32,7 @@ void CRangeAndBearingDefaultActuator::SelectMedium(TConfigurationNode& tree) {
   if (HasDeviceBeside(tree, "sensors", "range_and_bearing")) {
     return;
   }
-  // without any medium the messages reach no robot
+  // the messages reach no robot if there is no medium
   if (CRABMedium* const medium = FindOnlyMedium<CRABMedium>(tree, m_robot->GetSimulator())) {
     m_rab->SetMedium(*medium);
   }

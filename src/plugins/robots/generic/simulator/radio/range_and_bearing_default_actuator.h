@@ -28,7 +28,7 @@ class CRangeAndBearingDefaultActuator : public CSimulatedActuator,
   void SelectMedium(TConfigurationNode& tree);
 
   CControllableEntity* m_robot = nullptr;
-  CRABEquippedEntity* m_rab = nullptr;  // of the robot
+  CRABEquippedEntity* m_rab = nullptr;
 };
 
 }  // namespace argos

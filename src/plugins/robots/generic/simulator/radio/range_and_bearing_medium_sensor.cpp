@@ -20,7 +20,7 @@ namespace argos {
 
 namespace {
 
-// how many packets ahead the data of a sender are loaded
+// number of packets by which the data of a sender are loaded ahead
 constexpr std::ptrdiff_t kSendersAhead = 12;
 
 }  // namespace

@@ -48,17 +48,17 @@ class CRangeAndBearingMediumSensor : public CNoisySensor<CCI_RangeAndBearingSens
   CRandomStream& GetStream();
 
   CRABMedium* m_medium = nullptr;
-  std::unique_ptr<CRandomStream> m_stream;  // with noise or loss
+  std::unique_ptr<CRandomStream> m_stream;  // null without noise and loss
   CSpareElements<SPacket> m_spare;
 
  protected:
-  CRABEquippedEntity* m_pcRangeAndBearingEquippedEntity = nullptr;  // of the robot
-  CControllableEntity*& m_pcControllableEntity;  // of the robot
+  CRABEquippedEntity* m_pcRangeAndBearingEquippedEntity = nullptr;
+  CControllableEntity*& m_pcControllableEntity;
   CSpace& m_cSpace;
   bool m_bShowRays = false;
   Real m_fDistanceNoiseStdDev = 0.0;  // m
   Real m_fPacketDropProb = 0.0;
-  CRandom::CRNG* m_pcRNG = nullptr;  // for a derived class, with noise or loss in the file
+  CRandom::CRNG* m_pcRNG = nullptr;  // set for derived classes if the file has noise or loss
 };
 
 }  // namespace argos

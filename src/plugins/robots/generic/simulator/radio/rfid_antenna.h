@@ -37,11 +37,11 @@ class CRFIDAntenna {
 
  private:
   CControllableEntity* m_robot = nullptr;
-  CEmbodiedEntity* m_body = nullptr;  // of the robot
+  CEmbodiedEntity* m_body = nullptr;
   CRFIDMedium* m_medium = nullptr;
   std::unique_ptr<CRFIDMedium::CUser> m_user;
   Real m_range = 0.1;  // m
-  CVector3 m_position;  // in the robot's frame, m
+  CVector3 m_position;  // robot's frame, m
 };
 
 }  // namespace argos

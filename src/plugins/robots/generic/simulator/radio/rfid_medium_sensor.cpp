@@ -89,8 +89,8 @@ class CRFIDMediumSensor : public CSimulatedSensor, public CCI_RFIDSensor {
 
   CRFIDAntenna m_antenna;
   Real m_missProbability = 0.0;
-  std::unique_ptr<CRandomStream> m_stream;  // only if tags may be missed
-  CDeviceNoise m_noise;  // on EQuantity
+  std::unique_ptr<CRandomStream> m_stream;  // null if no tag may be missed
+  CDeviceNoise m_noise;  // added to EQuantity
   std::vector<CRFIDMedium::SFound> m_found;
   CSpareElements<SReading> m_spare;
 };

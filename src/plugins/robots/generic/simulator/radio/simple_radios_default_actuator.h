@@ -18,7 +18,7 @@ class CSimpleRadiosDefaultActuator : public CSimulatedActuator, public CCI_Simpl
   void Reset() override;
 
  private:
-  CSimpleRadioEquippedEntity* m_radios = nullptr;  // of the robot
+  CSimpleRadioEquippedEntity* m_radios = nullptr;
 };
 
 }  // namespace argos

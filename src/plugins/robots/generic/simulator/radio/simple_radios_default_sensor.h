@@ -26,7 +26,7 @@ class CSimpleRadiosDefaultSensor : public CSimulatedSensor, public CCI_SimpleRad
 
  private:
   CControllableEntity* m_robot = nullptr;
-  CSimpleRadioEquippedEntity* m_radios = nullptr;  // of the robot
+  CSimpleRadioEquippedEntity* m_radios = nullptr;
   bool m_bShowRays = false;
 };
 

@@ -44,7 +44,7 @@ void EnterDiscs(const SRayBlock& rays, const SUprightPose& pose, const SDiscList
     stepX[i] = pose.Cos * rays.DirectionX[i] - pose.Sin * rays.DirectionY[i];
     stepY[i] = pose.Sin * rays.DirectionX[i] + pose.Cos * rays.DirectionY[i];
     square[i] = stepX[i] * stepX[i] + stepY[i] * stepY[i];
-    // beyond the end of the ray by more than the rounding error
+    // the disc is beyond the end of the ray by more than the rounding error
     least[i] = square[i] * kMore;
   }
   for (size_t disc = 0; disc < discs.Size; ++disc) {

@@ -11,7 +11,7 @@ namespace argos {
 /** The pose of the anchor of horizontal rays that stands upright. */
 struct SUprightPose {
   Real X, Y; /**< m, world frame */
-  Real Cos, Sin; /**< of the yaw */
+  Real Cos, Sin; /**< cosine and sine of the yaw */
 };
 
 /**

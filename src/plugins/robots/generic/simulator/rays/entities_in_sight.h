@@ -35,7 +35,7 @@ const CEmbodiedEntity* FindBodyOpenBeneath(const ENTITY&, long) {
 /** A point of an entity. */
 struct SSightPoint {
   CVector3 Position; /**< m, world frame */
-  CVector2 Pixel; /**< for the caller: its place in the image */
+  CVector2 Pixel; /**< its place in the image, written by the caller */
 };
 
 /**
@@ -122,17 +122,17 @@ class CEntitiesInSight {
     const CEntity* Parent;  // null: none
     std::array<SSightPoint, NUM_POINTS> Points;
   };
-  // where a candidate comes in the order of creation
+  // place of a candidate in the order of creation
   struct SPlace {
-    ssize_t Index;  // of the entity
+    ssize_t Index;  // CEntity::GetIndex()
     UInt32 Candidate;  // number
   };
 
-  // of one image
+  // memory for one image
   struct SScratch {
     CSightLines Lines;
     std::vector<SCandidate> Candidates;  // entities are not owned
-    std::vector<SPlace> Order;  // of the candidates
+    std::vector<SPlace> Order;  // places of the candidates
 
     SScratch() {
       Lines.Reserve(kInitialCapacity, NUM_POINTS);
@@ -166,7 +166,7 @@ class CEntitiesInSight {
         SCandidate& candidate = m_scratch.Candidates.emplace_back();
         candidate.Entity = m_batch[i];
         if (m_locate(*m_batch[i], candidate.Points.data())) {
-          // for the search for its root
+          // the search for its root reads it
           LoadAhead(m_batch[i], 1);
         } else {
           m_scratch.Candidates.pop_back();
@@ -179,7 +179,7 @@ class CEntitiesInSight {
     SScratch& m_scratch;
     LOCATE& m_locate;
     std::array<ENTITY*, kBatch> m_batch;
-    size_t m_size = 0;  // of the batch
+    size_t m_size = 0;  // number in the batch
   };
 
   template <class MEDIUM, typename MAY_CONTAIN, typename LOCATE>
@@ -219,9 +219,9 @@ class CEntitiesInSight {
     }
   }
 
-  const CEntity* m_root = nullptr;  // of the robot
+  const CEntity* m_root = nullptr;  // the robot
   CRayCaster m_robot;
-  const SPeriodicity* m_period = nullptr;  // of the arena
+  const SPeriodicity* m_period = nullptr;  // joined sides of the arena
   CVector3 m_eye;  // m, world frame; of the present image
 };
 

@@ -17,7 +17,7 @@ namespace argos {
 template <size_t MAX_RAYS>
 struct SPlanarRays {
   Real X[MAX_RAYS], Y[MAX_RAYS]; /**< start points */
-  Real DX[MAX_RAYS], DY[MAX_RAYS]; /**< from start to end */
+  Real DX[MAX_RAYS], DY[MAX_RAYS]; /**< vector from start to end */
   Real SquareLength[MAX_RAYS]; /**< m^2 */
 
   /** @param x, y  a place near the starts: the cheap test is sharpest for solids near it. */
@@ -64,7 +64,7 @@ struct SPlanarRays {
       const float y = shapeY - m_y[i];
       const float aside = m_dx[i] * y - m_dy[i] * x;
       const float along = m_dx[i] * x + m_dy[i] * y;
-      // behind the start, the start is the nearest point; twice min(along, 0) without a branch
+      // the start is the nearest point of what is behind it: twice min(along, 0) without a branch
       const float behind = along - std::abs(along);
       near[i] = square * m_squareLength[i] - aside * aside - 0.25F * (behind * behind);
     }

@@ -129,11 +129,11 @@ class CRayCaster::CUprightCast {
   const CBodyIndex& m_index;
   UInt32 m_ownBody;
   Real* m_fractions;
-  SUprightPose m_pose;  // of the anchor
+  SUprightPose m_pose;  // pose of the anchor
   Real m_z;  // m, of the anchor
   Real m_minZ, m_maxZ;  // m, world frame, of the rays
-  SDiscList m_discs;  // to be tested
-  // for solids of other kinds
+  SDiscList m_discs;  // discs to test
+  // tests solids of other kinds
   SPlanarRays<kMaxRays> m_rays;
   bool m_areRaysSet = false;
 };

@@ -17,11 +17,11 @@ struct SAnchor;
 /** Rays fixed to a robot; owns nothing. */
 struct SRayBundle {
   const SSensorRay* Rays;
-  const SRayBlock* Blocks; /**< the same rays */
+  const SRayBlock* Blocks; /**< hold the same rays */
   size_t Count; /**< at most CRayCaster::kMaxRays */
   const SRayBounds& Bounds;
   const SAnchor* const* Anchors; /**< indexed by SSensorRay::Anchor */
-  const SAnchor& FirstAnchor; /**< of the first ray; of all rays if Bounds.Planar */
+  const SAnchor& FirstAnchor; /**< holds the first ray, or all rays if Bounds.Planar */
 };
 
 /**
@@ -65,7 +65,7 @@ class CRayCaster {
   void CastUpright(const SRayBundle& bundle, Real* fractions) const;
   void CastOneByOne(const SRayBundle& bundle, Real* fractions) const;
 
-  CEmbodiedEntity* m_body = nullptr;  // of the robot
+  CEmbodiedEntity* m_body = nullptr;
   CControllableEntity* m_robot = nullptr;
   CSpace* m_space = nullptr;
 };

@@ -69,7 +69,7 @@ void CSightLines::SGroups::ComputeNearness(Real x, Real y, Real radius) {
   for (size_t i = 0; i < size; ++i) {
     const float aside = dx[i] * circleY - dy[i] * circleX;
     const float along = dx[i] * circleX + dy[i] * circleY;
-    // behind the eye, the eye is the nearest point; twice min(along, 0) without a branch
+    // the eye is the nearest point to what is behind it: twice min(along, 0) without a branch
     const float behind = along - std::abs(along);
     const float reach = inflated + static_cast<float>(1.0 + kError) * spread[i];
     near[i] = reach * reach * squareLength[i] - aside * aside - 0.25F * (behind * behind);
@@ -118,7 +118,7 @@ void CSightLines::Trace(bool all) {
     TraceOneByOne();
     return;
   }
-  // around the projections of all lines onto the ground
+  // encloses the projections of all lines onto the ground
   SPlanarArea area = SPlanarArea::Empty();
   area.Include(m_eye.GetX(), m_eye.GetY());
   for (const SLine& line : m_lines) {
@@ -135,7 +135,7 @@ void CSightLines::Trace(bool all) {
 
 // the upright bounding cylinder of a solid, relative to the eye
 struct CSightLines::SDisc {
-  Real X, Y;  // from the eye to its axis, m
+  Real X, Y;  // vector from the eye to its axis, m
   Real SquareRadius;  // m^2
   Real ZMin, ZMax;  // m, world frame
 

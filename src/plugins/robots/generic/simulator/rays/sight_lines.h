@@ -63,18 +63,18 @@ class CSightLines {
   struct SLine {
     CVector3 End;  // m, world frame
     const CEmbodiedEntity* Open;  // does not occlude the end; null if all others do
-    Real DX, DY;  // from the eye to the end, m
+    Real DX, DY;  // vector from the eye to the end, m
     Real SquareLengthXY;  // m^2
     Real Limit;  // fraction of the length from which on bodies do not occlude the end
     Real Hit;  // fraction at which the line hits the first body; 1 if none
 
     bool IsClear() const { return Hit >= Limit; }
   };
-  // of the groups, one array for each property, for a loop that the compiler can vectorize; the
-  // axis is the line to the first point
+  // The groups have one array for each property, so that the compiler can vectorize loops. The axis
+  // is the line to the first point.
   struct SGroups {
-    std::vector<float> DX, DY;  // of the axis, from the eye, m
-    std::vector<float> SquareLength;  // of the axis, m^2
+    std::vector<float> DX, DY;  // vector of the axis, from the eye, m
+    std::vector<float> SquareLength;  // square of the axis' length, m^2
     std::vector<float> Spread;  // m, of the other points around the first, seen from above
     std::vector<float> Near;  // scratch of ComputeNearness()
 
@@ -94,7 +94,7 @@ class CSightLines {
   void TraceOneByOne();
   Real FindHitBesides(const CEmbodiedEntity& open, const CRay3& ray) const;
 
-  const CRayCaster* m_robot = nullptr;  // for its body and its space
+  const CRayCaster* m_robot = nullptr;  // gives the body and the space
   CVector3 m_eye;  // m, world frame
   Real m_minZ = 0.0, m_maxZ = 0.0;  // m, world frame, of the eye and all points
   size_t m_groupSize = 1;

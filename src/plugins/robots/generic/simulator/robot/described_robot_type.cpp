@@ -11,12 +11,12 @@ namespace argos {
 
 namespace {
 
-// for drawing only
+// values that only views use
 constexpr CColor kSolidColor(70, 100, 130);
 constexpr CColor kWheelColor(30, 30, 32);
 constexpr CColor kGlassColor(214, 216, 220);
 constexpr Real kLEDDiameter = 0.008;  // m
-constexpr Real kWheelWidth = 0.2;  // of the diameter
+constexpr Real kWheelWidth = 0.2;  // share of the diameter
 
 // default gains of propellers, those of an eye-bot: of forces for each kg of the mass, of torques
 // for each kg m^2 of the moment of inertia

@@ -27,8 +27,8 @@ struct SRABParameters {
 
 /** An omnidirectional camera: `omnidirectional_camera_aperture`. */
 struct SOmnidirectionalCameraParameters {
-  CRadians Aperture = ToRadians(CDegrees(70.0));  // half angle from the downward vertical,
-                                                  // in (0, PI/2)
+  // half angle from the downward vertical, in (0, PI/2)
+  CRadians Aperture = ToRadians(CDegrees(70.0));
 
   void Read(TConfigurationNode& robot);
   void Check(const std::string& owner) const;

@@ -33,7 +33,7 @@ class CSharedBodies {
   std::shared_ptr<const SBodyDescription> m_default;
   mutable std::mutex m_mutex;
   mutable std::vector<std::weak_ptr<const SBodyDescription>>
-      m_nonDefault;  // in use by at least one robot
+      m_nonDefault;  // bodies that at least one robot uses
 };
 
 /**
@@ -77,7 +77,7 @@ class CDifferentialDriveRobotEntity : public CRobotEntity {
   void InitParts(TConfigurationNode& tree);
 
  private:
-  const CSharedBodies& m_bodies;  // of the type
+  const CSharedBodies& m_bodies;  // shared by all robots of the type
   CWheeledEntity* m_wheels = nullptr;  // a component
 };
 

@@ -10,7 +10,7 @@ namespace argos {
 
 namespace {
 
-// of every perspective camera of ARGoS 3, pixels
+// image of every perspective camera of ARGoS 3, pixels
 constexpr SInt32 kImageWidth = 640;
 constexpr SInt32 kImageHeight = 480;
 
@@ -60,7 +60,7 @@ CEntity& MakePerspectiveCamera(CRobotEntity& robot, const CVector3& offset,
       "perspective_camera_0", parameters.Aperture, parameters.FocalLength, parameters.Range,
       kImageWidth, kImageHeight, robot.GetEmbodiedEntity().GetAnchor(anchor));
   camera.SetMount(offset, orientation);
-  // for users' code, but not while robots run, which may read the anchors: the frame of the camera
+  // users' code finds the frame of the camera here; not while robots run, which may read anchors
   CEmbodiedEntity& body = robot.GetEmbodiedEntity();
   if (!CRobotsCode::IsRunning() && body.GetAnchors().count("perspective_camera") == 0) {
     const SAnchor& mount = body.GetAnchor(anchor);

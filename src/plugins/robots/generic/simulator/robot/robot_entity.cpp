@@ -113,7 +113,7 @@ void CRobotEntity::SetEnabled(bool enabled) {
 }
 
 void CRobotEntity::UpdateDigest(CDigest& digest) const {
-  // not the parent's version, which adds all components, enabled or not
+  // the parent's version would add all components, enabled or not
   CEntity::UpdateDigest(digest);  // NOLINT(bugprone-parent-virtual-call)
   for (const CEntity* component : GetExistingComponents()) {
     if (component->IsEnabled() || FindOnDemand(*component) == m_type.OnDemand.size()) {

@@ -11,11 +11,11 @@ namespace argos {
 struct SRobotManual {
   std::string Summary; /**< the first paragraphs, with a line break at the end */
   std::string Tag; /**< the XML element of the robot */
-  std::string Id; /**< for the examples */
+  std::string Id; /**< used by the examples */
   std::string Arena; /**< size of the arena in the examples, "x,y,z", m */
   SRABParameters RAB; /**< defaults */
   std::string
-      ExampleAttributes; /**< besides those of range and bearing; empty or with a leading blank */
+      ExampleAttributes; /**< follow those of range and bearing; empty or with a leading blank */
   std::string Attributes; /**< lines for attributes that other robots do not have */
 };
 

@@ -24,7 +24,7 @@ void AddLED(SAppearance& robot, UInt32 number, const CVector3& position, Real di
 struct SVisualLEDRing {
   UInt32 First = 0; /**< number of the first LED */
   UInt32 Num = 0; /**< number of LEDs */
-  Real StartAngle = 0.0; /**< of the first LED, degrees */
+  Real StartAngle = 0.0; /**< angle of the first LED, degrees */
   Real Radius = 0.0;
   Real Elevation = 0.0;
 };

@@ -21,7 +21,7 @@ class CBatteryDefaultSensor : public CNoisySensor<CCI_BatterySensor> {
   void ResetReading() override;
   Real GetCharge() const;
 
-  CBatteryEquippedEntity* m_battery = nullptr;  // of the robot
+  CBatteryEquippedEntity* m_battery = nullptr;
 };
 
 }  // namespace argos

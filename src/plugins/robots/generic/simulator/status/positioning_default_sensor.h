@@ -20,7 +20,7 @@ class CPositioningDefaultSensor : public CNoisySensor<CCI_PositioningSensor> {
   void ResetReading() override;
   void AddNoiseToOrientation();
 
-  const CEmbodiedEntity* m_body = nullptr;  // of the robot
+  const CEmbodiedEntity* m_body = nullptr;
 };
 
 }  // namespace argos

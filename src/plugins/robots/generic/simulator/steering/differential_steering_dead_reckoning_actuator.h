@@ -52,8 +52,8 @@ class CDifferentialSteeringDeadReckoningActuator : public CDifferentialSteeringD
   Real m_deviation = 0.0;  // mu
   Real m_backwardSign = 1.0;  // 1: the left wheel is faster backwards; -1: slower
   bool m_wasHolding = false;
-  // of the robot, or null. Searched again when the robot's components have changed: the gripper is
-  // created on demand, and this actuator does not create it
+  // null if there is none yet. It is searched again when the robot's components have changed: the
+  // gripper is created on demand, and this actuator does not create it
   const CGripperEquippedEntity* m_gripper = nullptr;
   size_t m_gripperPlace = 0;  // among the components
   size_t m_numComponents = 0;

@@ -52,7 +52,7 @@ class CDifferentialSteeringDefaultActuator : public CSimulatedActuator,
   CRandomStream MakeStream() const;
   void DrawBiases();
 
-  CWheeledEntity* m_wheels = nullptr;  // of the robot
+  CWheeledEntity* m_wheels = nullptr;
   CControllableEntity* m_robot = nullptr;
   std::unique_ptr<SNoise> m_wheelNoise;  // null without this noise
   CDeviceNoise m_noise;

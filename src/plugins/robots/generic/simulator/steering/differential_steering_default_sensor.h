@@ -23,7 +23,7 @@ class CDifferentialSteeringDefaultSensor : public CNoisySensor<CCI_DifferentialS
   void Configure(TConfigurationNode& tree) override;
   void ResetReading() override;
 
-  const CWheeledEntity* m_wheels = nullptr;  // of the robot
+  const CWheeledEntity* m_wheels = nullptr;
 };
 
 }  // namespace argos

@@ -26,7 +26,7 @@ class CPlanarDriveDefaultActuator : public CSimulatedActuator, public CCI_Planar
   void Reset() override;
 
  private:
-  CPlanarDriveEntity* m_drive = nullptr;  // of the robot
+  CPlanarDriveEntity* m_drive = nullptr;
   CControllableEntity* m_robot = nullptr;
   SDriveCommand m_command;
   CDeviceNoise m_noise;
