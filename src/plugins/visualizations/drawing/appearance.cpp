@@ -10,7 +10,7 @@ namespace argos {
 
 namespace {
 
-// by EMaterial
+// index: EMaterial
 constexpr std::array<std::string_view, static_cast<size_t>(EMaterial::Count)> kMaterials = {
     "plastic", "matte", "metal", "glass"};
 

@@ -30,22 +30,22 @@ struct SVisualPart {
   enum class EKind : UInt8 {
     Box, /**< Size = full extents; stands on its base */
     Cylinder, /**< Size = (diameter x, diameter y, height); stands on its base */
-    Cone, /**< as Cylinder, tip up */
+    Cone, /**< has the sizes of Cylinder, tip up */
     Sphere, /**< Size = diameters; Position is the centre */
     Ring, /**< torus around z: Size = (outer diameter, outer diameter, thickness); centre */
     LED /**< small glowing sphere; Size = diameters; colour from the LED component */
   };
 
   EKind Kind = EKind::Box;
-  CVector3 Position; /**< in the anchor's frame, m */
-  CQuaternion Orientation; /**< in the anchor's frame */
+  CVector3 Position; /**< anchor's frame, m */
+  CQuaternion Orientation; /**< anchor's frame */
   CVector3 Size; /**< m, see EKind */
-  CColor Color; /**< of the surface; alpha < 255 is translucent */
+  CColor Color; /**< colour of the surface; alpha < 255 is translucent */
   std::string Anchor =
       "origin"; /**< the part moves with this anchor if enabled, else with the origin */
   /** Kind LED: which LED of the entity's "leds" component gives the colour, 0-based. */
   UInt32 LED = 0;
-  EMaterial Material = EMaterial::Plastic; /**< not of kind LED, which are glass */
+  EMaterial Material = EMaterial::Plastic; /**< ignored by LEDs, which are glass */
 };
 
 /**

@@ -18,10 +18,10 @@ struct STextStyle {
   enum class EAlignment : UInt8 { Left, Center, Right };
 
   std::string Family; /**< "" = the view's own; otherwise such as "sans", "serif", "monospace" */
-  Real Size = 16.0; /**< of the letters' em square, pixels, > 0 */
+  Real Size = 16.0; /**< side of the letters' em square, pixels, > 0 */
   bool IsBold = false;
   bool IsItalic = false;
-  EAlignment Alignment = EAlignment::Left; /**< which point of each line is at the position */
+  EAlignment Alignment = EAlignment::Left; /**< says which point of each line is at the position */
 
   friend bool operator==(const STextStyle& a, const STextStyle& b) {
     return a.Family == b.Family && a.Size == b.Size && a.IsBold == b.IsBold &&
@@ -35,15 +35,15 @@ struct SDrawnShape {
     Point, /**< a disc that faces the viewer: Position; Pixels = diameter */
     Line, /**< Position = start; Size = vector from the start to the end; Pixels = width */
     Polygon, /**< corners in the x-y plane of the shape's frame; Pixels = width of the outline */
-    Circle, /**< in the x-y plane of the shape's frame; Size.x = radius; Count = number of corners
-               if it is a regular polygon, 0 = round; Pixels = width of the outline */
-    Cylinder, /**< around z, Position = centre; Size = (diameter, diameter, height) */
+    Circle, /**< lies in the x-y plane of the shape's frame; Size.x = radius; Count = number of
+               corners if it is a regular polygon, 0 = round; Pixels = width of the outline */
+    Cylinder, /**< axis z, Position = centre; Size = (diameter, diameter, height) */
     Box, /**< Position = centre; Size = extents along the axes of its frame */
     Text /**< faces the viewer, before everything else: Position = on the base line */
   };
   enum class ESpace : UInt8 {
     World, /**< positions and sizes in m, world frame */
-    Overlay /**< over the picture: x to the right and y down from its upper left corner, pixels */
+    Overlay /**< pixels over the picture: x to the right and y down from its upper left corner */
   };
 
   EKind Kind = EKind::Point;
@@ -53,7 +53,7 @@ struct SDrawnShape {
   bool IsFace = false;
   CColor Color;
   CVector3 Position; /**< origin of the shape's frame, see ESpace */
-  CQuaternion Orientation; /**< of the shape's frame */
+  CQuaternion Orientation; /**< orientation of the shape's frame */
   CVector3 Size;
   Real Pixels = 0.0;
   UInt32 First = 0; /**< Polygon: first of Count corners; Text: first of Count bytes */

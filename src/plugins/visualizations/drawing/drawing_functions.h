@@ -88,7 +88,7 @@ class CDrawingFunctions : public CBaseConfigurableResource {
   void Register(size_t tag, TFunction function);
   bool HasFunctionFor(CEntity& entity) const;
 
-  std::vector<TFunction> m_functions;  // by tag of the class of entities; may be empty
+  std::vector<TFunction> m_functions;  // index: tag of the class of entities; may be empty
   CDrawing* m_drawing = nullptr;  // null outside of hooks
 };
 

@@ -13,7 +13,7 @@ namespace argos {
 namespace {
 
 constexpr int kMaxSide = 8192;  // pixels
-constexpr int kEdge = 48;  // of 255: neighbours that differ by more are on two sides of an edge
+constexpr int kEdge = 48;  // 0 to 255; neighbours that differ by more are on two sides of an edge
 
 int ComputeSide(UInt32 imageSide, double length, UInt32 pixelsPerMeter) {
   if (imageSide > 0) {

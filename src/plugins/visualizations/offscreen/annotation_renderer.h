@@ -54,7 +54,7 @@ class CAnnotationRenderer {
   const SGlFunctions& m_gl;
   std::optional<SResources> m_resources;  // empty: nothing was drawn yet
   CGlyphAtlas m_atlas;
-  // of the picture being drawn
+  // data of the picture being drawn
   std::vector<SLabel> m_placed;  // texts in the world, in pixels, far to near
   std::vector<SGlyphInstance> m_glyphs;
 };

@@ -35,8 +35,8 @@ struct SFilmSettings {
   EFilmFormat Format = EFilmFormat::Mp4;
   int Quality = -1; /**< 0 (smallest file) to 100 (best); -1 = the format's own */
   double Speed = 1.0; /**< simulated seconds per second of the film, a multiple of 0.0001, > 0 */
-  std::optional<double> FramesPerSecond; /**< of the file; none: ChooseFileRate() chooses */
-  std::uint32_t TicksPerSecond = 10; /**< of the simulation, > 0 */
+  std::optional<double> FramesPerSecond; /**< rate of the file; none: ChooseFileRate() chooses */
+  std::uint32_t TicksPerSecond = 10; /**< rate of the simulation, > 0 */
   std::uint32_t Every = 1; /**< ticks from frame to frame, > 0 */
   bool IsInParts = false; /**< parts of a run are shown one after the other, without what is between
                              them */

@@ -33,10 +33,10 @@ class CFilmFrames : public CPictureSink {
 
   SFilmSettings m_settings;
   int m_run = 0;
-  std::string m_file;  // of this run
+  std::string m_file;  // path of the film of this run
   std::unique_ptr<CFrameWriter> m_writer;
   std::optional<std::uint32_t> m_firstTick;
-  std::optional<std::uint32_t> m_ticks;  // from frame to frame
+  std::optional<std::uint32_t> m_ticks;  // number of ticks from frame to frame
 };
 
 }  // namespace argos

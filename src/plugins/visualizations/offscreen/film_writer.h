@@ -53,9 +53,9 @@ class CFilmWriter : public CPictureSink {
   SFilmSettings m_settings;
   std::string m_ffmpeg;
   int m_run = 0;
-  std::string m_file;  // of this run
+  std::string m_file;  // path of the film of this run
   std::unique_ptr<CPartFile> m_part;  // null: no run has begun, or it has failed
-  SPicture m_first;  // until the second one tells the frame rate
+  SPicture m_first;  // kept until the second one tells the frame rate
   std::optional<std::uint32_t> m_firstTick;
   SFrameRate m_rate;
   std::uint64_t m_numPictures = 0;

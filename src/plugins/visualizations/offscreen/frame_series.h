@@ -24,8 +24,8 @@ class CViewDrawing;
 struct SFrameSeriesSettings : SFrameChoice {
   SRenderSettings Render;
   SFrameFileSettings File;
-  std::optional<SFilmSettings> Film; /**< if set, a film is written instead of files */
-  bool ChoosesEvery = false; /**< of a film: ChooseEvery() sets Every */
+  std::optional<SFilmSettings> Film; /**< a film is written in place of files if it is set */
+  bool ChoosesEvery = false; /**< a film whose Every is set by ChooseEvery() */
   SFloorImage Ground; /**< texture of the ground where the arena has no floor */
   bool ShowGrid = true;
   bool ShowBoundary = true;
@@ -78,7 +78,7 @@ class CFrameSeries {
   CViewDrawing& m_drawing;
   std::unique_ptr<CPictureSink> m_sink;
   bool m_hasBegun = false;  // a run, whose output is not complete
-  std::optional<std::uint32_t> m_lastTick;  // with a frame, in this run
+  std::optional<std::uint32_t> m_lastTick;  // last tick of this run that has a frame
   std::optional<std::uint32_t> m_distance;  // ticks between the first two frames of this run
   CSceneBuilder m_builder;
   std::optional<CFramePipeline> m_pipeline;  // the last member: its threads use the others

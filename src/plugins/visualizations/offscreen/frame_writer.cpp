@@ -22,7 +22,7 @@ CFrameWriter::~CFrameWriter() = default;
 
 void CFrameWriter::CheckFormat() {
   const std::optional<SImageFormat> format = FindImageFormat("frame." + m_settings.Format);
-  // only the part behind the last dot is looked at
+  // FreeImage looks only at the part behind the last dot
   const bool isExtension = m_settings.Format.find_first_of("./") == std::string::npos;
   if (!isExtension || !format) {
     THROW_ARGOSEXCEPTION("Frames cannot be written in the format \""
@@ -45,7 +45,7 @@ std::string CFrameWriter::MakeFileName(std::uint32_t tick) const {
 }
 
 void CFrameWriter::Begin() {
-  m_lock.reset();  // of a run that failed
+  m_lock.reset();  // a run that failed has left it
   m_lock = LockFrames();
 }
 

@@ -18,11 +18,11 @@ class CLockFile;
 struct SFrameFileSettings {
   std::string Directory =
       "."; /**< relative to the working directory; a trailing slash is dropped */
-  std::string BaseName = "frame_"; /**< without a slash */
+  std::string BaseName = "frame_"; /**< has no slash */
   std::string Format =
       "png"; /**< any that FreeImage writes 24-bit pictures in: png, jpg, bmp, ... */
   int Quality = -1; /**< 0 (smallest file) to 100 (best, or least packed); -1 = the format's own */
-  bool CreateDirectory = true; /**< otherwise a directory that does not exist is an error */
+  bool CreateDirectory = true; /**< if false, a directory that does not exist is an error */
 };
 
 /**
@@ -71,7 +71,7 @@ class CFrameWriter : public CPictureSink {
   SFrameFileSettings m_settings;
   std::optional<CFrameFiles> m_files;  // set by the constructor
   SImageFormat m_format;
-  std::unique_ptr<CLockFile> m_lock;  // during a run
+  std::unique_ptr<CLockFile> m_lock;  // held during a run
 };
 
 }  // namespace argos

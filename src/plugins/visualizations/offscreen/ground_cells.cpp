@@ -7,7 +7,7 @@ namespace argos {
 
 namespace {
 
-// where the shadow of a solid may fall on the ground: that of the box around it
+// The shadow of a solid is inside that of the box around it.
 Eigen::AlignedBox2d ComputeShadow(EMeshKind kind, const SMeshInstance& instance,
                                   const Eigen::Vector2d& slope) {
   const bool standsOnBase = kind == EMeshKind::Box || kind == EMeshKind::Cylinder;

@@ -12,7 +12,7 @@
 
 namespace argos {
 
-constexpr int kGroundCells = 64;  // along each side of the ground
+constexpr int kGroundCells = 64;  // number along each side of the ground
 
 /** A rectangle of cells: first column, first row, and those after the last ones. */
 typedef std::array<float, 4> TGroundArea;

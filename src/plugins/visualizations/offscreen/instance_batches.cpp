@@ -53,7 +53,7 @@ SBoundingSphere ComputeBoundingSphere(EMeshKind kind, const SMeshInstance& insta
   const bool standsOnBase = kind == EMeshKind::Box || kind == EMeshKind::Cylinder;
   const double centerZ = standsOnBase ? 0.5 : 0.0;
   SBoundingSphere sphere;
-  Eigen::Vector3d squares = Eigen::Vector3d::Zero();  // of the solid's extents
+  Eigen::Vector3d squares = Eigen::Vector3d::Zero();  // squares of the solid's extents
   for (int row = 0; row < 3; ++row) {
     const auto& entries = instance.ToWorld[static_cast<std::size_t>(row)];
     sphere.Center[row] = entries[3] + centerZ * entries[2];
@@ -118,7 +118,7 @@ void CInstanceBatches::Add(EMeshKind kind, const SMeshInstance& instance) {
   const Eigen::Vector2d toSides =
       (across - (isParallel ? 1.0 : depth) * m_camera->GetHalfExtents()).cwiseQuotient(m_sideNorms);
   const double toView = std::max({toSides.x(), toSides.y(), -depth});
-  // from the solid to the end of its shadow on the ground
+  // distance from the solid to the end of its shadow on the ground
   const double toGround =
       std::max(0.0, sphere.Center.z() + sphere.Radius) / std::max(m_sunFrame(2, 2), kLowestSun);
   if (toView > sphere.Radius + toGround) {

@@ -28,7 +28,7 @@ SBoundingSphere ComputeBoundingSphere(EMeshKind kind, const SMeshInstance& insta
 /** Translucent solids of one kind, to be drawn in order. */
 struct STranslucentRun {
   EMeshKind Kind;
-  std::size_t First; /**< in CInstanceBatches::GetTranslucent() */
+  std::size_t First; /**< index in CInstanceBatches::GetTranslucent() */
   std::size_t Count;
 };
 
@@ -69,16 +69,16 @@ class CInstanceBatches {
   struct SSortKey {
     double Depth;
     EMeshKind Kind;
-    const SMeshInstance* Instance;  // in the scene
+    const SMeshInstance* Instance;  // points into the scene
   };
 
   void Add(EMeshKind kind, const SMeshInstance& instance);
   void SortTranslucent();
 
-  // of the picture being prepared
+  // data of the picture being prepared
   const CCamera* m_camera = nullptr;
   Eigen::Matrix3d m_sunFrame;
-  double m_pixelsPerUnit = 1.0;  // per m, at depth 1 in perspective
+  double m_pixelsPerUnit = 1.0;  // pixels per m, at depth 1 in perspective
   Eigen::Vector2d
       m_sideNorms;  // lengths of the normals of the side and the upper planes of the view
 

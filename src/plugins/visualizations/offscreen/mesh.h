@@ -11,7 +11,7 @@ namespace argos {
 
 /** One corner of a mesh, in the layout of the vertex buffer. */
 struct SMeshVertex {
-  std::array<float, 3> Position; /**< in the mesh's frame */
+  std::array<float, 3> Position; /**< mesh's frame */
   std::array<float, 3> Normal; /**< unit, outward */
   /**
    * Coordinates over a face, for the lines drawn along edges: such a line is where a coordinate is

@@ -151,7 +151,7 @@ void ReadFrameGrabbing(TConfigurationNode& node, SQtOpenGlRequest& request) {
   SFrameSeriesSettings& frames = request.Frames;
   frames.File.CreateDirectory = false;
   ReadFile(node, frames.File);
-  // only an explicit "false" restricts frames to runs with a window
+  // an explicit "false" restricts frames to runs with a window
   GetNodeAttributeOrDefault(node, "headless_grabbing", request.WantsFrames, true);
   frames.Render.Width = 1600;
   frames.Render.Height = 1200;

@@ -40,7 +40,7 @@ class CRenderTarget {
   int m_scale = 1;
   GLuint m_multisampled = 0;
   GLuint m_resolved = 0;  // one sample per drawn pixel
-  GLuint m_reduced = 0;  // of the picture's size; the same as m_resolved if the scale is 1
+  GLuint m_reduced = 0;  // has the picture's size; the same as m_resolved if the scale is 1
   std::vector<std::uint8_t> m_rows;  // bottom to top, as OpenGL reads them
 };
 

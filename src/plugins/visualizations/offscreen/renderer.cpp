@@ -18,9 +18,9 @@ constexpr GLint kShadowUnit = 0;
 constexpr GLint kFloorUnit = 1;
 constexpr size_t kTranslucentLevel = 2;
 // diameters of the discs that stand for robots too small to be seen, in pixels of the picture
-constexpr double kMarkerPixels = 5.0;  // if the picture is 960 pixels high
+constexpr double kMarkerPixels = 5.0;  // radius in a picture that is 960 pixels high
 constexpr double kMinMarkerPixels = 2.0;
-constexpr double kMarkerShare = 0.05;  // of the picture that all discs cover at most
+constexpr double kMarkerShare = 0.05;  // greatest share of the picture that all discs cover
 constexpr double kMinNearDistance = 0.002;  // m
 constexpr double kNearOverFar = 2e-5;  // a 32-bit depth buffer still separates millimetres
 constexpr GLfloat kDepthSlope = 1.5f;  // shadow bias, in depth steps per unit of slope

@@ -26,7 +26,7 @@ struct SRenderSettings {
   int Width = 1280; /**< pixels, > 0 */
   int Height = 960; /**< pixels, > 0 */
   int Samples =
-      4; /**< per pixel: 1, 2, 4, 8 or 16; a number above the driver's limit is emulated */
+      4; /**< number per pixel: 1, 2, 4, 8 or 16; a number above the driver's limit is emulated */
   SLook Look = SLook::FromName("light");
   /** Direction to the sun, world frame, any length, above the horizon. */
   Eigen::Vector3d ToSun = Eigen::Vector3d(-0.42, -0.38, 0.95);
@@ -92,7 +92,7 @@ class CRenderer {
   CShadowMap m_shadowMap;
   CGlProgram m_meshProgram;
   CGlProgram m_depthProgram;
-  std::map<unsigned, CGlProgram> m_groundPrograms;  // by bits of EGroundParts
+  std::map<unsigned, CGlProgram> m_groundPrograms;  // keys are bits of EGroundParts
   CGlProgram m_contactProgram;
   CGlProgram m_glowProgram;
   CGlProgram m_lineProgram;
@@ -113,7 +113,7 @@ class CRenderer {
   std::uint64_t m_floorVersion = 0;
   bool m_hasFloor = false;
 
-  // of the frame being drawn; float is enough once the matrices are multiplied in double
+  // data of the frame being drawn; float is enough once the matrices are multiplied in double
   Eigen::Vector3d m_toSun;
   Eigen::Vector4f m_eye;  // w = 1: the eye; w = 0: direction to it, orthographic
   Eigen::Matrix4f m_view;

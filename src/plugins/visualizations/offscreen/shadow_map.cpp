@@ -66,7 +66,7 @@ void CShadowMap::Fit(const Eigen::Matrix3d& sunFrame, const Eigen::AlignedBox3d&
   Eigen::Matrix4d rotation = Eigen::Matrix4d::Identity();
   rotation.block<3, 3>(0, 0) = sunFrame;
   const Eigen::Matrix4d viewProjection = toClip * rotation;
-  // only the lower left corner of the texture may be in use
+  // a small arena uses only the lower left corner of the texture
   const double half = 0.5 * m_usedSide / m_side;
   Eigen::Matrix4d toUnit = Eigen::Vector4d(half, half, 0.5, 1.0).asDiagonal();
   toUnit.col(3) = Eigen::Vector4d(half, half, 0.5, 1.0);

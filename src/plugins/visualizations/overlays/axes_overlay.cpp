@@ -37,7 +37,7 @@ class CAxesOverlay : public COverlay {
     CVector3 Start, Along, Across;
     Real Length;  // m
     Real First;  // coordinate at the start, m
-    Real Step;  // between numbers, m
+    Real Step;  // distance between numbers, m
     Real Tick;  // length of marks, m
     std::string Name;
   };
@@ -56,14 +56,14 @@ class CAxesOverlay : public COverlay {
       drawing.DrawText(place + kNumber * axis.Tick * axis.Across, fmt::format("{:g}", value),
                        m_text.Color, style);
     }
-    // between two numbers
+    // the name is between two numbers
     const CVector3 name = axis.Start + 0.5 * (axis.Length + axis.Step) * axis.Along;
     drawing.DrawText(name + kName * axis.Tick * axis.Across, axis.Name + " (m)", m_text.Color,
                      style);
   }
 
   static constexpr Real kMaxNumbers = 8.0;
-  static constexpr Real kTick = 0.015;  // of the arena
+  static constexpr Real kTick = 0.015;  // share of the arena
   static constexpr Real kNumber = 3.0;  // distance of numbers, in marks
   static constexpr Real kName = 6.0;  // distance of the name, in marks
 

@@ -108,7 +108,7 @@ size_t CColorRule::GetNumberOf(const std::string& name) {
 }
 
 CColor CColorRule::ReadField(CComposableEntity& robot) {
-  // not kept, because robots come and go
+  // bound anew each time, because robots come and go
   const SBoundField bound = m_field->Bind(robot);
   if (bound.Reader == nullptr || bound.Columns.empty() ||
       bound.Columns[0].Kind == EColumnKind::Text || bound.Reader->CountRows() == 0) {

@@ -44,7 +44,8 @@ class CColorRule {
 
   ERule m_rule = ERule::All;
   CColor m_ofAll;
-  std::unordered_map<std::string, size_t> m_numbers;  // of robots, types or teams, as first seen
+  std::unordered_map<std::string, size_t>
+      m_numbers;  // by robot, type or team, in the order in which they were seen
   std::optional<SFieldName> m_field;
   std::vector<double> m_row;
   CRowTexts m_texts;

@@ -24,7 +24,7 @@ class CHeadingsOverlay : public COverlay {
   void Draw(CSimulator& simulator, CDrawing& drawing) override {
     for (const CRobotsInView::SRobot& robot : m_robots.List(simulator.GetSpace())) {
       const CVector3 size = robot.Box.MaxCorner - robot.Box.MinCorner;
-      // by default an arrow ends one radius in front of the robot
+      // an arrow ends one radius in front of the robot if no length is given
       const Real length = m_length > 0.0 ? m_length : std::max(size.GetX(), size.GetY());
       const CVector3 above(0.0, 0.0, robot.Box.MaxCorner.GetZ() + kGap);
       drawing.SetFrame(robot.Pose.Position + above, robot.Pose.Orientation);
@@ -37,7 +37,7 @@ class CHeadingsOverlay : public COverlay {
 
  private:
   static constexpr Real kGap = 0.001;  // m, between a robot and its arrow
-  static constexpr Real kTip = 0.35;  // of the length
+  static constexpr Real kTip = 0.35;  // share of the length
 
   CRobotsInView m_robots;
   CColor m_color = CColor::RED;

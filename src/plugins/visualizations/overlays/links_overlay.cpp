@@ -30,7 +30,7 @@ class CLinksOverlay : public COverlay {
   }
 
  private:
-  // from each receiver half-way to the sender: links that work both ways are whole lines
+  // Draws from each receiver half-way to the sender: links that work both ways are whole lines.
   void DrawLinks(const CRABMedium& medium, const SPeriodicity& period, CDrawing& drawing) const {
     for (UInt32 i = 0; i < medium.GetNumDevices(); ++i) {
       const CRABEquippedEntity* const receiver = medium.GetDevice(i);

@@ -12,7 +12,7 @@ namespace argos {
 
 namespace {
 
-// of texts without a size, in heights of the picture
+// size of texts that give none, in heights of the picture
 constexpr Real kTextHeight = 0.025;
 constexpr Real kMinTextSize = 12.0;  // pixels
 // distance of texts from the edges of the picture and of each other's base lines, in their sizes

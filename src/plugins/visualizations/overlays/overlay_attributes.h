@@ -11,7 +11,7 @@ namespace argos {
 
 /** The attributes `color` and `size` (pixels) of an overlay's texts. */
 struct SOverlayText {
-  CColor Color = CColor::BLACK; /**< without an attribute, see GetInk() */
+  CColor Color = CColor::BLACK; /**< GetInk() replaces it if there is no attribute */
   Real Size = 0.0; /**< pixels; 0: by the height of the picture */
   bool IsBold = false;
 

@@ -86,7 +86,7 @@ class CRegionsOverlay : public COverlay {
     for (const CPhysicsEngine* const engine : simulator.GetPhysicsEngines()) {
       const SVolume& region = engine->GetVolume();
       const std::vector<CVector2> corners = CutToArena(region.GetCorners(), arena);
-      // without sides, or outside
+      // the region has no sides, or is outside
       if (corners.size() < 3) {
         continue;
       }
@@ -113,7 +113,8 @@ class CRegionsOverlay : public COverlay {
     }
   }
 
-  static constexpr Real kGap = 0.006;  // of the arena: between the lines of two regions' border
+  static constexpr Real kGap =
+      0.006;  // share of the arena between the lines of two regions' border
   static constexpr Real kHeight = 0.003;  // m, above the floor
 
   SOverlayText m_text;

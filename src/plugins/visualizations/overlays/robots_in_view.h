@@ -19,8 +19,8 @@ class CRobotsInView {
  public:
   struct SRobot {
     CComposableEntity* Root;
-    SBodyPose Pose; /**< of its origin, rounded as all that views draw */
-    SBoundingBox Box; /**< around its body as described, at the origin and not turned, m */
+    SBodyPose Pose; /**< pose of its origin, rounded as all that views draw */
+    SBoundingBox Box; /**< encloses its body as described, at the origin and not turned, m */
   };
 
   /** @throws CARGoSException if a type is not that of an entity, listing the nearest ones. */

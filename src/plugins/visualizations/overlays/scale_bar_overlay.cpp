@@ -37,9 +37,9 @@ class CScaleBarOverlay : public COverlay {
   }
 
  private:
-  static constexpr Real kShare = 0.25;  // of the arena, at most
-  static constexpr Real kMargin = 0.05;  // of the arena
-  static constexpr Real kGap = 0.25;  // between arena and bar, of the margin
+  static constexpr Real kShare = 0.25;  // greatest share of the arena
+  static constexpr Real kMargin = 0.05;  // share of the arena
+  static constexpr Real kGap = 0.25;  // share of the margin between arena and bar
 
   SOverlayText m_text;
   Real m_length = 0.0;  // m; 0: by the size of the arena

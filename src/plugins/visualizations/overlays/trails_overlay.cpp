@@ -44,9 +44,9 @@ class CTrailsOverlay : public COverlay {
   CColor ComputeColor(const STrail& trail, UInt32 age) const;
 
   CRobotsInView m_robots;
-  std::unordered_map<std::string, STrail> m_trails;  // by id of the robot
+  std::unordered_map<std::string, STrail> m_trails;  // keys are the ids of robots
   Real m_duration = 0.0;  // s; 0: all of the run
-  UInt32 m_ticks = 0;  // of the duration
+  UInt32 m_ticks = 0;  // length of the duration
   Real m_width = 2.0;  // pixels
   Real m_step = 0.005;  // m, between points
   bool m_fades = true;
@@ -125,7 +125,7 @@ void CTrailsOverlay::DrawTrail(const STrail& trail, UInt32 tick, CDrawing& drawi
 
 void CTrailsOverlay::Draw(CSimulator& simulator, CDrawing& drawing) {
   CSpace& space = simulator.GetSpace();
-  // in the order of the robots, not of the map
+  // drawn in the order of the robots, not of the map
   for (const CRobotsInView::SRobot& robot : m_robots.List(space)) {
     const auto found = m_trails.find(robot.Root->GetId());
     if (found == m_trails.end() || found->second.Points.empty()) {

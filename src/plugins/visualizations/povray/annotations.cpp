@@ -14,9 +14,9 @@ namespace argos {
 namespace {
 
 constexpr double kOverlayDepth = 0.02;  // m from the eye
-constexpr double kLineHeight = 1.2;  // of the letters' size
+constexpr double kLineHeight = 1.2;  // heights of the letters
 constexpr double kContourPixels = 1.0;
-constexpr int kBrightSum = 384;  // of R, G and B; texts darker than this get a bright contour
+constexpr int kBrightSum = 384;  // sum of R, G and B; texts darker than this get a bright contour
 
 // a plane in front of everything, whose points are given in pixels
 class COverlayPlane {
@@ -30,7 +30,7 @@ class COverlayPlane {
     m_forward = camera.GetForward();
     double depth = kOverlayDepth * share;
     if (camera.IsOrthographic()) {
-      // in front of the whole arena, which may begin before the eye
+      // texts are in front of the whole arena, which may begin before the eye
       depth -= 2.0 * (file.Scene.ArenaMax - file.Scene.ArenaMin).norm() +
                0.5 * camera.GetPosition().norm();
     }
@@ -42,7 +42,7 @@ class COverlayPlane {
   Eigen::Vector3d At(double x, double y) const {
     return m_corner + m_pixel * (x * m_right - y * m_up);
   }
-  // from pixels to the right, upwards and towards the eye
+  // transforms pixels to directions: to the right, upwards and towards the eye
   std::string MatrixAt(double x, double y) const {
     const Eigen::Vector3d origin = At(x, y);
     const Eigen::Vector3d right = m_pixel * m_right;
@@ -81,7 +81,7 @@ void AddLine(const SLine& line, SSceneText& file) {
 // one mesh for each run of triangles of one colour; place() gives the corners
 template <typename PLACE>
 void AddTriangles(const std::vector<SFlatVertex>& corners, SSceneText& file, PLACE&& place) {
-  const SRgba* color = nullptr;  // of the open mesh
+  const SRgba* color = nullptr;  // colour of the open mesh
   const auto close = [&] {
     if (color != nullptr) {
       file.Text += fmt::format("  Argos_Flat({}) }}\n", ToSdl(*color));
@@ -109,7 +109,7 @@ void AddTriangles(const std::vector<SFlatVertex>& corners, SSceneText& file, PLA
   close();
 }
 
-// in the world, nearer to the eye by a share of the distance
+// adds flat shapes of the world, nearer to the eye by a share of the distance
 void AddFlats(const std::vector<SFlatVertex>& corners, SSceneText& file) {
   const CCamera& camera = file.Camera;
   AddTriangles(corners, file, [&camera](const SFlatVertex& corner, std::size_t) {

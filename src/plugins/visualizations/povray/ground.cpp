@@ -13,7 +13,7 @@ namespace {
 constexpr double kMinCellSize = 14.0;  // pixels; finer grids are left out
 constexpr double kGridPixels = 1.3;  // width of its lines
 constexpr double kBoundaryPixels = 2.6;
-constexpr double kReach = 2.5;  // of the ground around the arena, diagonals of it
+constexpr double kReach = 2.5;  // extent of the ground around the arena, in diagonals of the arena
 constexpr double kOutsideStep = 1.0;  // m between lines around the arena, at least
 constexpr double kOutsideDepth = 0.0004;  // m that the ground around the arena lies lower
 

@@ -14,9 +14,10 @@ namespace argos {
 
 namespace {
 
-const Eigen::Vector3d kToSun = Eigen::Vector3d(-0.42, -0.38, 0.95).normalized();  // as off-screen
+const Eigen::Vector3d kToSun =
+    Eigen::Vector3d(-0.42, -0.38, 0.95).normalized();  // the off-screen view has the same
 constexpr double kSunDistance = 3.0;  // diagonals of the arena
-constexpr double kSunSize = 0.16;  // of its distance: width of the area that emits
+constexpr double kSunSize = 0.16;  // width of the area that emits, as a share of its distance
 constexpr double kGlowFade = 0.03;  // m at which an LED's light is as bright as its colour
 constexpr double kBulbFilter = 0.95;
 constexpr double kMinSignalSize = 4.4 / 960.0;  // diameter over the picture's height, as off-screen
@@ -49,7 +50,7 @@ Eigen::Vector3d ToVector(const std::array<float, 3>& point) {
   return {point[0], point[1], point[2]};
 }
 
-// what metal and glass reflect: a sky, and a bright panel beside the sun
+// Metal and glass reflect a sky, and a bright panel beside the sun.
 void AddSky(SSceneText& file) {
   const SLighting& lighting = LightingOf(file);
   const Eigen::Vector3d panel = Eigen::Vector3d(0.55, -0.45, 0.7).normalized();

@@ -29,12 +29,12 @@ struct SPovrayFrameSettings : SFrameChoice {
   std::string Directory = "out";
   std::string BaseName = "scene_";
   ERender Render = ERender::IfInstalled;
-  std::uint32_t Threads = 0; /**< of POV-Ray; 0: one per core */
+  std::uint32_t Threads = 0; /**< threads of POV-Ray; 0: one per core */
   SFloorImage Ground; /**< texture of the ground where the arena has no floor */
   bool ShowGrid = true;
   bool ShowBoundary = true;
   bool ShowRays = true;
-  bool UseModels = true; /**< otherwise all entities appear as the parts of their appearances */
+  bool UseModels = true; /**< if false, all entities appear as the parts of their appearances */
 };
 
 /** The models of types of entities, looked up when a type first appears; see CPovrayModel. */
@@ -47,7 +47,8 @@ class CPovrayModels {
   const std::vector<std::string>& GetObjects() const { return m_objects; }
 
  private:
-  std::map<std::string, CSceneBuilder::TModels> m_models;  // by type; empty: it has none
+  std::map<std::string, CSceneBuilder::TModels>
+      m_models;  // keys are types; empty if a type has none
   std::vector<std::string> m_objects;
 };
 
@@ -89,12 +90,12 @@ class CPovrayFrameSeries {
   CCameraPlan m_camera;
   CViewDrawing& m_drawing;
   CFrameFiles m_files;
-  std::unique_ptr<CLockFile> m_lock;  // from the first file to the last
+  std::unique_ptr<CLockFile> m_lock;  // held from the first file to the last
   CPovrayModels m_models;
   CSceneBuilder m_builder;
   SScene m_scene;
-  std::optional<std::uint32_t> m_lastTick;  // with a file, in this run
-  std::uint64_t m_floorVersion = 0;  // of the file, see SFloorImage::Version
+  std::optional<std::uint32_t> m_lastTick;  // last tick of this run that has a file
+  std::uint64_t m_floorVersion = 0;  // SFloorImage::Version of the file
   std::string m_floorFile;
   bool m_hasWarned = false;
   std::unique_ptr<CPovrayRenderer> m_renderer;  // null: scene files only

@@ -19,8 +19,8 @@ struct SPovrayJob {
   int Width = 1280; /**< pixels */
   int Height = 960; /**< pixels */
   EPovrayQuality Quality = EPovrayQuality::Good;
-  std::uint32_t Threads = 0; /**< of POV-Ray; 0: one per core */
-  std::string Directory = "."; /**< of scene files and pictures */
+  std::uint32_t Threads = 0; /**< threads of POV-Ray; 0: one per core */
+  std::string Directory = "."; /**< folder of scene files and pictures */
 };
 
 /** The environment variable ARGOS_POVRAY; "povray" if it is not set or empty. */

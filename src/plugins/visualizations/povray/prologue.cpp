@@ -6,7 +6,7 @@ namespace argos {
 
 namespace {
 
-// per quality: light that comes from everywhere, once without and once with radiosity
+// Light comes from everywhere; the quality decides if radiosity computes it.
 const char* MakeRadiosity(EPovrayQuality quality) {
   switch (quality) {
     case EPovrayQuality::Draft:

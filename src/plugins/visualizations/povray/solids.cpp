@@ -14,10 +14,11 @@ namespace {
 typedef std::array<std::array<float, 4>, 3> TRows;
 
 constexpr double kMaxEdge = 0.002;  // radius of rounded edges, m
-constexpr double kEdgeShare = 0.12;  // of a solid's smallest size
+constexpr double kEdgeShare = 0.12;  // share of a solid's smallest size
 constexpr float kMinSize = 1e-6f;  // m
 constexpr double kGlassFilter = 0.93;  // share of the light that crosses a surface of glass
-constexpr float kGlassShare = 0.998f;  // of its length, so that it does not touch what holds it
+constexpr float kGlassShare =
+    0.998f;  // share of its length, so that it does not touch what holds it
 
 constexpr std::array<const char*, static_cast<std::size_t>(EMaterial::Count)> kMaterialMacros = {
     "Argos_Plastic", "Argos_Matte", "Argos_Metal", "Argos_Glass"};

@@ -12,7 +12,7 @@ namespace argos {
 
 /** A direction of sight with a name, and the lens for it. */
 struct SView {
-  Eigen::Vector3d ToEye = Eigen::Vector3d::UnitZ(); /**< from what is seen, unit vector */
+  Eigen::Vector3d ToEye = Eigen::Vector3d::UnitZ(); /**< direction from what is seen, unit vector */
   Eigen::Vector3d Up = Eigen::Vector3d::UnitZ();
   double FocalLength = 50.0; /**< mm; a long lens keeps parallels nearly parallel */
   bool IsOrthographic = false;
@@ -54,10 +54,10 @@ class CCameraFraming {
   // a side of the picture, and its points that are farthest out at three slopes of the line of
   // sight
   struct SSide {
-    Eigen::Vector3d Outward;  // across the line of sight, unit vector
+    Eigen::Vector3d Outward;  // direction across the line of sight, unit vector
     double Slope;  // tangent of half the angle of view, with the margin; 0: orthographic
     std::array<double, 3> Supports;  // greatest Outward.p - slope f.p, slope = Slope, 1/2 Slope, 0
-    std::array<Eigen::Vector3d, 3> Points;  // that have them
+    std::array<Eigen::Vector3d, 3> Points;  // the points with these supports
   };
   // position of the eye across the line of sight, between two opposite sides
   double ComputeAcross(const SSide& high, const SSide& low, double depth) const;

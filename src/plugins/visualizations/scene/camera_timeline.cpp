@@ -78,7 +78,7 @@ SCameraPlacement CCameraTimeline::ComputeAt(std::uint32_t tick) const {
   if (next == 0 && !loops) {
     return m_placements[0];
   }
-  // before the first keyframe of a loop, the last one of the round before still counts
+  // the last keyframe of a round counts until the first one of the next
   const SKeyframe& current = m_keyframes[next == 0 ? count - 1 : next - 1];
   if (next == 0) {
     step += m_loop;

@@ -17,7 +17,7 @@ namespace {
 typedef std::vector<Eigen::Vector2d> TCorners;
 
 constexpr std::size_t kRoundCorners = 96;  // a chord of 1 m radius is 0.5 mm off its arc
-// of the distance: above the ground, and each shape above those before it
+// shares of the distance by which shapes are above the ground, and above those before them
 constexpr double kNearer = 5e-4;
 constexpr double kNearerPerShape = 2e-6;
 constexpr double kNearest = 2.5e-3;  // lines and points come before it, see the shaders
@@ -209,8 +209,8 @@ class CSceneDrawer {
 
   const CDrawing& m_drawing;
   SScene& m_scene;
-  double m_nearer = kNearer;  // of the shape
-  double m_nextNearer = kNearer + kNearerPerShape;  // of the next one that is in order
+  double m_nearer = kNearer;  // that of the present shape
+  double m_nextNearer = kNearer + kNearerPerShape;  // that of the next shape drawn in order
 };
 
 }  // namespace

@@ -22,8 +22,8 @@ class CFloorImage {
 
  private:
   SFloorImage m_image;
-  const CFloorEntity* m_floor = nullptr;  // of m_image; only compared
-  std::uint64_t m_version = 0;  // of that floor
+  const CFloorEntity* m_floor = nullptr;  // floor that m_image shows; only compared
+  std::uint64_t m_version = 0;  // version of that floor
 };
 
 }  // namespace argos

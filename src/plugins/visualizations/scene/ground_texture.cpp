@@ -12,7 +12,7 @@ namespace argos {
 
 namespace {
 
-// with an alpha of 255, as renderers take it
+// adds an alpha of 255, which renderers expect
 std::vector<std::uint8_t> ToRgba(const SImage& image) {
   std::vector<std::uint8_t> pixels;
   pixels.reserve(4 * image.Width * image.Height);

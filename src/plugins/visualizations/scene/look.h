@@ -14,8 +14,8 @@ namespace argos {
  */
 struct SLook {
   SRgba Background;
-  SRgba Ground; /**< of the arena, where the floor has no image */
-  SRgba GroundOutside; /**< around the arena, fading into the background */
+  SRgba Ground; /**< colour of the arena where the floor has no image */
+  SRgba GroundOutside; /**< colour around the arena, fading into the background */
   SRgba GridLine;
   SRgba Boundary;
   SRgba Marker; /**< robots too small to be seen */
@@ -24,8 +24,8 @@ struct SLook {
   SRgba BounceLight; /**< diffuse light on downward faces */
   float AmbientIntensity = 0.0f;
   float SpecularIntensity = 0.0f;
-  float EdgeDarkening = 0.0f; /**< of the lines along the edges of solids, 0 to 1 */
-  float ContactDarkening = 0.0f; /**< of the ground under solids, 0 to 1 */
+  float EdgeDarkening = 0.0f; /**< strength of the lines along the edges of solids, 0 to 1 */
+  float ContactDarkening = 0.0f; /**< strength of the shade under solids, 0 to 1 */
   float HaloStrength = 0.0f; /**< 0 to 1 */
   /** Opacity of a halo: 1 hides the background like fog, 0 adds to it like light. */
   float HaloOpacity = 0.0f;

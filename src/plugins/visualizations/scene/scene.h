@@ -60,7 +60,8 @@ struct SModelInstance {
 /** A luminous point: a disc that always faces the camera, with a soft halo around it. */
 struct SGlow {
   std::array<float, 3> Position; /**< centre, world frame, m */
-  float Radius = 0.0f; /**< of the disc, m; never drawn smaller than a pixel and a half */
+  float Radius =
+      0.0f; /**< radius of the disc, m; it is never drawn smaller than a pixel and a half */
   SRgba Color;
   float HaloScale = 0.0f; /**< radius of the halo over that of the disc; 0 = no halo */
   /** > 0: diameter on the picture, pixels, instead of Radius; the disc is then of even colour. */
@@ -76,7 +77,7 @@ constexpr float kSignalPixels = 4.4f;
 /** A robot, which is drawn as a disc of even colour where it would be smaller than a few pixels. */
 struct SMarker {
   std::array<float, 3> Position; /**< world frame, m */
-  float Radius = 0.0f; /**< of the robot, m */
+  float Radius = 0.0f; /**< radius of the robot, m */
 };
 
 /** A straight line, of even width on the picture. */
@@ -105,10 +106,10 @@ struct SLabel {
 
 /** Soft darkening of the ground under a solid, which blocks the skylight. */
 struct SContactShadow {
-  std::array<float, 2> Center; /**< on the ground, world frame, m */
+  std::array<float, 2> Center; /**< point on the ground, world frame, m */
   std::array<float, 2> AxisX; /**< unit vector along the first half extent */
-  std::array<float, 2> HalfExtent; /**< of the footprint, m */
-  float CornerRadius = 0.0f; /**< of the footprint, m; equal to the half extents: a disc */
+  std::array<float, 2> HalfExtent; /**< half the sides of the footprint, m */
+  float CornerRadius = 0.0f; /**< m; a footprint whose radius equals its half extents is a disc */
   float Blur = 0.0f; /**< reach of the darkening, m */
 };
 
@@ -133,8 +134,8 @@ struct SScene {
   bool ShowBoundary = true;
   SFloorImage Floor;
 
-  std::array<std::vector<SMeshInstance>, kNumMeshKinds> Meshes; /**< by EMeshKind */
-  std::vector<SModelInstance> Models; /**< instead of meshes, if the renderer has models */
+  std::array<std::vector<SMeshInstance>, kNumMeshKinds> Meshes; /**< index: EMeshKind */
+  std::vector<SModelInstance> Models; /**< replace meshes if the renderer has models */
   std::vector<SGlow> Glows;
   std::vector<SMarker> Markers;
   std::vector<SLine> Lines;

@@ -28,18 +28,18 @@ namespace argos {
 namespace {
 
 constexpr double kHighestFoot = 0.045;  // m; parts that begin above it hardly darken the ground
-constexpr double kDetailShare = 0.35;  // of the volume of an entity's largest part
+constexpr double kDetailShare = 0.35;  // share of the volume of an entity's largest part
 constexpr double kUpright = 0.999;  // cosine of the angle between a part's axis and the vertical
-constexpr int kMinGray = 160;  // of robots in quarantine
+constexpr int kMinGray = 160;  // robots in quarantine are at least as bright
 
-// of the solids of robots in quarantine: differences of brightness are left, but none of colour
+// solids of robots in quarantine keep differences of brightness, but none of colour
 CColor PaleGray(const CColor& color) {
   const int brightness = (color.GetRed() + color.GetGreen() + color.GetBlue()) / 3;
   const auto gray = static_cast<UInt8>(kMinGray + brightness / 4);
   return CColor(gray, gray, gray, color.GetAlpha());
 }
 
-// of the box around a part, m^3; LEDs are not solids
+// @return the volume of the box around a part, m^3; LEDs are not solids
 double ComputeVolume(const SVisualPart& part) {
   if (part.Kind == SVisualPart::EKind::LED) {
     return 0.0;
@@ -116,7 +116,7 @@ constexpr float kHitPointRadius = 0.004f;  // m
 // m; a hit is computed from its ray, and both are rounded as all that views draw
 constexpr double kOnRay = 4e-6;
 
-// on the grid, so that a replay of a recording draws the same
+// rounds to the grid of recordings, so that a replay draws the same
 Eigen::Vector3d ToVisible(const CVector3& point) {
   return ToEigen(SnapToPoseGrid(point));
 }

@@ -68,16 +68,16 @@ class CSceneBuilder {
     SPose Pose;
     CEmbodiedEntity* Body = nullptr;  // null: the entity has none
     CLEDEquippedEntity* LEDs = nullptr;  // null: the entity has none, or they are dark
-    // whose colours a robot without LEDs of the other kind shows; null likewise
+    // a robot without LEDs of the other kind shows their colours; null likewise
     const CDirectionalLEDEquippedEntity* DirectionalLEDs = nullptr;
     const CLightEntity* Light = nullptr;  // its solids glow while its intensity is above 0
     const TModels* Models = nullptr;  // null: it has solids only
-    bool IsDrawn = false;  // by its class, instead of its solids
+    bool IsDrawn = false;  // its class draws it in place of its solids
     bool IsRobot = false;
     bool IsQuarantined = false;  // a robot that errors have stopped (CSpace::QuarantineLater())
-    double LargestVolume = 0.0;  // of the boxes around its parts, m^3
-    Eigen::Vector3d LargestSize = Eigen::Vector3d::Zero();  // of the part of that volume, m
-    double FootprintArea = 0.0;  // of ContactShadow, m^2; 0: nothing touches the ground
+    double LargestVolume = 0.0;  // largest box around a part, m^3
+    Eigen::Vector3d LargestSize = Eigen::Vector3d::Zero();  // size of that part, m
+    double FootprintArea = 0.0;  // area of ContactShadow, m^2; 0: nothing touches the ground
     SContactShadow ContactShadow{};
   };
 
@@ -92,8 +92,8 @@ class CSceneBuilder {
   bool m_showRays;
   TFindModels m_findModels;  // may be empty
   CFloorImage m_floor;
-  CDrawing m_drawing;  // of entities that are drawn by their class
-  std::set<std::string> m_unseenTypes;  // that were reported
+  CDrawing m_drawing;  // shapes of entities that their classes draw
+  std::set<std::string> m_unseenTypes;  // types that were reported
 };
 
 }  // namespace argos
