@@ -11,23 +11,21 @@ namespace {
 
 /** A point of the shape and the position of the disc's centre when that point is nearest. */
 struct SNearest {
-  Real PointX, PointY;
-  Real X, Y;
+  SPlanarVector Point, Centre;
   Real SquaredDistance;
 };
 
 /** A disc with a planned step, in the frame of a shape. */
 struct SDiscAtShape {
-  Real X, Y, Radius;
-  SPlanarVector Step;
+  SPlanarVector Centre, Step;
+  Real Radius;
 
+  // the centre after a share of the step
+  SPlanarVector ComputeCentre(Real share) const { return Centre + share * Step; }
   // to a point of the shape, if that is nearest to the disc after a share of the step
-  SNearest MeasureTo(Real pointX, Real pointY, Real share) const {
-    SNearest nearest{pointX, pointY, X + share * Step.X, Y + share * Step.Y, 0.0};
-    const Real dx = nearest.PointX - nearest.X;
-    const Real dy = nearest.PointY - nearest.Y;
-    nearest.SquaredDistance = dx * dx + dy * dy;
-    return nearest;
+  SNearest MeasureTo(const SPlanarVector& point, Real share) const {
+    const SPlanarVector centre = ComputeCentre(share);
+    return {point, centre, SquareLength(point - centre)};
   }
 };
 
@@ -36,14 +34,15 @@ struct SDiscAtBox : SDiscAtShape {
   Real HalfX, HalfY;
 
   SNearest FindNearestAt(Real share) const {
-    return MeasureTo(std::clamp(X + share * Step.X, -HalfX, HalfX),
-                     std::clamp(Y + share * Step.Y, -HalfY, HalfY), share);
+    const SPlanarVector centre = ComputeCentre(share);
+    return MeasureTo({std::clamp(centre.X, -HalfX, HalfX), std::clamp(centre.Y, -HalfY, HalfY)},
+                     share);
   }
   template <typename VISIT>
   void ForCorners(VISIT&& visit) const {
     for (const Real signX : {-1.0, 1.0}) {
       for (const Real signY : {-1.0, 1.0}) {
-        visit(signX * HalfX, signY * HalfY);
+        visit(SPlanarVector{signX * HalfX, signY * HalfY});
       }
     }
   }
@@ -54,53 +53,54 @@ struct SDiscAtPolygon : SDiscAtShape {
   const std::vector<CVector2>& Corners;
 
   SPolygonNearest FindNearestOfCentre(Real share) const {
-    return FindNearest(Corners, CVector2(X + share * Step.X, Y + share * Step.Y));
+    const SPlanarVector centre = ComputeCentre(share);
+    return FindNearest(Corners, CVector2(centre.X, centre.Y));
   }
   SNearest FindNearestAt(Real share) const {
     // m; a centre that is less outside counts as on the border, like in a polygon's own numbers
     constexpr Real kOnBorder = 1e-12;
     const SPolygonNearest nearest = FindNearestOfCentre(share);
     if (nearest.Distance <= kOnBorder) {
-      return MeasureTo(X + share * Step.X, Y + share * Step.Y, share);
+      return MeasureTo(ComputeCentre(share), share);
     }
-    return MeasureTo(nearest.Point.GetX(), nearest.Point.GetY(), share);
+    return MeasureTo({nearest.Point.GetX(), nearest.Point.GetY()}, share);
   }
   template <typename VISIT>
   void ForCorners(VISIT&& visit) const {
     for (const CVector2& corner : Corners) {
-      visit(corner.GetX(), corner.GetY());
+      visit(SPlanarVector{corner.GetX(), corner.GetY()});
     }
   }
 };
 
 // The share of a step after which a point enters a rectangle; kNoHit: not in this step.
-Real EnterBox(Real x, Real y, const SPlanarVector& step, Real halfX, Real halfY) {
-  const bool isBeside =
-      (step.X == 0.0 && std::abs(x) >= halfX) || (step.Y == 0.0 && std::abs(y) >= halfY);
+Real EnterBox(const SPlanarVector& point, const SPlanarVector& step, Real halfX, Real halfY) {
+  const bool isBeside = (step.X == 0.0 && std::abs(point.X) >= halfX) ||
+                        (step.Y == 0.0 && std::abs(point.Y) >= halfY);
   SRaySpan inside = {0.0, 1.0};
-  inside.ClipToSlab(x, step.X, -halfX, halfX);
-  inside.ClipToSlab(y, step.Y, -halfY, halfY);
+  inside.ClipToSlab(point.X, step.X, -halfX, halfX);
+  inside.ClipToSlab(point.Y, step.Y, -halfY, halfY);
   return !isBeside && inside.First < inside.Last ? inside.First : kNoHit;
 }
 
 // the same for a circle around the origin that the point approaches
-Real EnterCircle(Real x, Real y, const SPlanarVector& step, Real radius) {
-  const Real approach = x * step.X + y * step.Y;
+Real EnterCircle(const SPlanarVector& point, const SPlanarVector& step, Real radius) {
+  const Real approach = Dot(point, step);
   const SRaySpan inside =
-      FindNegative(step.X * step.X + step.Y * step.Y, approach, x * x + y * y - radius * radius);
+      FindNegative(SquareLength(step), approach, SquareLength(point) - radius * radius);
   return approach < 0.0 && inside.First < inside.Last ? std::max(0.0, inside.First) : kNoHit;
 }
 
 // The share of its step after which the disc first touches a side, other than at a corner; kNoHit:
 // it touches none.
 Real EnterSides(const SDiscAtBox& scene) {
-  return std::min(EnterBox(scene.X, scene.Y, scene.Step, scene.HalfX + scene.Radius, scene.HalfY),
-                  EnterBox(scene.X, scene.Y, scene.Step, scene.HalfX, scene.HalfY + scene.Radius));
+  return std::min(EnterBox(scene.Centre, scene.Step, scene.HalfX + scene.Radius, scene.HalfY),
+                  EnterBox(scene.Centre, scene.Step, scene.HalfX, scene.HalfY + scene.Radius));
 }
 
 Real EnterSides(const SDiscAtPolygon& scene) {
   Real share = kNoHit;
-  const CVector2 centre(scene.X, scene.Y);
+  const CVector2 centre(scene.Centre.X, scene.Centre.Y);
   const CVector2 step(scene.Step.X, scene.Step.Y);
   for (size_t i = 0; i < scene.Corners.size(); ++i) {
     const CVector2 normal = ComputeSideNormal(scene.Corners, i);
@@ -122,8 +122,8 @@ Real EnterSides(const SDiscAtPolygon& scene) {
 template <typename SCENE>
 Real FindFirstTouch(const SCENE& scene) {
   Real share = EnterSides(scene);
-  scene.ForCorners([&](Real x, Real y) {
-    share = std::min(share, EnterCircle(scene.X - x, scene.Y - y, scene.Step, scene.Radius));
+  scene.ForCorners([&](const SPlanarVector& corner) {
+    share = std::min(share, EnterCircle(scene.Centre - corner, scene.Step, scene.Radius));
   });
   return share;
 }
@@ -136,13 +136,12 @@ SNearest FindNearestOnWay(const SCENE& scene) {
   if (atEnd.SquaredDistance < nearest.SquaredDistance) {
     nearest = atEnd;
   }
-  const Real squaredPath = scene.Step.X * scene.Step.X + scene.Step.Y * scene.Step.Y;
-  scene.ForCorners([&](Real x, Real y) {
-    const Real share = std::clamp(
-        ((x - scene.X) * scene.Step.X + (y - scene.Y) * scene.Step.Y) / squaredPath, 0.0, 1.0);
-    const SNearest corner = scene.MeasureTo(x, y, share);
-    if (corner.SquaredDistance < nearest.SquaredDistance) {
-      nearest = corner;
+  const Real squaredPath = SquareLength(scene.Step);
+  scene.ForCorners([&](const SPlanarVector& corner) {
+    const Real share = std::clamp(Dot(corner - scene.Centre, scene.Step) / squaredPath, 0.0, 1.0);
+    const SNearest measured = scene.MeasureTo(corner, share);
+    if (measured.SquaredDistance < nearest.SquaredDistance) {
+      nearest = measured;
     }
   });
   return nearest;
@@ -151,17 +150,17 @@ SNearest FindNearestOnWay(const SCENE& scene) {
 // For a disc with its centre inside the shape, or on its border: along the shortest way out.
 SSeparation SeparateFromInside(const SDiscAtBox& scene) {
   SSeparation separation;
-  const Real depthX = scene.HalfX - std::abs(scene.X);
-  const Real depthY = scene.HalfY - std::abs(scene.Y);
+  const Real depthX = scene.HalfX - std::abs(scene.Centre.X);
+  const Real depthY = scene.HalfY - std::abs(scene.Centre.Y);
   if (depthX < depthY) {
-    separation.NormalX = scene.X > 0.0 ? -1.0 : 1.0;
+    separation.NormalX = scene.Centre.X > 0.0 ? -1.0 : 1.0;
     separation.Gap = -depthX - scene.Radius;
     separation.PointX = -separation.NormalX * scene.HalfX;
-    separation.PointY = scene.Y;
+    separation.PointY = scene.Centre.Y;
   } else {
-    separation.NormalY = scene.Y > 0.0 ? -1.0 : 1.0;
+    separation.NormalY = scene.Centre.Y > 0.0 ? -1.0 : 1.0;
     separation.Gap = -depthY - scene.Radius;
-    separation.PointX = scene.X;
+    separation.PointX = scene.Centre.X;
     separation.PointY = -separation.NormalY * scene.HalfY;
   }
   return separation;
@@ -179,7 +178,7 @@ SSeparation SeparateFromShape(const SCENE& scene) {
   if (nearest.SquaredDistance == 0.0) {
     return SeparateFromInside(scene);
   }
-  const Real squaredPath = scene.Step.X * scene.Step.X + scene.Step.Y * scene.Step.Y;
+  const Real squaredPath = SquareLength(scene.Step);
   const Real gap = std::sqrt(nearest.SquaredDistance) - scene.Radius;
   if (gap > 0.0 && gap * gap < squaredPath) {
     const Real touch = FindFirstTouch(scene);
@@ -190,12 +189,11 @@ SSeparation SeparateFromShape(const SCENE& scene) {
   }
   const Real distance = std::sqrt(nearest.SquaredDistance);
   SSeparation separation;
-  separation.NormalX = (nearest.PointX - nearest.X) / distance;
-  separation.NormalY = (nearest.PointY - nearest.Y) / distance;
-  separation.Gap = separation.NormalX * (nearest.PointX - scene.X) +
-                   separation.NormalY * (nearest.PointY - scene.Y) - scene.Radius;
-  separation.PointX = nearest.PointX;
-  separation.PointY = nearest.PointY;
+  separation.NormalX = (nearest.Point.X - nearest.Centre.X) / distance;
+  separation.NormalY = (nearest.Point.Y - nearest.Centre.Y) / distance;
+  separation.Gap = Dot(separation.GetNormal(), nearest.Point - scene.Centre) - scene.Radius;
+  separation.PointX = nearest.Point.X;
+  separation.PointY = nearest.Point.Y;
   return separation;
 }
 
@@ -205,8 +203,8 @@ constexpr Real kSameGap = 1e-12;
 /** Two shapes with corners, seen along a side of one of them. */
 struct SSide {
   bool IsFirst = true;  // true for a side of the first shape
-  Real X = 0.0, Y = 0.0;  // a point on the line across the middle of the side
-  Real NormalX = 0.0, NormalY = 0.0;  // outwards
+  SPlanarVector Point = {};  // on the line across the middle of the side
+  SPlanarVector Normal = {};  // outwards
   Real Half = 0.0;  // from that point to the side
   Real HalfAlong = 0.0;  // half of the side's length
   Real Gap = -HUGE_VAL;
@@ -214,18 +212,15 @@ struct SSide {
 
 // Selects the side of a that is farthest from b, if it is farther than the best one so far.
 void ConsiderSides(const SFootprint& a, const SFootprint& b, bool isFirst, SSide& best) {
-  const Real dx = b.X - a.X;
-  const Real dy = b.Y - a.Y;
+  const SPlanarVector offset = {b.X - a.X, b.Y - a.Y};
   for (int axis = 0; axis < 2; ++axis) {
-    const Real axisX = axis == 0 ? a.Cos : -a.Sin;
-    const Real axisY = axis == 0 ? a.Sin : a.Cos;
+    const SPlanarVector direction = {axis == 0 ? a.Cos : -a.Sin, axis == 0 ? a.Sin : a.Cos};
     const Real half = axis == 0 ? a.HalfX : a.HalfY;
-    const Real along = dx * axisX + dy * axisY;
-    const Real gap = std::abs(along) - half - ComputeHalfWidth(b, axisX, axisY);
+    const Real along = Dot(offset, direction);
+    const Real gap = std::abs(along) - half - ComputeHalfWidth(b, direction.X, direction.Y);
     if (gap > best.Gap + kSameGap) {
       const Real sign = along < 0.0 ? -1.0 : 1.0;
-      best = {isFirst, a.X, a.Y, sign * axisX, sign * axisY, half, axis == 0 ? a.HalfY : a.HalfX,
-              gap};
+      best = {isFirst, {a.X, a.Y}, sign * direction, half, axis == 0 ? a.HalfY : a.HalfX, gap};
     }
   }
 }
@@ -237,17 +232,17 @@ class CCorners {
   size_t GetSize() const { return m_shape.Polygon != nullptr ? m_shape.Polygon->size() : 4; }
   size_t GetNext(size_t corner) const { return corner + 1 < GetSize() ? corner + 1 : 0; }
   // in the frame of the shape
-  CVector2 GetLocal(size_t corner) const {
+  SPlanarVector GetLocal(size_t corner) const {
     if (m_shape.Polygon != nullptr) {
-      return (*m_shape.Polygon)[corner];
+      const CVector2& local = (*m_shape.Polygon)[corner];
+      return {local.GetX(), local.GetY()};
     }
-    return CVector2(corner == 0 || corner == 3 ? m_shape.HalfX : -m_shape.HalfX,
-                    corner < 2 ? m_shape.HalfY : -m_shape.HalfY);
+    return {corner == 0 || corner == 3 ? m_shape.HalfX : -m_shape.HalfX,
+            corner < 2 ? m_shape.HalfY : -m_shape.HalfY};
   }
-  CVector2 Get(size_t corner) const {
-    const CVector2 local = GetLocal(corner);
-    const SPlanarVector offset = RotateOutOfFrame(m_shape, local.GetX(), local.GetY());
-    return CVector2(m_shape.X + offset.X, m_shape.Y + offset.Y);
+  SPlanarVector Get(size_t corner) const {
+    const SPlanarVector local = GetLocal(corner);
+    return SPlanarVector{m_shape.X, m_shape.Y} + RotateOutOfFrame(m_shape, local.X, local.Y);
   }
 
  private:
@@ -257,18 +252,16 @@ class CCorners {
 // the same for any shapes with corners
 void ConsiderSides(const CCorners& a, const CCorners& b, bool isFirst, SSide& best) {
   for (size_t i = 0; i < a.GetSize(); ++i) {
-    const CVector2 start = a.Get(i);
-    const CVector2 side = a.Get(a.GetNext(i)) - start;
-    const Real length = side.Length();
-    const CVector2 normal = CVector2(side.GetY(), -side.GetX()) / length;
+    const SPlanarVector start = a.Get(i);
+    const SPlanarVector side = a.Get(a.GetNext(i)) - start;
+    const Real length = std::sqrt(SquareLength(side));
+    const SPlanarVector normal = {side.Y / length, -side.X / length};
     Real gap = HUGE_VAL;
     for (size_t j = 0; j < b.GetSize() && gap > best.Gap + kSameGap; ++j) {
-      gap = std::min(gap, normal.DotProduct(b.Get(j) - start));
+      gap = std::min(gap, Dot(normal, b.Get(j) - start));
     }
     if (gap > best.Gap + kSameGap) {
-      const CVector2 middle = start + side * 0.5;
-      best = {isFirst,       middle.GetX(), middle.GetY(), normal.GetX(),
-              normal.GetY(), 0.0,           0.5 * length,  gap};
+      best = {isFirst, start + 0.5 * side, normal, 0.0, 0.5 * length, gap};
     }
   }
 }
@@ -287,13 +280,13 @@ SSide FindBestSide(const SFootprint& a, const SFootprint& b) {
 
 // The ends of the side of a polygon that faces a direction most directly; first the one with the
 // greater coordinate in its frame, as of a rectangle.
-void FindIncidentSide(const CCorners& polygon, const CVector2& direction,
+void FindIncidentSide(const CCorners& polygon, const SPlanarVector& direction,
                       SPlanarVector (&ends)[2]) {
   Real least = HUGE_VAL;
   size_t incident = 0;
   for (size_t i = 0; i < polygon.GetSize(); ++i) {
-    const CVector2 side = polygon.Get(polygon.GetNext(i)) - polygon.Get(i);
-    const Real along = direction.CrossProduct(side) / side.Length();
+    const SPlanarVector side = polygon.Get(polygon.GetNext(i)) - polygon.Get(i);
+    const Real along = Cross(direction, side) / std::sqrt(SquareLength(side));
     if (along < least) {
       least = along;
       incident = i;
@@ -301,28 +294,28 @@ void FindIncidentSide(const CCorners& polygon, const CVector2& direction,
   }
   size_t first = incident;
   size_t second = polygon.GetNext(incident);
-  const CVector2 side = polygon.GetLocal(second) - polygon.GetLocal(first);
-  if ((std::abs(side.GetX()) > std::abs(side.GetY()) ? side.GetX() : side.GetY()) > 0.0) {
+  const SPlanarVector side = polygon.GetLocal(second) - polygon.GetLocal(first);
+  if ((std::abs(side.X) > std::abs(side.Y) ? side.X : side.Y) > 0.0) {
     std::swap(first, second);
   }
-  ends[0] = {polygon.Get(first).GetX(), polygon.Get(first).GetY()};
-  ends[1] = {polygon.Get(second).GetX(), polygon.Get(second).GetY()};
+  ends[0] = polygon.Get(first);
+  ends[1] = polygon.Get(second);
 }
 
 // The ends of the side of a shape that faces a direction most directly.
-void FindIncidentSide(const SFootprint& box, Real x, Real y, SPlanarVector (&ends)[2]) {
+void FindIncidentSide(const SFootprint& box, const SPlanarVector& direction,
+                      SPlanarVector (&ends)[2]) {
   if (box.Polygon != nullptr) {
-    FindIncidentSide(CCorners(box), CVector2(x, y), ends);
+    FindIncidentSide(CCorners(box), direction, ends);
     return;
   }
-  const Real alongX = box.Cos * x + box.Sin * y;
-  const Real alongY = box.Cos * y - box.Sin * x;
+  const SPlanarVector along = RotateIntoFrame(box, direction.X, direction.Y);
   Real localX[2] = {box.HalfX, -box.HalfX};
   Real localY[2] = {box.HalfY, -box.HalfY};
-  if (std::abs(alongX) > std::abs(alongY)) {
-    localX[0] = localX[1] = alongX > 0.0 ? -box.HalfX : box.HalfX;
+  if (std::abs(along.X) > std::abs(along.Y)) {
+    localX[0] = localX[1] = along.X > 0.0 ? -box.HalfX : box.HalfX;
   } else {
-    localY[0] = localY[1] = alongY > 0.0 ? -box.HalfY : box.HalfY;
+    localY[0] = localY[1] = along.Y > 0.0 ? -box.HalfY : box.HalfY;
   }
   for (int end = 0; end < 2; ++end) {
     ends[end].X = box.X + box.Cos * localX[end] - box.Sin * localY[end];
@@ -332,22 +325,17 @@ void FindIncidentSide(const SFootprint& box, Real x, Real y, SPlanarVector (&end
 
 // Clips a line to the points beside a side. @return false if none is.
 bool Clip(SPlanarVector (&ends)[2], const SSide& side) {
-  const Real tangentX = -side.NormalY;
-  const Real tangentY = side.NormalX;
-  const auto along = [&](const SPlanarVector& end) {
-    return (end.X - side.X) * tangentX + (end.Y - side.Y) * tangentY;
-  };
+  const SPlanarVector tangent = {-side.Normal.Y, side.Normal.X};
   for (const Real sign : {-1.0, 1.0}) {
-    const Real beyond[2] = {sign * along(ends[0]) - side.HalfAlong,
-                            sign * along(ends[1]) - side.HalfAlong};
+    const Real beyond[2] = {sign * Dot(ends[0] - side.Point, tangent) - side.HalfAlong,
+                            sign * Dot(ends[1] - side.Point, tangent) - side.HalfAlong};
     if (beyond[0] > 0.0 && beyond[1] > 0.0) {
       return false;
     }
     for (int end = 0; end < 2; ++end) {
       if (beyond[end] > 0.0) {
         const Real share = beyond[end] / (beyond[end] - beyond[1 - end]);
-        ends[end].X += share * (ends[1 - end].X - ends[end].X);
-        ends[end].Y += share * (ends[1 - end].Y - ends[end].Y);
+        ends[end] = ends[end] + share * (ends[1 - end] - ends[end]);
       }
     }
   }
@@ -357,10 +345,10 @@ bool Clip(SPlanarVector (&ends)[2], const SSide& side) {
 int FindContactsOfSides(const SFootprint& a, const SFootprint& b, SSeparation* contacts) {
   const SSide side = FindBestSide(a, b);
   SPlanarVector ends[2];
-  FindIncidentSide(side.IsFirst ? b : a, side.NormalX, side.NormalY, ends);
+  FindIncidentSide(side.IsFirst ? b : a, side.Normal, ends);
   const SPlanarVector whole[2] = {ends[0], ends[1]};
   const auto gapOf = [&side](const SPlanarVector& end) {
-    return (end.X - side.X) * side.NormalX + (end.Y - side.Y) * side.NormalY - side.Half;
+    return Dot(end - side.Point, side.Normal) - side.Half;
   };
   int count = 2;
   if (!Clip(ends, side)) {
@@ -370,7 +358,8 @@ int FindContactsOfSides(const SFootprint& a, const SFootprint& b, SSeparation* c
   }
   const Real sign = side.IsFirst ? 1.0 : -1.0;
   for (int i = 0; i < count; ++i) {
-    contacts[i] = {sign * side.NormalX, sign * side.NormalY, gapOf(ends[i]), ends[i].X, ends[i].Y};
+    contacts[i] = {sign * side.Normal.X, sign * side.Normal.Y, gapOf(ends[i]), ends[i].X,
+                   ends[i].Y};
   }
   return count;
 }
@@ -388,10 +377,8 @@ SSeparation SeparateFromFootprint(Real x, Real y, Real radius, const SPlanarVect
   }
   const Real cosine = footprint.Cos;
   const Real sine = footprint.Sin;
-  const SDiscAtShape disc = {-cosine * offset.X - sine * offset.Y,
-                             sine * offset.X - cosine * offset.Y,
-                             radius,
-                             {cosine * step.X + sine * step.Y, cosine * step.Y - sine * step.X}};
+  const SDiscAtShape disc = {RotateIntoFrame(footprint, -offset.X, -offset.Y),
+                             RotateIntoFrame(footprint, step.X, step.Y), radius};
   const SSeparation local =
       footprint.Polygon != nullptr
           ? SeparateFromShape(SDiscAtPolygon{disc, *footprint.Polygon})

@@ -21,6 +21,8 @@ struct SSeparation {
   Real NormalX = 0.0, NormalY = 0.0;  // from the first to the second, of unit length
   Real Gap = 0.0;  // m, along the normal; negative if they overlap
   Real PointX = 0.0, PointY = 0.0;  // nearest point of the second, m, world frame
+
+  SPlanarVector GetNormal() const { return {NormalX, NormalY}; }
 };
 
 /**
@@ -54,7 +56,7 @@ inline SSeparation SeparateDiscs(const SPlanarVector& offset, const SPlanarVecto
   } else {
     separation.NormalX = 1.0;
   }
-  separation.Gap = separation.NormalX * offset.X + separation.NormalY * offset.Y - reach;
+  separation.Gap = Dot(separation.GetNormal(), offset) - reach;
   return separation;
 }
 
