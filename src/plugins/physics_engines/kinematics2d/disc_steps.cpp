@@ -344,10 +344,8 @@ bool CDiscSwarm::LimitByDiscs(const SActiveDisc& active, const std::vector<SPlan
     if (offset.X == 0.0 && offset.Y == 0.0 && disc.Slot > neighbour.Slot) {
       separation.NormalX = -separation.NormalX;
     }
-    const Real mine =
-        std::max(0.0, separation.NormalX * missing.X + separation.NormalY * missing.Y);
-    const Real theirs =
-        std::max(0.0, -separation.NormalX * missingThere.X - separation.NormalY * missingThere.Y);
+    const Real mine = std::max(0.0, Dot(separation.GetNormal(), missing));
+    const Real theirs = std::max(0.0, -Dot(separation.GetNormal(), missingThere));
     Real push = 0.0;
     if (separation.Gap < -kMaxRounding) {
       // also what the robot drives into the other: they would stay in each other by that much
@@ -355,8 +353,7 @@ bool CDiscSwarm::LimitByDiscs(const SActiveDisc& active, const std::vector<SPlan
       target.Depth = std::max(target.Depth, -separation.Gap);
     }
     const Real limit = ShareGap(std::max(0.0, separation.Gap), mine, theirs);
-    return limit < bound &&
-           !planes.Add({separation.NormalX, separation.NormalY, limit, neighbour.Slot, push});
+    return limit < bound && !planes.Add({separation.GetNormal(), limit, neighbour.Slot, push});
   });
 }
 
@@ -380,15 +377,12 @@ bool CDiscSwarm::LimitByFootprints(const SActiveDisc& active, const CCellLists& 
     Real push = 0.0;
     if (separation.Gap < -kMaxRounding) {
       // a wall undoes what the robot drives into it, too: it would stay inside by that much
-      const Real ahead = firstId != kFirstWall
-                             ? 0.0
-                             : separation.NormalX * missing.X + separation.NormalY * missing.Y;
+      const Real ahead = firstId != kFirstWall ? 0.0 : Dot(separation.GetNormal(), missing);
       push = -separation.Gap + std::max(0.0, ahead);
       target.Depth = std::max(target.Depth, -separation.Gap);
     }
     const Real limit = std::max(0.0, separation.Gap);
-    if (limit < bound &&
-        !planes.Add({separation.NormalX, separation.NormalY, limit, firstId + number, push})) {
+    if (limit < bound && !planes.Add({separation.GetNormal(), limit, firstId + number, push})) {
       return false;
     }
   }
@@ -400,16 +394,15 @@ bool CDiscSwarm::LimitByGhosts(const SActiveDisc& active, const SPlanarVector& d
   STarget& target = m_targets[active.Place];
   const SPlace& disc = PlaceOf(active);
   for (const SGhostLine& line : m_ghostLines.Get(disc.Slot)) {
-    const Real room = line.Room - line.NormalX * (disc.X - line.StartX + done.X) -
-                      line.NormalY * (disc.Y - line.StartY + done.Y);
+    const SPlanarVector moved = SPlanarVector{disc.X, disc.Y} - line.Start + done;
+    const Real room = line.Room - line.Normal.X * moved.X - line.Normal.Y * moved.Y;
     Real push = 0.0;
     if (room < -kMaxRounding) {
       push = -room;
       target.Depth = std::max(target.Depth, -room);
     }
     const Real limit = std::max(0.0, room);
-    if (limit < bound &&
-        !planes.Add({line.NormalX, line.NormalY, limit, kFirstGhost + line.Ghost, push})) {
+    if (limit < bound && !planes.Add({line.Normal, limit, kFirstGhost + line.Ghost, push})) {
       return false;
     }
   }

@@ -134,7 +134,6 @@ class CDiscSwarm {
   /** A disc that may touch something in this tick. */
   struct SActiveDisc {
     static constexpr UInt32 kMaxNear = 9;
-
     UInt32 Place, Cell;
     UInt16 NumNear;  // more than kMaxNear: the discs around the cell are searched instead
     bool HasArrived;

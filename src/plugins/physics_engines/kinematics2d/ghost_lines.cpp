@@ -30,7 +30,10 @@ void CGhostLines::Add(UInt32 slot, Real x, Real y, Real radius, UInt32 number,
     // coincident centres define no line
     return;
   }
-  m_lines.push_back({slot, number, dx / distance, dy / distance, x, y,
+  m_lines.push_back({slot,
+                     number,
+                     {dx / distance, dy / distance},
+                     {x, y},
                      0.5 * (distance - (radius + ghost.Radius))});
 }
 

@@ -3,6 +3,7 @@
 
 #include <argos3/core/utility/configuration/argos_exception.h>
 #include <argos3/core/utility/datatypes/datatypes.h>
+#include <argos3/core/utility/math/planar_vector.h>
 #include <argos3/plugins/simulator/physics_engines/planar/ghost_discs.h>
 
 #include <limits>
@@ -21,8 +22,8 @@ namespace argos {
 struct SGhostLine {
   UInt32 Slot;  // of the disc
   UInt32 Ghost;  // its number
-  Real NormalX, NormalY;  // from the disc to the ghost, of unit length
-  Real StartX, StartY;  // m, world frame; of the disc at the start of the tick
+  SPlanarVector Normal;  // from the disc to the ghost, of unit length
+  SPlanarVector Start;  // m, world frame; of the disc at the start of the tick
   Real Room;  // m; how far it may move along the normal from there; below 0 if the two overlap
 };
 

@@ -27,8 +27,7 @@ void CHalfPlanes::Sort() {
 SPlanarVector CHalfPlanes::SumPushes() const {
   SPlanarVector sum = {};
   for (size_t i = 0; i < m_size; ++i) {
-    sum.X -= m_planes[i].Push * m_planes[i].NormalX;
-    sum.Y -= m_planes[i].Push * m_planes[i].NormalY;
+    sum = sum - m_planes[i].Push * m_planes[i].Normal;
   }
   return sum;
 }
@@ -37,7 +36,7 @@ SPlanarVector CHalfPlanes::FindNearest(const SPlanarVector& target) const {
   SPlanarVector step = target;
   for (size_t i = 0; i < m_size; ++i) {
     const SHalfPlane& plane = m_planes[i];
-    if (plane.NormalX * step.X + plane.NormalY * step.Y <= plane.Limit) {
+    if (Dot(plane.Normal, step) <= plane.Limit) {
       continue;
     }
     // the nearest step that this plane and the previous ones allow is on the border of this one
@@ -54,15 +53,13 @@ SPlanarVector CHalfPlanes::FindNearest(const SPlanarVector& target) const {
 bool CHalfPlanes::FindOnLine(size_t number, const SPlanarVector& target,
                              SPlanarVector& step) const {
   const SHalfPlane& line = m_planes[number];
-  const Real directionX = -line.NormalY;
-  const Real directionY = line.NormalX;
+  const SPlanarVector direction = {-line.Normal.Y, line.Normal.X};
   Real low = -HUGE_VAL;
   Real high = HUGE_VAL;
   for (size_t i = 0; i < number; ++i) {
     const SHalfPlane& other = m_planes[i];
-    const Real slope = other.NormalX * directionX + other.NormalY * directionY;
-    const Real room =
-        other.Limit - line.Limit * (other.NormalX * line.NormalX + other.NormalY * line.NormalY);
+    const Real slope = Dot(other.Normal, direction);
+    const Real room = other.Limit - line.Limit * Dot(other.Normal, line.Normal);
     if (std::abs(slope) < kParallel) {
       // the step satisfies the other plane already, so that it is not the tighter one
       continue;
@@ -76,9 +73,8 @@ bool CHalfPlanes::FindOnLine(size_t number, const SPlanarVector& target,
   if (low > high) {
     return false;
   }
-  const Real along = std::clamp(target.X * directionX + target.Y * directionY, low, high);
-  step.X = line.Limit * line.NormalX + along * directionX;
-  step.Y = line.Limit * line.NormalY + along * directionY;
+  const Real along = std::clamp(Dot(target, direction), low, high);
+  step = line.Limit * line.Normal + along * direction;
   return true;
 }
 

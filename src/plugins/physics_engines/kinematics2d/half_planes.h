@@ -9,7 +9,7 @@ namespace argos {
 
 /** The steps s with Normal * s <= Limit. */
 struct SHalfPlane {
-  Real NormalX, NormalY;  // of unit length
+  SPlanarVector Normal;  // of unit length
   Real Limit;  // m, >= 0: a step of length 0 is always allowed
   UInt32 Id;  // determines the order of processing
   // m; requested step against the normal, because of an overlap; without a default, so that an

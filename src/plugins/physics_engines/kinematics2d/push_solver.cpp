@@ -26,12 +26,10 @@ STwist ToTwist(const Real* values) {
 // are, m.
 Real CPushSolver::ComputePlannedMotion(const SContact& contact) const {
   const STwist& pushed = m_bodies[contact.Pushed].Target;
-  Real moved =
-      contact.NormalX * pushed.X + contact.NormalY * pushed.Y + contact.LeverPushed * pushed.Turn;
+  Real moved = Dot(contact.Normal, pushed.GetStep()) + contact.LeverPushed * pushed.Turn;
   if (contact.Pushing != kNone) {
     const STwist& pushing = m_bodies[contact.Pushing].Target;
-    moved -= contact.NormalX * pushing.X + contact.NormalY * pushing.Y +
-             contact.LeverPushing * pushing.Turn;
+    moved -= Dot(contact.Normal, pushing.GetStep()) + contact.LeverPushing * pushing.Turn;
   }
   return moved;
 }
@@ -313,8 +311,8 @@ void CPushSolver::SetUpContacts(const SIsland& island) {
     const SRequirement& contact = m_contacts[member.Number];
     SIslandContact<Real>& touch = m_islandContacts.emplace_back();
     touch.Impulse.Set({contact.Force, 0.0});
-    touch.NX = contact.NormalX;
-    touch.NY = contact.NormalY;
+    touch.NX = contact.Normal.X;
+    touch.NY = contact.Normal.Y;
     touch.Approach = -contact.Least;
     touch.A = contact.Pushing != kNone ? m_bodies[contact.Pushing].Place : obstacle;
     touch.B = m_bodies[contact.Pushed].Place;

@@ -3,6 +3,7 @@
 
 #include <argos3/core/utility/configuration/argos_exception.h>
 #include <argos3/core/utility/datatypes/datatypes.h>
+#include <argos3/core/utility/math/planar_vector.h>
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/kinematic_limits.h>
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/push_parts.h>
 #include <argos3/plugins/simulator/physics_engines/planar/body_forest.h>
@@ -20,6 +21,8 @@ struct STwist {
   Real X = 0.0;
   Real Y = 0.0;
   Real Turn = 0.0;
+
+  SPlanarVector GetStep() const { return {X, Y}; }
 };
 
 /**
@@ -43,7 +46,7 @@ class CPushSolver {
   struct SContact {
     UInt32 Pushing = kNone; /**< number of a body; kNone: an obstacle that does not move */
     UInt32 Pushed = 0; /**< number of a body */
-    Real NormalX = 0.0, NormalY = 0.0;
+    SPlanarVector Normal = {};
     Real LeverPushing = 0.0, LeverPushed = 0.0; /**< of the normal about the bodies' origins, m */
     /** Least motion of the pushed body along the normal, relative to the pushing one, m: the
      * negative gap. */

@@ -77,7 +77,7 @@ bool CSolids::Correct(SLink& link) {
   }
   CPushSolver::SContact contact = m_solver.GetContact(link.Contact);
   const auto computeMotion = [&] {
-    return contact.NormalX * (pushed.X - pushing.X) + contact.NormalY * (pushed.Y - pushing.Y) +
+    return Dot(contact.Normal, pushed.GetStep() - pushing.GetStep()) +
            contact.LeverPushed * pushed.Turn - contact.LeverPushing * pushing.Turn;
   };
   const Real expected = link.Planned + computeMotion() - contact.Least;
@@ -100,8 +100,7 @@ bool CSolids::Correct(SLink& link) {
   }
   link.IsCorrected = true;
   const SSeparation middle = FindAt(link, pushing, pushed, 0.5);
-  contact.NormalX = middle.NormalX;
-  contact.NormalY = middle.NormalY;
+  contact.Normal = middle.GetNormal();
   const auto findPushed = [&](const STwist& twist) {
     return ComputeLeverAtEnd(link.Pushed, twist, FindAt(link, pushing, twist, 1.0));
   };

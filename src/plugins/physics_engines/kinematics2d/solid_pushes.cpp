@@ -31,7 +31,7 @@ void CSolids::AddPushesOfDiscs(UInt32 slot, const CDiscSwarm& discs) {
          ++pushed) {
       const SSeparation contact =
           SeparateFromFootprint(pose.X, pose.Y, discs.GetRadius(disc), step, m_footprints[pushed]);
-      const Real planned = contact.NormalX * step.X + contact.NormalY * step.Y;
+      const Real planned = Dot(contact.GetNormal(), step);
       if (planned > 0.0 && planned - contact.Gap > kNegligibleStep * solid.NarrowestHalf) {
         const UInt32 number = AddDiscToSolver(disc, discs);
         const SSide side = {.Disc = number,
@@ -73,8 +73,8 @@ void CSolids::AddPushesOfSolid(UInt32 slot, UInt32 number) {
                                      m_footprints[pushed], contacts);
       for (int i = 0; i < count; ++i) {
         const Real lever = ComputeLever(robot, contacts[i], image);
-        const Real planned = contacts[i].NormalX * robot.Twist.X +
-                             contacts[i].NormalY * robot.Twist.Y + lever * robot.Twist.Turn;
+        const Real planned =
+            Dot(contacts[i].GetNormal(), robot.Twist.GetStep()) + lever * robot.Twist.Turn;
         if (planned > 0.0 && planned - contacts[i].Gap > kNegligibleStep * solid.NarrowestHalf) {
           AddPush(slot, contacts[i], i, planned - contacts[i].Gap, AddRobotToSolver(number), lever,
                   {.Footprint = static_cast<UInt32>(pushing), .Image = image},
@@ -91,7 +91,7 @@ void CSolids::AddPushesOfSolid(UInt32 slot, UInt32 number) {
 void CSolids::AddPush(UInt32 slot, const SSeparation& contact, int point, Real need, UInt32 robot,
                       Real lever, const SSide& pushing, UInt32 pushed) {
   m_farthest = std::max(m_farthest, need);
-  AddLink({robot, AddToSolver(slot), contact.NormalX, contact.NormalY, lever,
+  AddLink({robot, AddToSolver(slot), contact.GetNormal(), lever,
            ComputeLever(m_solids[slot], contact), -contact.Gap},
           point, pushing, {.Footprint = pushed}, contact.Gap);
 }
@@ -158,12 +158,11 @@ void CSolids::TakeTwists(const CDiscSwarm& discs) {
       m_numberOfDisc[pusher.Slot] = CPushSolver::kNone;
     } else {
       SSolid& robot = m_solids[pusher.Slot];
-      planned = {robot.Twist.X, robot.Twist.Y};
+      planned = robot.Twist.GetStep();
       back = Shortened(robot, twist, ComputeFarthest(robot));
       robot.Number = CPushSolver::kNone;
     }
-    if (twist.X * planned.X + twist.Y * planned.Y <
-        -kPushedBack * (planned.X * planned.X + planned.Y * planned.Y)) {
+    if (Dot(twist.GetStep(), planned) < -kPushedBack * SquareLength(planned)) {
       pusher.Back = back;
     }
   }
@@ -184,9 +183,9 @@ Real CSolids::PushBack(const SPusher& pusher, CDiscSwarm& discs) {
     return Move(robot, pusher.Back, discs);
   }
   const Real most = std::min(1.0, discs.GetRoomBack(pusher.Slot) / length);
-  const SPlanarVector step = {most * pusher.Back.X, most * pusher.Back.Y};
+  const SPlanarVector step = most * pusher.Back.GetStep();
   const Real share = ComputeFreeShare(pusher.Slot, step, discs);
-  discs.PushBack(pusher.Slot, {share * step.X, share * step.Y});
+  discs.PushBack(pusher.Slot, share * step);
   return most * share;
 }
 
@@ -197,7 +196,7 @@ Real CSolids::ComputeFreeShare(UInt32 disc, const SPlanarVector& step, const CDi
   const Real reach = radius + std::hypot(step.X, step.Y);
   Real share = 1.0;
   const auto limit = [&](const SSeparation& separation) {
-    const Real approach = separation.NormalX * step.X + separation.NormalY * step.Y;
+    const Real approach = Dot(separation.GetNormal(), step);
     if (approach > separation.Gap && approach > 0.0) {
       share = std::min(share, std::max(0.0, separation.Gap) / approach);
     }

@@ -415,7 +415,7 @@ void CSolids::AddSolidNeighbour(SSolid& solid, SSolid& other) {
       for (int i = 0; i < count; ++i) {
         const Real narrowest = std::min(solid.NarrowestHalf, other.NarrowestHalf);
         const Real most = kSolidStep * narrowest;
-        AddLink({solid.Number, other.Number, contacts[i].NormalX, contacts[i].NormalY,
+        AddLink({solid.Number, other.Number, contacts[i].GetNormal(),
                  ComputeLever(solid, contacts[i]), ComputeLever(other, contacts[i], image),
                  ComputeLeast(contacts[i].Gap, narrowest, most)},
                 i, {.Footprint = static_cast<UInt32>(a)},
@@ -433,7 +433,7 @@ void CSolids::AddObstacle(const SSolid& solid, const SFootprint& footprint, Real
     SSeparation contacts[2];
     const int count = FindContacts(footprint, m_footprints[mine], contacts);
     for (int i = 0; i < count; ++i) {
-      AddLink({CPushSolver::kNone, solid.Number, contacts[i].NormalX, contacts[i].NormalY, 0.0,
+      AddLink({CPushSolver::kNone, solid.Number, contacts[i].GetNormal(), 0.0,
                ComputeLever(solid, contacts[i]),
                ComputeLeast(contacts[i].Gap, solid.NarrowestHalf, most)},
               i, {.Place = footprint}, {.Footprint = static_cast<UInt32>(mine)}, contacts[i].Gap);
@@ -446,8 +446,8 @@ void CSolids::AddFace(const SSolid& solid, const SFootprint& face, Real most) {
   SSeparation contacts[2];
   const int count = FindContacts(face, MakeDisc(solid.Pose, solid.BoundingRadius), contacts);
   for (int i = 0; i < count; ++i) {
-    m_solver.AddContact({CPushSolver::kNone, solid.Number, contacts[i].NormalX, contacts[i].NormalY,
-                         0.0, ComputeLever(solid, contacts[i]),
+    m_solver.AddContact({CPushSolver::kNone, solid.Number, contacts[i].GetNormal(), 0.0,
+                         ComputeLever(solid, contacts[i]),
                          ComputeLeast(contacts[i].Gap, solid.NarrowestHalf, most)});
   }
 }

@@ -18,7 +18,7 @@ namespace {
 
 bool Allows(const std::vector<SHalfPlane>& planes, const SPlanarVector& step, Real slack) {
   for (const SHalfPlane& plane : planes) {
-    if (plane.NormalX * step.X + plane.NormalY * step.Y > plane.Limit + slack) {
+    if (Dot(plane.Normal, step) > plane.Limit + slack) {
       return false;
     }
   }
@@ -29,13 +29,13 @@ bool Allows(const std::vector<SHalfPlane>& planes, const SPlanarVector& step, Re
 SPlanarVector SearchNearest(const std::vector<SHalfPlane>& planes, const SPlanarVector& wanted) {
   std::vector<SPlanarVector> candidates = {wanted};
   for (const SHalfPlane& a : planes) {
-    const Real excess = a.NormalX * wanted.X + a.NormalY * wanted.Y - a.Limit;
-    candidates.push_back({wanted.X - excess * a.NormalX, wanted.Y - excess * a.NormalY});
+    const Real excess = Dot(a.Normal, wanted) - a.Limit;
+    candidates.push_back(wanted - excess * a.Normal);
     for (const SHalfPlane& b : planes) {
-      const Real cross = a.NormalX * b.NormalY - a.NormalY * b.NormalX;
+      const Real cross = Cross(a.Normal, b.Normal);
       if (std::abs(cross) > 1e-6) {
-        candidates.push_back({(a.Limit * b.NormalY - b.Limit * a.NormalY) / cross,
-                              (b.Limit * a.NormalX - a.Limit * b.NormalX) / cross});
+        candidates.push_back({(a.Limit * b.Normal.Y - b.Limit * a.Normal.Y) / cross,
+                              (b.Limit * a.Normal.X - a.Limit * b.Normal.X) / cross});
       }
     }
   }
@@ -64,7 +64,7 @@ TEST_CASE("half planes: the step found is the nearest one that all planes allow"
       const Real angle = random.Uniform(-std::numbers::pi, std::numbers::pi);
       // in a third of the scenes the bodies touch already
       const Real limit = scene % 3 == 0 ? 0.0 : random.Uniform(0.0, 1.0);
-      planes.push_back({std::cos(angle), std::sin(angle), limit, static_cast<UInt32>(i), 0.0});
+      planes.push_back({{std::cos(angle), std::sin(angle)}, limit, static_cast<UInt32>(i), 0.0});
       REQUIRE(solver.Add(planes.back()));
     }
     const SPlanarVector wanted = {random.Uniform(-2, 2), random.Uniform(-2, 2)};
@@ -81,7 +81,7 @@ TEST_CASE("half planes: the step found is the nearest one that all planes allow"
 TEST_CASE("half planes: after sorting, the result does not depend on the order of addition",
           "[unit][kinematics2d]") {
   const std::vector<SHalfPlane> planes = {
-      {0.6, 0.8, 0.1, 7, 0.0}, {-0.6, 0.8, 0.2, 3, 0.0}, {1.0, 0.0, 0.05, 5, 0.0}};
+      {{0.6, 0.8}, 0.1, 7, 0.0}, {{-0.6, 0.8}, 0.2, 3, 0.0}, {{1.0, 0.0}, 0.05, 5, 0.0}};
   CHalfPlanes forwards;
   CHalfPlanes backwards;
   for (size_t i = 0; i < planes.size(); ++i) {
@@ -99,9 +99,9 @@ TEST_CASE("half planes: after sorting, the result does not depend on the order o
 TEST_CASE("half planes: the capacity is 64", "[unit][kinematics2d]") {
   CHalfPlanes planes;
   for (UInt32 i = 0; i < 64; ++i) {
-    REQUIRE(planes.Add({1.0, 0.0, 1.0, i, 0.0}));
+    REQUIRE(planes.Add({{1.0, 0.0}, 1.0, i, 0.0}));
   }
-  CHECK_FALSE(planes.Add({1.0, 0.0, 1.0, 64, 0.0}));
+  CHECK_FALSE(planes.Add({{1.0, 0.0}, 1.0, 64, 0.0}));
   planes.Clear();
   CHECK(planes.IsEmpty());
 }

@@ -44,7 +44,7 @@ TEST_CASE("push solver: robots side by side move what the sum of their forces ov
   const UInt32 box = AddBox(solver, ratio * robots * kDrive);
   for (int i = 0; i < robots; ++i) {
     const Real lever = 0.2 * (i - 0.5 * (robots - 1));
-    solver.AddContact({AddRobot(solver, kNeed), box, 1.0, 0.0, 0.0, lever, 0.0});
+    solver.AddContact({AddRobot(solver, kNeed), box, {1.0, 0.0}, 0.0, lever, 0.0});
   }
   solver.Solve();
   CHECK_THAT(solver.GetTwist(box).X, WithinAbs(ratio < 1.0 ? kNeed : 0.0, kPrecision));
@@ -66,11 +66,11 @@ TEST_CASE("push solver: a robot moves a row if its force overcomes the sum of fr
   if (backwards) {
     std::reverse(row.begin(), row.end());
   }
-  solver.AddContact({AddRobot(solver, kNeed), row[0], 1.0, 0.0, 0.0, 0.0, 0.0});
+  solver.AddContact({AddRobot(solver, kNeed), row[0], {1.0, 0.0}, 0.0, 0.0, 0.0});
   for (size_t i = 1; i < row.size(); ++i) {
     // both ends of a face
-    solver.AddContact({row[i - 1], row[i], 1.0, 0.0, 0.1, 0.1, 0.0});
-    solver.AddContact({row[i - 1], row[i], 1.0, 0.0, -0.1, -0.1, 0.0});
+    solver.AddContact({row[i - 1], row[i], {1.0, 0.0}, 0.1, 0.1, 0.0});
+    solver.AddContact({row[i - 1], row[i], {1.0, 0.0}, -0.1, -0.1, 0.0});
   }
   solver.Solve();
   for (const UInt32 box : row) {
@@ -88,8 +88,8 @@ TEST_CASE("push solver: rows of a block that touch sideways move as each would a
   const auto ratioOf = [](int row) { return kRatios[row % std::size(kRatios)]; };
   // both ends of a face
   const auto join = [&solver](UInt32 a, UInt32 b, Real x, Real y) {
-    solver.AddContact({a, b, x, y, 0.1, 0.1, 0.0});
-    solver.AddContact({a, b, x, y, -0.1, -0.1, 0.0});
+    solver.AddContact({a, b, {x, y}, 0.1, 0.1, 0.0});
+    solver.AddContact({a, b, {x, y}, -0.1, -0.1, 0.0});
   };
   for (int row = 0; row < kRows; ++row) {
     for (int i = 0; i < kBoxes; ++i) {
@@ -101,7 +101,7 @@ TEST_CASE("push solver: rows of a block that touch sideways move as each would a
         join(rows[row - 1][i], rows[row][i], 0.0, 1.0);
       }
     }
-    solver.AddContact({AddRobot(solver, kNeed), rows[row][0], 1.0, 0.0, 0.0, 0.0, 0.0});
+    solver.AddContact({AddRobot(solver, kNeed), rows[row][0], {1.0, 0.0}, 0.0, 0.0, 0.0});
   }
   solver.Solve();
   for (int row = 0; row < kRows; ++row) {
@@ -125,7 +125,7 @@ TEST_CASE("push solver: a couple turns a bar if its torque overcomes that of fri
   const UInt32 bar = solver.AddBody({}, 1.49, ratio * 2.0 * kDrive * kLever, 1.01 / 12.0);
   for (const Real side : {-1.0, 1.0}) {
     const UInt32 robot = AddRobot(solver, 0.0, side * kNeed);
-    solver.AddContact({robot, bar, 0.0, side, 0.0, kLever, 0.0});
+    solver.AddContact({robot, bar, {0.0, side}, 0.0, kLever, 0.0});
   }
   solver.Solve();
   CHECK_THAT(solver.GetTwist(bar).Turn,
@@ -146,7 +146,7 @@ TEST_CASE("push solver: the force of a drive bounds the sum of its contacts",
   UInt32 discs[2];
   for (int i = 0; i < 2; ++i) {
     discs[i] = AddBox(solver, ratio * 0.5 * kDrive / cosine);
-    solver.AddContact({robot, discs[i], cosine, i == 0 ? sine : -sine, 0.0, 0.0, 0.0});
+    solver.AddContact({robot, discs[i], {cosine, i == 0 ? sine : -sine}, 0.0, 0.0, 0.0});
   }
   solver.Solve();
   const Real made = ratio < 1.0 ? kNeed : 0.0;
@@ -169,7 +169,7 @@ TEST_CASE("push solver: more robots push fewer ones back", "[unit][kinematics2d]
     const Real side = isLeft ? 1.0 : -1.0;
     const Real y = isLeft ? 0.25 * (i - 0.5 * (left - 1)) : 0.25 * (i - left - 0.5 * (right - 1));
     const UInt32 robot = AddRobot(solver, side * kNeed);
-    solver.AddContact({robot, box, side, 0.0, 0.0, -side * y, 0.0});
+    solver.AddContact({robot, box, {side, 0.0}, 0.0, -side * y, 0.0});
     if (!isLeft) {
       opposing.push_back(robot);
     }
@@ -191,7 +191,7 @@ TEST_CASE("push solver: an off-centre push turns a body if it exceeds the torque
   CAPTURE(ratio);
   CPushSolver solver;
   const UInt32 body = AddBox(solver, kForce, ratio * kForce * kLever);
-  solver.AddContact({AddRobot(solver, kNeed), body, 1.0, 0.0, 0.0, -kLever, 0.0});
+  solver.AddContact({AddRobot(solver, kNeed), body, {1.0, 0.0}, 0.0, -kLever, 0.0});
   solver.Solve();
   const STwist& twist = solver.GetTwist(body);
   // the pushed point moves as far as wanted
@@ -210,11 +210,11 @@ TEST_CASE("push solver: a pushed body does not penetrate an immovable one",
   const UInt32 body = AddBox(solver, 1.49, 1.49);
   for (int i = 0; i < robots; ++i) {
     const Real lever = 0.2 * (i - 0.5 * (robots - 1));
-    solver.AddContact({AddRobot(solver, kNeed), body, 1.0, 0.0, 0.0, lever, 0.0});
+    solver.AddContact({AddRobot(solver, kNeed), body, {1.0, 0.0}, 0.0, lever, 0.0});
   }
   // a wall 3 mm ahead
   for (const Real lever : {-0.1, 0.1}) {
-    solver.AddContact({kNone, body, -1.0, 0.0, 0.0, lever, -0.003});
+    solver.AddContact({kNone, body, {-1.0, 0.0}, 0.0, lever, -0.003});
   }
   solver.Solve();
   CHECK_THAT(solver.GetTwist(body).X, WithinAbs(0.003, kPrecision));
@@ -227,8 +227,8 @@ TEST_CASE("push solver: a body slides along a wall that is inclined", "[unit][ki
   CPushSolver solver;
   // the push along the wall is what overcomes friction
   const UInt32 body = AddBox(solver, ratio * kDrive * cosine);
-  solver.AddContact({AddRobot(solver, kNeed), body, 1.0, 0.0, 0.0, 0.0, 0.0});
-  solver.AddContact({kNone, body, -cosine, cosine, 0.0, 0.0, 0.0});
+  solver.AddContact({AddRobot(solver, kNeed), body, {1.0, 0.0}, 0.0, 0.0, 0.0});
+  solver.AddContact({kNone, body, {-cosine, cosine}, 0.0, 0.0, 0.0});
   solver.Solve();
   const Real made = ratio < 1.0 ? kNeed : 0.0;
   CHECK_THAT(solver.GetTwist(body).X, WithinAbs(made, kPrecision));
@@ -242,7 +242,7 @@ TEST_CASE("push solver: bodies of which a contact requires it separate, whatever
   CPushSolver solver;
   const UInt32 a = AddBox(solver, friction, friction);
   const UInt32 b = AddBox(solver, friction, friction);
-  solver.AddContact({a, b, 1.0, 0.0, 0.0, 0.0, 0.002});
+  solver.AddContact({a, b, {1.0, 0.0}, 0.0, 0.0, 0.002});
   solver.Solve();
   CHECK_THAT(solver.GetTwist(b).X - solver.GetTwist(a).X, WithinAbs(0.002, kPrecision));
 }
@@ -279,15 +279,15 @@ TEST_CASE("push solver: the result depends neither on the order nor on the axes"
         const Real dx = (discs[j].X - discs[i].X) / (2.0 * kRadius);
         const Real dy = (discs[j].Y - discs[i].Y) / (2.0 * kRadius);
         if (i < j && std::abs(dx * dx + dy * dy - 1.0) < 1e-6) {
-          solver.AddContact({numbers[i], numbers[j], cosine * dx - sine * dy,
-                             sine * dx + cosine * dy, 0.0, 0.0, 0.0});
+          const SPlanarVector normal = {cosine * dx - sine * dy, sine * dx + cosine * dy};
+          solver.AddContact({numbers[i], numbers[j], normal, 0.0, 0.0, 0.0});
         }
       }
     }
     const UInt32 first = AddRobot(solver, kNeed * cosine, kNeed * sine);
-    solver.AddContact({first, numbers[0], cosine, sine, 0.0, 0.0, 0.0});
+    solver.AddContact({first, numbers[0], {cosine, sine}, 0.0, 0.0, 0.0});
     const UInt32 second = AddRobot(solver, kNeed * sine, -kNeed * cosine);
-    solver.AddContact({second, numbers.back(), sine, -cosine, 0.0, 0.0, 0.0});
+    solver.AddContact({second, numbers.back(), {sine, -cosine}, 0.0, 0.0, 0.0});
     solver.Solve();
     std::vector<STwist> twists;
     for (const UInt32 number : numbers) {
@@ -321,17 +321,17 @@ std::vector<STwist> SolveBlock(CPushSolver& solver, Real step, int boxes) {
   }
   const UInt32 robot = solver.AddBody({step, 0.2 * step, 0.0}, kDrive, CPushSolver::kUnlimited, 1.0,
                                       static_cast<UInt32>(1000));
-  solver.AddContact({robot, block[0], 1.0, 0.0, 0.0, 0.04, 0.0});
+  solver.AddContact({robot, block[0], {1.0, 0.0}, 0.0, 0.04, 0.0});
   for (int i = kColumns; i < boxes; ++i) {
-    solver.AddContact({block[i - kColumns], block[i], 1.0, 0.0, 0.1, 0.1, 0.0});
-    solver.AddContact({block[i - kColumns], block[i], 1.0, 0.0, -0.1, -0.1, 0.0});
+    solver.AddContact({block[i - kColumns], block[i], {1.0, 0.0}, 0.1, 0.1, 0.0});
+    solver.AddContact({block[i - kColumns], block[i], {1.0, 0.0}, -0.1, -0.1, 0.0});
   }
   for (int i = 1; i < boxes; ++i) {
     if (i % kColumns != 0) {
-      solver.AddContact({block[i - 1], block[i], 0.0, 1.0, 0.1, -0.1, 0.0});
+      solver.AddContact({block[i - 1], block[i], {0.0, 1.0}, 0.1, -0.1, 0.0});
     }
   }
-  solver.AddContact({kNone, block.back(), -1.0, 0.0, 0.0, 0.0, 0.0});
+  solver.AddContact({kNone, block.back(), {-1.0, 0.0}, 0.0, 0.0, 0.0});
   solver.Solve();
   solver.Remember();
   std::vector<STwist> twists;
