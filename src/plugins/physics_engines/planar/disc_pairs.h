@@ -103,8 +103,6 @@ class CDiscPairs {
     }
     ForImages(x, y, radius, [&](Real dx, Real dy) { ForNearHere(x + dx, y + dy, radius, visit); });
   }
-  /** The greatest radius of a disc, m. */
-  Real GetMaxRadius() const { return m_maxRadius; }
 
  private:
   static constexpr Real kLeftOut = -1.0;
