@@ -120,8 +120,8 @@ class CControllableEntity : public CEntity {
   const std::map<std::string, CSimulatedActuator*>& GetActuators() const;
   const std::map<std::string, CSimulatedSensor*>& GetSensors() const;
 
-  // For CLookAhead, which prefetches what a tick uses of a robot: these functions read the entity,
-  // which LoadEntityAhead() has prefetched before.
+  // Prefetch what loops over robots read (CLookAhead, recordings): the entity, flags and rays
+  // included; then what functions reach through it, which LoadEntityAhead() has prefetched before.
   void LoadEntityAhead() const;
   void LoadActuatorListAhead() const { LoadAhead(m_actuators.data(), 1); }
   void LoadActuatorsAhead() const;

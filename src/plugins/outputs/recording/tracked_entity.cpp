@@ -156,10 +156,7 @@ void CTrackedEntity::PrepareRead() const {
     LoadAhead(*m_leds);
   }
   if (m_robot != nullptr) {
-    LoadAhead(&m_robot->GetCheckedRays(), sizeof(std::vector<CRay3>));
-    LoadAhead(&m_robot->GetIntersectionPoints(), sizeof(std::vector<CVector3>));
-    // its flags are its last members
-    LoadAhead(reinterpret_cast<const char*>(m_robot + 1) - 1, 1);
+    m_robot->LoadEntityAhead();
   }
 }
 
