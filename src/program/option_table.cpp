@@ -1,5 +1,6 @@
 #include <argos3/program/option_table.h>
 
+#include <argos3/core/utility/text/lists.h>
 #include <argos3/core/utility/text/string_utilities.h>
 #include <argos3/program/catalogue/plugin_kinds.h>
 #include <argos3/program/catalogue/text_layout.h>
@@ -70,7 +71,7 @@ std::string ListKinds() {
   std::string words;
   for (const SPluginKind& kind : ListPluginKinds()) {
     if (kind.Of.empty()) {
-      words += (words.empty() ? "" : ", ") + kind.Word;
+      AppendItem(words, kind.Word);
     }
   }
   Replace(words, "visualizations", "visualizations (or outputs)");

@@ -4,6 +4,7 @@
 #include <argos3/campaign/design/expression.h>
 #include <argos3/campaign/design/latin_hypercube.h>
 #include <argos3/core/utility/math/random_stream.h>
+#include <argos3/core/utility/text/lists.h>
 
 #include <fmt/format.h>
 
@@ -49,7 +50,7 @@ TSelections SelectPairs(const SDesignSource& design) {
   for (const SFactorSource& source : design.Factors) {
     const size_t levels = source.Factor.Levels.size();
     isEqual = isEqual && levels == count;
-    counts += fmt::format("{}\"{}\" {}", counts.empty() ? "" : ", ", source.Factor.Name, levels);
+    AppendItem(counts, fmt::format("\"{}\" {}", source.Factor.Name, levels));
   }
   if (!isEqual) {
     THROW_ARGOSEXCEPTION(design.Location << ": design=\"paired\" combines the n-th values of all "

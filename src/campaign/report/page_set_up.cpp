@@ -25,8 +25,8 @@ std::string ListSeeds(const std::vector<UInt32>& seeds) {
     for (auto next = std::next(last); next != sorted.end() && *next == *last + 1; ++next) {
       last = next;
     }
-    text += text.empty() ? "" : ", ";
-    text += first == last ? std::to_string(*first) : fmt::format("{} to {}", *first, *last);
+    AppendItem(text,
+               first == last ? std::to_string(*first) : fmt::format("{} to {}", *first, *last));
     first = std::next(last);
   }
   return text;

@@ -4,6 +4,7 @@
 #include <argos3/core/config.h>
 #include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/files/output_file.h>
+#include <argos3/core/utility/text/lists.h>
 
 #include <fmt/format.h>
 
@@ -47,7 +48,7 @@ std::string MakeHead(const CResultStore& store, const std::string& units) {
 
 void AddUnit(const std::string& column, const std::string& unit, std::string& units) {
   if (!unit.empty()) {
-    units += fmt::format("{}{} [{}]", units.empty() ? "" : ", ", column, unit);
+    AppendItem(units, fmt::format("{} [{}]", column, unit));
   }
 }
 

@@ -1,6 +1,7 @@
 #include <argos3/plugins/simulator/visualizations/qt-opengl/qtopengl_obj_model.h>
 
 #include <argos3/core/utility/errors/argos_exception.h>
+#include <argos3/core/utility/text/lists.h>
 
 #include <dlfcn.h>
 
@@ -269,7 +270,7 @@ CQTOpenGLObjModel::SMaterial& CQTOpenGLObjModel::GetMaterial(const std::string& 
   if (found == m_materials.end()) {
     std::string names;
     for (const auto& [known, material] : m_materials) {
-      names += (names.empty() ? "" : ", ") + known;
+      AppendItem(names, known);
     }
     THROW_ARGOSEXCEPTION("The model has no material \"" << name << "\"; it has: " << names);
   }
@@ -277,11 +278,7 @@ CQTOpenGLObjModel::SMaterial& CQTOpenGLObjModel::GetMaterial(const std::string& 
 }
 
 const CQTOpenGLObjModel::SMaterial& CQTOpenGLObjModel::FindMaterial(const std::string& name) const {
-  static const SMaterial kGray = [] {
-    SMaterial gray;
-    gray.Diffuse = {{0.6f, 0.6f, 0.6f, 1.0f}};
-    return gray;
-  }();
+  static const SMaterial kGray{.Diffuse = {{0.6f, 0.6f, 0.6f, 1.0f}}};
   const auto found = m_materials.find(name);
   return found == m_materials.end() ? kGray : found->second;
 }

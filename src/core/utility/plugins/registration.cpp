@@ -5,6 +5,7 @@
 #include <argos3/core/utility/plugins/process_wide.h>
 #include <argos3/core/utility/plugins/registered_labels.h>
 #include <argos3/core/utility/plugins/unknown_label.h>
+#include <argos3/core/utility/text/lists.h>
 #include <argos3/core/utility/text/string_utilities.h>
 
 #include <dlfcn.h>
@@ -56,7 +57,7 @@ std::string Difference(const std::string& id, const std::string& other) {
   std::string difference;
   for (const std::string& pair : pairs) {
     if (std::find(otherPairs.begin(), otherPairs.end(), pair) == otherPairs.end()) {
-      difference += (difference.empty() ? "" : ", ") + pair;
+      AppendItem(difference, pair);
     }
   }
   return difference.empty() ? "nothing more" : difference;
@@ -187,9 +188,7 @@ void RecordIfOfOtherLibrary(const std::string& label, const SRegistration& regis
   {
     const std::lock_guard<std::recursive_mutex> lock(detail::GetRegistrationMutex());
     std::vector<SRegisteredClass>& classes = Records().Classes;
-    const auto known = std::find_if(classes.begin(), classes.end(), [&](const auto& other) {
-      return other.Type == registered.Type;
-    });
+    const auto known = std::ranges::find(classes, registered.Type, &SRegisteredClass::Type);
     if (known != classes.end()) {
       first = *known;
     }
@@ -239,7 +238,7 @@ std::string DescribeNamedLibrary() {
   const std::string name = g_namedLibrary.substr(g_namedLibrary.rfind('/') + 1);
   std::string labels;
   for (const SPluginLabel& label : ListLabelsOf(name)) {
-    labels += (labels.empty() ? "" : ", ") + label.Label;
+    AppendItem(labels, label.Label);
   }
   return "\n\"" + name + "\" is loaded and registers " +
          (labels.empty() ? "nothing: is a REGISTER_ macro missing in its sources?" : labels);
@@ -256,14 +255,10 @@ std::string DescribeUnknownLabel(const std::string& label,
   if (!g_namedLibrary.empty()) {
     return DidYouMean(label, registered) + DescribeNamedLibrary();
   }
-  std::string folders;
-  for (const std::string& folder : GetPluginSearchPaths()) {
-    folders += (folders.empty() ? "" : ", ") + folder;
-  }
   return DidYouMean(label, registered) +
          "\nIf a library of yours has it: name the library, with library=\"PATH\" in this element, "
          "or put its folder into ARGOS_PLUGIN_PATH; searched in: " +
-         folders;
+         JoinItems(GetPluginSearchPaths());
 }
 
 namespace detail {
