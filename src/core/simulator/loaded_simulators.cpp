@@ -48,9 +48,7 @@ SLoadedState& GetLoadedState() {
 thread_local const CSimulator* loadedByThread = nullptr;  // compared only: it may be destroyed
 
 auto FindLoaded(std::vector<SLoadedSimulator>& all, const CSimulator* simulator) {
-  return std::find_if(all.begin(), all.end(), [simulator](const SLoadedSimulator& loaded) {
-    return loaded.Simulator == simulator;
-  });
+  return std::ranges::find(all, simulator, &SLoadedSimulator::Simulator);
 }
 
 }  // namespace

@@ -91,8 +91,7 @@ void CRobotFailures::Report() {
   if (m_notes.empty()) {
     return;
   }
-  std::stable_sort(m_notes.begin(), m_notes.end(),
-                   [](const SNote& a, const SNote& b) { return a.Place < b.Place; });
+  std::ranges::stable_sort(m_notes, {}, &SNote::Place);
   for (SNote& note : m_notes) {
     const auto [found, isNew] = m_errorByKey.emplace(note.Key, m_errors.size());
     const size_t number = found->second;

@@ -99,8 +99,7 @@ bool CRunState::Take(std::vector<SChange>& noted, std::vector<SChange>& changes)
     m_removals.clear();
   }
   // the requests of one robot have one place, and come from one thread
-  std::stable_sort(changes.begin(), changes.end(),
-                   [](const SChange& a, const SChange& b) { return a.Place < b.Place; });
+  std::ranges::stable_sort(changes, {}, &SChange::Place);
   return !changes.empty();
 }
 

@@ -23,8 +23,7 @@ void SAnchor::Enable() {
     auto& enabled = Body.m_vecEnabledAnchors;
     enabled.push_back(this);
     // sorted by index, independent of the order of Enable() calls
-    std::sort(enabled.begin(), enabled.end(),
-              [](const SAnchor* a, const SAnchor* b) { return a->Index < b->Index; });
+    std::ranges::sort(enabled, {}, &SAnchor::Index);
     // the pose was not kept current so far
     if (Index != 0) {
       FollowOrigin();

@@ -191,9 +191,7 @@ CEntity* CComposableEntity::TryGetComponent(const std::string& path) {
   if (path.find_first_of(".[") == std::string::npos) {
     // a type
     CreateLazyComponents(path);
-    const auto found = std::find_if(
-        m_components.begin(), m_components.end(),
-        [&path](const CEntity* component) { return component->GetTypeDescription() == path; });
+    const auto found = std::ranges::find(m_components, path, &CEntity::GetTypeDescription);
     return found != m_components.end() ? *found : nullptr;
   }
   std::string rest;

@@ -332,13 +332,11 @@ void CEmbodiedEntity::ConfirmMove() {
 }
 
 bool CEmbodiedEntity::IsCollidingWithSomething() const {
-  return std::any_of(m_tPhysicsModelVector.begin(), m_tPhysicsModelVector.end(),
-                     [](const CPhysicsModel* model) { return model->IsCollidingWithSomething(); });
+  return std::ranges::any_of(m_tPhysicsModelVector, &CPhysicsModel::IsCollidingWithSomething);
 }
 
 bool CEmbodiedEntity::IsOverlappingSomething() const {
-  return std::any_of(m_tPhysicsModelVector.begin(), m_tPhysicsModelVector.end(),
-                     [](const CPhysicsModel* model) { return model->IsOverlappingSomething(); });
+  return std::ranges::any_of(m_tPhysicsModelVector, &CPhysicsModel::IsOverlappingSomething);
 }
 
 void CEmbodiedEntity::SetBodyDescription(std::shared_ptr<const SBodyDescription> description) {

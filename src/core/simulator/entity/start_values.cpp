@@ -6,8 +6,7 @@
 namespace argos {
 
 bool CStartValues::Has(const void* key) const {
-  return std::any_of(m_values.begin(), m_values.end(),
-                     [key](const SValue& value) { return value.Key == key; });
+  return std::ranges::find(m_values, key, &SValue::Key) != m_values.end();
 }
 
 void CStartValues::Remove(const void* key) {

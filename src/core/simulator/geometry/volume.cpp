@@ -206,8 +206,7 @@ void SVolume::Init(TConfigurationNode& node) {
 
 bool SVolume::HasWalls() const {
   return (TopFace != nullptr && TopFace->IsWall) || (BottomFace != nullptr && BottomFace->IsWall) ||
-         std::any_of(SideFaces.begin(), SideFaces.end(),
-                     [](const SVerticalFace* face) { return face->IsWall; });
+         std::ranges::any_of(SideFaces, &SVerticalFace::IsWall);
 }
 
 bool SVolume::Contains(const CVector3& point) const {

@@ -11,11 +11,13 @@ namespace argos {
 
 namespace {
 
+std::unique_ptr<const CImageLibrary> LoadImageLibrary() {
+  CDynamicLoading::LoadLibrary("on_demand/libargos3_images");
+  return std::unique_ptr<const CImageLibrary>(CFactory<CImageLibrary>::New("freeimage"));
+}
+
 const CImageLibrary& Library() {
-  static const std::unique_ptr<const CImageLibrary> library = [] {
-    CDynamicLoading::LoadLibrary("on_demand/libargos3_images");
-    return std::unique_ptr<const CImageLibrary>(CFactory<CImageLibrary>::New("freeimage"));
-  }();
+  static const std::unique_ptr<const CImageLibrary> library = LoadImageLibrary();
   return *library;
 }
 

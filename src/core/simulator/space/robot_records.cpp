@@ -66,8 +66,7 @@ bool CRobotRecords::TryAdd(std::string_view name, std::string_view unit, Real va
 }
 
 bool CRobotRecords::IsEmpty() const {
-  return std::all_of(m_threads.begin(), m_threads.end(),
-                     [](const SThread& thread) { return thread.Records.empty(); });
+  return std::ranges::all_of(m_threads, std::ranges::empty, &SThread::Records);
 }
 
 void CRobotRecords::Sort() {

@@ -77,8 +77,7 @@ void Reorder(std::vector<ITEM*>& list, const CRootPlaces& places, ROOT_OF&& root
       slots.push_back(i);
     }
   }
-  std::stable_sort(moved.begin(), moved.end(),
-                   [](const SMoved& a, const SMoved& b) { return a.Place < b.Place; });
+  std::ranges::stable_sort(moved, {}, &SMoved::Place);
   for (size_t i = 0; i < moved.size(); ++i) {
     list[slots[i]] = moved[i].Item;
   }
@@ -281,9 +280,8 @@ void CSpace::ForRootsAsCreated(const std::function<void(CEntity&, size_t)>& visi
   for (CEntity* root : m_roots) {
     roots.push_back({root->GetIndex(), roots.size(), root});
   }
-  const auto isBefore = [](const SRoot& a, const SRoot& b) { return a.Index < b.Index; };
-  if (!std::is_sorted(roots.begin(), roots.end(), isBefore)) {
-    std::sort(roots.begin(), roots.end(), isBefore);
+  if (!std::ranges::is_sorted(roots, {}, &SRoot::Index)) {
+    std::ranges::sort(roots, {}, &SRoot::Index);
   }
   for (const SRoot& root : roots) {
     visit(*root.Entity, root.Place);

@@ -85,6 +85,11 @@ void CheckSingleRoot(tinyxml2::XMLDocument& xml, const std::string& name) {
   }
 }
 
+tinyxml2::XMLError ParseFast(tinyxml2::XMLDocument& document, const std::string& text) {
+  const CAttributeSearch fast;
+  return document.Parse(text.data(), text.size());
+}
+
 }  // namespace
 
 void CConfigurationDocument::Parse(const std::string& xml, const std::string& name) {
@@ -93,10 +98,7 @@ void CConfigurationDocument::Parse(const std::string& xml, const std::string& na
   std::string text = xml;
   ThrowIfFault(name, ConvertToUtf8(text));
   ThrowIfFault(name, FindXmlFault(text));
-  const tinyxml2::XMLError error = [&] {
-    const CAttributeSearch fast;
-    return document.Parse(text.data(), text.size());
-  }();
+  const tinyxml2::XMLError error = ParseFast(document, text);
   if (error == tinyxml2::XML_ERROR_MISMATCHED_ELEMENT) {
     ThrowIfFault(name, FindMismatch(text));
   }

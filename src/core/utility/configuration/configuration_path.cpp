@@ -179,8 +179,7 @@ CConfigurationPath::TElements CConfigurationPath::Find(tinyxml2::XMLElement& roo
   const bool startsAtRoot = !m_steps.empty() && !Filter(start, m_steps[0]).empty() &&
                             (m_steps[0].Tag != "*" || m_path[0] == '/');
   TElements found = Walk(start, startsAtRoot && !m_steps[0].AnyDepth ? 1 : 0);
-  const bool mayMatchSeveral =
-      std::any_of(m_steps.begin(), m_steps.end(), [](const SStep& step) { return step.AnyDepth; });
+  const bool mayMatchSeveral = std::ranges::any_of(m_steps, &SStep::AnyDepth);
   if (found.size() > 1 && !mayMatchSeveral) {
     std::string lines;
     for (const tinyxml2::XMLElement* element : found) {

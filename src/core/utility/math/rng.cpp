@@ -310,16 +310,12 @@ void CRandom::COwner::DestroyGenerators() {
 }
 
 UInt32 CRandom::COwner::CountOf(const CCategory& category) const {
-  return static_cast<UInt32>(
-      std::count_if(m_generators.begin(), m_generators.end(),
-                    [&](const SReference& reference) { return reference.Category == &category; }));
+  return static_cast<UInt32>(std::ranges::count(m_generators, &category, &SReference::Category));
 }
 
 void CRandom::COwner::Forget(const CCategory& category) {
-  m_generators.erase(
-      std::remove_if(m_generators.begin(), m_generators.end(),
-                     [&](const SReference& reference) { return reference.Category == &category; }),
-      m_generators.end());
+  std::erase_if(m_generators,
+                [&](const SReference& reference) { return reference.Category == &category; });
 }
 
 CRandom::COwner::CScope::SCurrent& CRandom::COwner::CScope::GetCurrent() {

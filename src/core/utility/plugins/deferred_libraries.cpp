@@ -72,8 +72,7 @@ bool CDeferredLibraries::Add(const std::string& path) {
     return false;
   }
   std::vector<SDeferredLibrary>& libraries = Libraries();
-  if (std::none_of(libraries.begin(), libraries.end(),
-                   [&path](const SDeferredLibrary& known) { return known.Path == path; })) {
+  if (std::ranges::find(libraries, path, &SDeferredLibrary::Path) == libraries.end()) {
     libraries.push_back(added);
   }
   return true;

@@ -209,8 +209,8 @@ std::vector<SNearFile> FindNearFiles(const std::string& lib, const std::string& 
   std::vector<SNearFile> files;
   for (const std::string& directory : directories) {
     const std::optional<SNearFile> found = FindIn(directory, lib);
-    const auto isSame = [&found](const SNearFile& file) { return file.File == found->File; };
-    if (found.has_value() && std::none_of(files.begin(), files.end(), isSame)) {
+    if (found.has_value() &&
+        std::ranges::find(files, found->File, &SNearFile::File) == files.end()) {
       files.push_back(*found);
     }
   }

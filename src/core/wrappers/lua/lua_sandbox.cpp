@@ -396,27 +396,30 @@ constexpr const char* kRefusedOfDebug[] = {
     "getuservalue", "setcstacklimit", "sethook",      "setlocal",    "setmetatable",
     "setupvalue",   "setuservalue",   "upvalueid",    "upvaluejoin"};
 
+template <const auto& REPLACEMENTS>
+auto FindOriginals() {
+  std::array<lua_CFunction, std::size(REPLACEMENTS)> originals;
+  const std::unique_ptr<lua_State, decltype(&lua_close)> state(luaL_newstate(), lua_close);
+  if (state == nullptr) {
+    throw std::bad_alloc();
+  }
+  luaL_openlibs(state.get());
+  for (size_t i = 0; i < originals.size(); ++i) {
+    const SReplacement& entry = REPLACEMENTS[i];
+    lua_getglobal(state.get(), entry.Library);
+    lua_getfield(state.get(), -1, entry.Original != nullptr ? entry.Original : entry.Name);
+    originals[i] = lua_tocfunction(state.get(), -1);
+    ARGOS_ASSERT(originals[i] != nullptr && lua_getupvalue(state.get(), -1, 1) == nullptr,
+                 "Lua's function " << entry.Name << " has upvalues");
+    lua_pop(state.get(), 2);
+  }
+  return originals;
+}
+
 /** Functions of Lua's libraries, which are the same in all states. */
 template <const auto& REPLACEMENTS>
 const auto& GetOriginals() {
-  static const auto kOriginals = [] {
-    std::array<lua_CFunction, std::size(REPLACEMENTS)> originals;
-    const std::unique_ptr<lua_State, decltype(&lua_close)> state(luaL_newstate(), lua_close);
-    if (state == nullptr) {
-      throw std::bad_alloc();
-    }
-    luaL_openlibs(state.get());
-    for (size_t i = 0; i < originals.size(); ++i) {
-      const SReplacement& entry = REPLACEMENTS[i];
-      lua_getglobal(state.get(), entry.Library);
-      lua_getfield(state.get(), -1, entry.Original != nullptr ? entry.Original : entry.Name);
-      originals[i] = lua_tocfunction(state.get(), -1);
-      ARGOS_ASSERT(originals[i] != nullptr && lua_getupvalue(state.get(), -1, 1) == nullptr,
-                   "Lua's function " << entry.Name << " has upvalues");
-      lua_pop(state.get(), 2);
-    }
-    return originals;
-  }();
+  static const auto kOriginals = FindOriginals<REPLACEMENTS>();
   return kOriginals;
 }
 
