@@ -121,25 +121,26 @@ void CExperimentLoader::Load() {
   errors.Try("", [&] { CheckRootTag(root); });
   errors.Try("", [&] { ReadLeniency(root); });
   // a missing or invalid section is one error; the others are still checked
-  const auto section = [&](const std::string& tag, auto&& init) {
-    return errors.Try("", [&] { init(GetNode(root, tag)); });
+  using TInit = void (CExperimentLoader::*)(TConfigurationNode&, CLoadErrors&);
+  const auto section = [&](const std::string& tag, TInit init) {
+    return errors.Try("", [&] { (this->*init)(GetNode(root, tag), errors); });
   };
-  section("framework", [&](TConfigurationNode& node) { InitFramework(node, errors); });
+  section("framework", &CExperimentLoader::InitFramework);
   if (!m_experiment.IsLoaded()) {
     ReplaceFramework();
   } else {
     LogLength();
   }
   if (NodeExists(root, "robot_types")) {
-    section("robot_types", [&](TConfigurationNode& node) { InitRobotTypes(node, errors); });
+    section("robot_types", &CExperimentLoader::InitRobotTypes);
   }
-  section("controllers", [&](TConfigurationNode& node) { InitControllers(node, errors); });
+  section("controllers", &CExperimentLoader::InitControllers);
   CreateLoopFunctions(root, errors);
-  if (!section("physics_engines", [&](TConfigurationNode& node) { InitPhysics(node, errors); })) {
+  if (!section("physics_engines", &CExperimentLoader::InitPhysics)) {
     m_context.Loading.MarkBroken("physics_engines");
   }
-  section("media", [&](TConfigurationNode& node) { InitMedia(node, errors); });
-  section("arena", [&](TConfigurationNode& node) { InitArena(node, errors); });
+  section("media", &CExperimentLoader::InitMedia);
+  section("arena", &CExperimentLoader::InitArena);
   InitLoopFunctions(root, errors);
   PostSpaceInit(errors);
   InitViews(root, errors);
@@ -360,16 +361,18 @@ void CExperimentLoader::InitProfiling(TConfigurationNode& node) {
 void CExperimentLoader::InitRobotTypes(TConfigurationNode& section, CLoadErrors& errors) {
   TConfigurationNodeIterator it;
   for (it = it.begin(&section); it != it.end(); ++it) {
-    errors.Try("", [&] {
-      std::string id;
-      GetNodeAttribute(*it, "id", id);
-      try {
-        m_context.Space->AddEntityType(id, CreatePart<CEntityType>(*it, "robot type"));
-      } catch (std::exception& error) {
-        THROW_ARGOSEXCEPTION_NESTED(
-            it->GetLocation() << ": <" << it->Value() << " id=\"" << id << "\">", error);
-      }
-    });
+    errors.Try("", [&] { InitRobotType(*it); });
+  }
+}
+
+void CExperimentLoader::InitRobotType(TConfigurationNode& node) {
+  std::string id;
+  GetNodeAttribute(node, "id", id);
+  try {
+    m_context.Space->AddEntityType(id, CreatePart<CEntityType>(node, "robot type"));
+  } catch (std::exception& error) {
+    THROW_ARGOSEXCEPTION_NESTED(
+        node.GetLocation() << ": <" << node.Value() << " id=\"" << id << "\">", error);
   }
 }
 
@@ -401,20 +404,21 @@ void CExperimentLoader::InitController(TConfigurationNode& node) {
 
 void CExperimentLoader::CreateLoopFunctions(TConfigurationNode& root, CLoadErrors& errors) {
   if (NodeExists(root, "loop_functions")) {
-    TConfigurationNode& node = GetNode(root, "loop_functions");
-    errors.Try("", [&] {
-      std::string label;
-      GetNodeAttribute(node, "label", label);
-      LoadLibraryOf(node);
-      try {
-        AdoptLoopFunctions(std::unique_ptr<CLoopFunctions>(CFactory<CLoopFunctions>::New(label)));
-      } catch (...) {
-        ThrowWithCause(node.GetLocation() + ": <loop_functions>");
-      }
-    });
+    errors.Try("", [&] { CreateLoopFunctionsOf(GetNode(root, "loop_functions")); });
   }
   if (m_context.LoopFunctions == nullptr) {
     AdoptLoopFunctions(std::make_unique<CLoopFunctions>());
+  }
+}
+
+void CExperimentLoader::CreateLoopFunctionsOf(TConfigurationNode& node) {
+  std::string label;
+  GetNodeAttribute(node, "label", label);
+  LoadLibraryOf(node);
+  try {
+    AdoptLoopFunctions(std::unique_ptr<CLoopFunctions>(CFactory<CLoopFunctions>::New(label)));
+  } catch (...) {
+    ThrowWithCause(node.GetLocation() + ": <loop_functions>");
   }
 }
 

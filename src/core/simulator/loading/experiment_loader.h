@@ -61,8 +61,10 @@ class CExperimentLoader {
   void InitRandom(TConfigurationNode& experiment);
   void InitRobotTypes(TConfigurationNode& section, CLoadErrors& errors);
   void InitControllers(TConfigurationNode& node, CLoadErrors& errors);
+  void InitRobotType(TConfigurationNode& node);
   void InitController(TConfigurationNode& node);
   void CreateLoopFunctions(TConfigurationNode& root, CLoadErrors& errors);
+  void CreateLoopFunctionsOf(TConfigurationNode& node);
   void AdoptLoopFunctions(std::unique_ptr<CLoopFunctions> loopFunctions);
   void InitPhysics(TConfigurationNode& node, CLoadErrors& errors);
   void InitMedia(TConfigurationNode& node, CLoadErrors& errors);

@@ -35,6 +35,15 @@ std::string DescribeNearest(const CPhysicsEngine::TVector& engines, const CVecto
   return text.str();
 }
 
+bool IsIn(CEmbodiedEntity& body, const CPhysicsEngine& engine) {
+  for (UInt32 i = 0; i < body.GetPhysicsModelsNum(); ++i) {
+    if (&body.GetPhysicsModel(size_t(i)).GetEngine() == &engine) {
+      return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 void CEngineAssignment::Add(CEmbodiedEntity& body, CPhysicsEngine* first) const {
@@ -76,23 +85,15 @@ void CEngineAssignment::ReassignImmovable(CEmbodiedEntity& body) const {
   if (engines.size() < 2 || std::none_of(engines.begin(), engines.end(), touches)) {
     return;
   }
-  const auto contains = [&body](const CPhysicsEngine* engine) {
-    for (UInt32 i = 0; i < body.GetPhysicsModelsNum(); ++i) {
-      if (&body.GetPhysicsModel(size_t(i)).GetEngine() == engine) {
-        return true;
-      }
-    }
-    return false;
-  };
   // added before it is removed: the body is always in some engine
   CEntity& root = body.GetRootEntity();
   for (CPhysicsEngine* engine : engines) {
-    if (touches(engine) && !contains(engine)) {
+    if (touches(engine) && !IsIn(body, *engine)) {
       engine->AddEntity(root);
     }
   }
   for (CPhysicsEngine* engine : engines) {
-    if (!touches(engine) && contains(engine) && body.GetPhysicsModelsNum() > 1) {
+    if (!touches(engine) && IsIn(body, *engine) && body.GetPhysicsModelsNum() > 1) {
       engine->RemoveEntity(root);
     }
   }
@@ -109,29 +110,31 @@ bool CEngineAssignment::BelongsToAnother(const CEmbodiedEntity& body,
 }
 
 void CEngineAssignment::ReturnAll() const {
-  CPhysicsEngine::TVector& engines = m_context.Engines;
-  if (engines.size() < 2) {
+  if (m_context.Engines.size() < 2) {
     return;
   }
-  m_context.Index->ForEachBody([&engines, this](CEmbodiedEntity& body) {
-    if (body.GetPhysicsModelsNum() == 0) {
-      return;
-    }
-    if (!body.IsMovable()) {
-      ReassignImmovable(body);
-      return;
-    }
-    CPhysicsEngine& now = body.GetPhysicsModel(size_t(0)).GetEngine();
-    const CVector3& position = body.GetOriginAnchor().Position;
-    const auto first = std::find_if(
-        engines.begin(), engines.end(),
-        [&position](CPhysicsEngine* engine) { return engine->IsPointContained(position); });
-    if (first != engines.end() && *first != &now) {
-      // it is no transfer, which may lead through a gate
-      now.RemoveEntity(body.GetRootEntity());
-      Add(body);
+  m_context.Index->ForEachBody([this](CEmbodiedEntity& body) {
+    if (body.GetPhysicsModelsNum() > 0) {
+      Return(body);
     }
   });
+}
+
+void CEngineAssignment::Return(CEmbodiedEntity& body) const {
+  if (!body.IsMovable()) {
+    ReassignImmovable(body);
+    return;
+  }
+  CPhysicsEngine& now = body.GetPhysicsModel(size_t(0)).GetEngine();
+  const CVector3& position = body.GetOriginAnchor().Position;
+  const CPhysicsEngine::TVector& engines = m_context.Engines;
+  const auto first = std::ranges::find_if(
+      engines, [&position](CPhysicsEngine* engine) { return engine->IsPointContained(position); });
+  if (first != engines.end() && *first != &now) {
+    // it is no transfer, which may lead through a gate
+    now.RemoveEntity(body.GetRootEntity());
+    Add(body);
+  }
 }
 
 void CEngineAssignment::ThrowNoEngine(CEmbodiedEntity& body) const {

@@ -38,6 +38,7 @@ class CEngineAssignment {
   void ReturnAll() const;
 
  private:
+  void Return(CEmbodiedEntity& body) const;
   [[noreturn]] void ThrowNoEngine(CEmbodiedEntity& body) const;
 
   SSimulationContext& m_context;

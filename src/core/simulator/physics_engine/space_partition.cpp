@@ -137,9 +137,7 @@ void CheckGate(const FACE& face, const std::string& name, const CPhysicsEngine& 
   if (face.Gate.empty()) {
     return;
   }
-  const auto found = std::find_if(engines.begin(), engines.end(), [&face](CPhysicsEngine* engine) {
-    return engine->GetId() == face.Gate;
-  });
+  const auto found = std::ranges::find(engines, face.Gate, &CPhysicsEngine::GetId);
   if (found == engines.end()) {
     std::vector<std::string> ids;
     for (const CPhysicsEngine* engine : engines) {

@@ -286,9 +286,7 @@ void CTick::Act() {
 }
 
 void CTick::CollectGhosts() {
-  const CPhysicsEngine::TVector& engines = m_context.Engines;
-  if (std::none_of(engines.begin(), engines.end(),
-                   [](const CPhysicsEngine* engine) { return engine->SeesGhosts(); })) {
+  if (std::ranges::none_of(m_context.Engines, &CPhysicsEngine::SeesGhosts)) {
     return;
   }
   CollectGhostsOfEngines();
@@ -324,54 +322,52 @@ void CTick::UpdateMedia() {
   UpdateParts(m_context.Media, m_context, m_mediumCost);
 }
 
+void CTick::SenseAndControlRun(size_t first, size_t last, UInt32 thread, UInt64 firstPlace) {
+  ARGOS_ASSERT(thread < m_robotTimes.size(), "thread " << thread << " of " << m_robotTimes.size());
+  SRobotTimes& times = m_robotTimes[thread];
+  // If a robot fails to sense, those before it are controlled nevertheless, because one of them
+  // may fail: the robot that is reported is the first in order, however they are dealt.
+  std::exception_ptr failure;
+  size_t sensed = first;
+  Timed(m_times != nullptr ? &times.Sense : nullptr, [&] {
+    try {
+      ForRobots(
+          m_context, {m_visits, first, last, thread, firstPlace, {"a sensor", true}},
+          [](CControllableEntity& robot) { robot.Sense(); },
+          [&](size_t visit) {
+            sensed = visit;
+            m_lookAhead.BeforeSense(visit, *m_context.Index);
+          });
+      sensed = last;
+    } catch (...) {
+      failure = std::current_exception();
+    }
+  });
+  Timed(m_times != nullptr ? &times.Control : nullptr, [&] {
+    ForRobots(
+        m_context, {m_visits, first, sensed, thread, firstPlace, {"ControlStep()", false}},
+        [](CControllableEntity& robot) { robot.ControlStep(); }, [](size_t) {});
+  });
+  if (failure) {
+    std::rethrow_exception(failure);
+  }
+}
+
 void CTick::SenseAndControl() {
   const CRobotsCode::CLoop loop;
   PlanVisits();
   BeginRecords();
-  const CPhysicsEngine::TVector& engines = m_context.Engines;
   m_context.Space->SetBodiesOutsideIndex(
-      std::any_of(engines.begin(), engines.end(),
-                  [](const CPhysicsEngine* engine) { return engine->HasBodiesOutsideIndex(); }));
+      std::ranges::any_of(m_context.Engines, &CPhysicsEngine::HasBodiesOutsideIndex));
   // a controller writes only into its own robot's actuators, which no sensor reads in this phase:
   // so all robots of a run may sense before the first of them is controlled
   m_robotTimes.assign(m_context.Pool->GetNumThreads(), SRobotTimes());
-  const auto senseAndControl = [&](size_t first, size_t last, UInt32 thread, UInt64 firstPlace) {
-    ARGOS_ASSERT(thread < m_robotTimes.size(),
-                 "thread " << thread << " of " << m_robotTimes.size());
-    SRobotTimes& times = m_robotTimes[thread];
-    // If a robot fails to sense, those before it are controlled nevertheless, because one of them
-    // may fail: the robot that is reported is the first in order, however they are dealt.
-    std::exception_ptr failure;
-    size_t sensed = first;
-    Timed(m_times != nullptr ? &times.Sense : nullptr, [&] {
-      try {
-        ForRobots(
-            m_context, {m_visits, first, last, thread, firstPlace, {"a sensor", true}},
-            [](CControllableEntity& robot) { robot.Sense(); },
-            [&](size_t visit) {
-              sensed = visit;
-              m_lookAhead.BeforeSense(visit, *m_context.Index);
-            });
-        sensed = last;
-      } catch (...) {
-        failure = std::current_exception();
-      }
-    });
-    Timed(m_times != nullptr ? &times.Control : nullptr, [&] {
-      ForRobots(
-          m_context, {m_visits, first, sensed, thread, firstPlace, {"ControlStep()", false}},
-          [](CControllableEntity& robot) { robot.ControlStep(); }, [](size_t) {});
-    });
-    if (failure) {
-      std::rethrow_exception(failure);
-    }
-  };
   InLogOrder(m_visits.size(), [&](UInt64 firstPlace) {
     m_context.Pool->ParallelFor(
         m_visits.size(), m_senseCost, [&](size_t begin, size_t end, UInt32 thread) {
           for (size_t first = begin; first < end; first += CSpace::kRobotsPerRun) {
-            senseAndControl(first, std::min(end, first + CSpace::kRobotsPerRun), thread,
-                            firstPlace);
+            SenseAndControlRun(first, std::min(end, first + CSpace::kRobotsPerRun), thread,
+                               firstPlace);
           }
         });
   });
