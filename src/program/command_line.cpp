@@ -382,29 +382,31 @@ int Act(const SOptions& options) {
   return 0;
 }
 
+int ParseAndAct(int argc, const char* const* argv, const char* program) {
+  CARGoSCommandLineArgParser parser;
+  parser.Parse(argc, argv);
+  const auto& options = parser.GetOptions();
+  if (options.Check && program != nullptr && !IsInShieldedCheck()) {
+    return RunShieldedCheck(program, argv);
+  }
+  if (options.NoColor) {
+    LOG.DisableColoredOutput();
+    LOGERR.DisableColoredOutput();
+  }
+  SetUpLogs(options);
+  if (!options.NoCrashHandler) {
+    CCrashHandler::Install();
+    CCrashHandler::SetLogFiles(options.LogFile, options.LogErrFile);
+  }
+  return Act(options);
+}
+
 }  // namespace
 
 int RunCommandLine(int argc, const char* const* argv, const char* program) noexcept {
   int status = kFailure;
   try {
-    Try([&] {
-      CARGoSCommandLineArgParser parser;
-      parser.Parse(argc, argv);
-      if (parser.GetOptions().Check && program != nullptr && !IsInShieldedCheck()) {
-        status = RunShieldedCheck(program, argv);
-        return;
-      }
-      if (parser.GetOptions().NoColor) {
-        LOG.DisableColoredOutput();
-        LOGERR.DisableColoredOutput();
-      }
-      SetUpLogs(parser.GetOptions());
-      if (!parser.GetOptions().NoCrashHandler) {
-        CCrashHandler::Install();
-        CCrashHandler::SetLogFiles(parser.GetOptions().LogFile, parser.GetOptions().LogErrFile);
-      }
-      status = Act(parser.GetOptions());
-    });
+    Try([&] { status = ParseAndAct(argc, argv, program); });
     // the error log comes last: it reports the other one
     const bool isOutWritten = Try([] { CheckStream(LOG, stdout, "the standard output"); });
     const bool isErrWritten = Try([] { CheckStream(LOGERR, stderr, "the standard error"); });

@@ -92,8 +92,7 @@ const SElement* CCatalogue::FindElement(const SMatch& match) {
     std::vector<SElementMatch> matches;
     Search(GetElements(), {}, match.Plugin->Label, matches);
     const auto element =
-        std::find_if(matches.begin(), matches.end(),
-                     [](const SElementMatch& found) { return found.Attribute.empty(); });
+        std::ranges::find_if(matches, std::ranges::empty, &SElementMatch::Attribute);
     return element == matches.end() ? nullptr : element->Element;
   }
   if (section.empty()) {

@@ -49,19 +49,34 @@ std::string Declarations(const std::vector<SDeclaration>& declarations) {
   });
 }
 
+std::string Type(const STypeText& type) {
+  return Object({{"name", JsonQuoted(type.Name)},
+                 {"text", JsonQuoted(type.Text)},
+                 {"fields", Declarations(type.Fields)}});
+}
+
+std::string LuaEntry(const SLuaEntry& lua) {
+  return Object({{"path", JsonQuoted(lua.Path)}, {"type", JsonQuoted(lua.Type)}});
+}
+
+std::string Robot(const SFit& fit) {
+  return Object({{"robot", JsonQuoted(fit.Robot)}, {"needs", JsonQuoted(fit.Part)}});
+}
+
+std::string Device(const SDeviceOfRobot& fit) {
+  return Object({{"kind", JsonQuoted(fit.Kind->Name)},
+                 {"label", JsonQuoted(fit.Label)},
+                 {"needs", JsonQuoted(fit.Part)}});
+}
+
 std::string Interface(const SDeviceFacts& facts) {
-  const auto type = [](const STypeText& text) {
-    return Object({{"name", JsonQuoted(text.Name)},
-                   {"text", JsonQuoted(text.Text)},
-                   {"fields", Declarations(text.Fields)}});
-  };
   return Object({{"class", JsonQuoted(facts.Interface.Name)},
                  {"header", JsonQuoted(facts.Class.Header)},
                  {"library", JsonQuoted(facts.Interface.Library)},
                  {"link", JsonQuoted(LinkTargetOf(facts.Interface.Library))},
                  {"text", JsonQuoted(facts.Class.Text)},
                  {"methods", Declarations(facts.Class.Methods)},
-                 {"types", Array(facts.Class.Types, type)}});
+                 {"types", Array(facts.Class.Types, Type)}});
 }
 
 std::string Attribute(const std::string& element, const std::string& name,
@@ -121,24 +136,13 @@ std::string Plugin(const SMatch& match, CCatalogue& catalogue) {
                     {"library", JsonQuoted(plugin->Library)}};
   if (kind->IsOfDevices()) {
     const SDeviceFacts& facts = catalogue.GetDevices().Describe(*kind, plugin->Label);
-    const auto entry = [](const SLuaEntry& lua) {
-      return Object({{"path", JsonQuoted(lua.Path)}, {"type", JsonQuoted(lua.Type)}});
-    };
-    const auto robot = [](const SFit& fit) {
-      return Object({{"robot", JsonQuoted(fit.Robot)}, {"needs", JsonQuoted(fit.Part)}});
-    };
     fields.insert(fields.end(), {{"interface", Interface(facts)},
-                                 {"lua", Array(facts.Lua, entry)},
+                                 {"lua", Array(facts.Lua, LuaEntry)},
                                  {"lua_text", JsonQuoted(facts.Class.Lua)},
-                                 {"robots", Array(facts.Robots, robot)}});
+                                 {"robots", Array(facts.Robots, Robot)}});
   } else if (kind->Word == "entities") {
-    const auto device = [](const SDeviceOfRobot& fit) {
-      return Object({{"kind", JsonQuoted(fit.Kind->Name)},
-                     {"label", JsonQuoted(fit.Label)},
-                     {"needs", JsonQuoted(fit.Part)}});
-    };
     fields.emplace_back("devices",
-                        Array(catalogue.GetDevices().ListDevicesOf(plugin->Label), device));
+                        Array(catalogue.GetDevices().ListDevicesOf(plugin->Label), Device));
   }
   if (const SElement* const element = catalogue.FindElement(match)) {
     // the arena would have those of all robots
