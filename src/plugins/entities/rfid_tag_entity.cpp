@@ -23,11 +23,7 @@ constexpr Real kThickness = 0.002;  // m
 constexpr CColor kColor(226, 168, 56);
 
 const SAppearance& LyingTag() {
-  static const SAppearance appearance = [] {
-    SAppearance made;
-    made.Parts.push_back(MakeRFIDTagPart(CVector3()));
-    return made;
-  }();
+  static const SAppearance appearance{.Parts = {MakeRFIDTagPart(CVector3())}};
   return appearance;
 }
 

@@ -21,9 +21,7 @@ class CReplayedReader : public CFieldReader {
   void Read(std::size_t /*index*/, SFieldRow row) override {
     // a file may have other columns in other states
     for (const SRecordedColumn& column : m_columns->Columns) {
-      const auto found = std::find_if(m_bound.begin(), m_bound.end(), [&](const SColumn& bound) {
-        return bound.Name == column.Name;
-      });
+      const auto found = std::ranges::find(m_bound, column.Name, &SColumn::Name);
       if (column.Field != m_field || found == m_bound.end() ||
           (found->Kind == EColumnKind::Text) != column.IsText || *m_row >= column.Values.size()) {
         continue;

@@ -217,9 +217,7 @@ CEntityRows::SCell CEntityRows::BindCell(SPart& part, CEntity& entity) {
   }
   bool isSame = true;
   for (std::size_t i = 0; i < bound.Columns.size(); ++i) {
-    const auto found =
-        std::find_if(part.Columns.begin(), part.Columns.end(),
-                     [&](const SColumn& column) { return column.Name == bound.Columns[i].Name; });
+    const auto found = std::ranges::find(part.Columns, bound.Columns[i].Name, &SColumn::Name);
     if (found == part.Columns.end()) {
       NoteExtraColumn(part, entity, bound.Columns[i].Name);
     }
@@ -234,10 +232,7 @@ CEntityRows::SCell CEntityRows::BindCell(SPart& part, CEntity& entity) {
 
 void CEntityRows::AddColumns(SPart& part, const SBoundField& bound) {
   for (const SColumn& column : bound.Columns) {
-    const bool isKnown =
-        std::any_of(part.Columns.begin(), part.Columns.end(),
-                    [&](const SColumn& known) { return known.Name == column.Name; });
-    if (!isKnown) {
+    if (std::ranges::find(part.Columns, column.Name, &SColumn::Name) == part.Columns.end()) {
       part.Columns.push_back(column);
     }
   }
@@ -255,8 +250,8 @@ void CEntityRows::NoteExtraColumn(SPart& part, const CEntity& entity,
 }
 
 void CEntityRows::CheckFields(const std::vector<CEntity*>& entities, CSpace& /*space*/) {
-  const bool haveControllers = std::any_of(entities.begin(), entities.end(),
-                                           [](CEntity* entity) { return HasController(*entity); });
+  const bool haveControllers =
+      std::ranges::any_of(entities, [](CEntity* entity) { return HasController(*entity); });
   std::string empty;
   for (std::size_t i = 0; i < m_parts.size(); ++i) {
     SPart& part = m_parts[i];

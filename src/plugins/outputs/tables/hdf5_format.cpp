@@ -240,28 +240,30 @@ class CHDF5Format : public CTableFormat {
     if (m_descriptor < 0) {
       return;
     }
-    const int descriptor = std::exchange(m_descriptor, -1);
-    bool isWhole = true;
-    Guard([&] {
-      hsize_t size = 0;
-      if (m_file != nullptr) {
-        m_seeds.reset();
-        m_columns.clear();
-        m_own.clear();
-        isWhole = H5Fflush(m_file->Get(), H5F_SCOPE_GLOBAL) >= 0 &&
-                  H5Fget_filesize(m_file->Get(), &size) >= 0;
-        m_file.reset();
-        // gives back what was reserved
-        isWhole = isWhole && ftruncate(descriptor, static_cast<off_t>(size)) == 0;
-      }
-      isWhole = close(descriptor) == 0 && isWhole;
-      if (!isWhole) {
-        THROW_ARGOSEXCEPTION("not all rows are written");
-      }
-    });
+    Guard([this] { CloseFile(); });
   }
 
  private:
+  void CloseFile() {
+    const int descriptor = std::exchange(m_descriptor, -1);
+    bool isWhole = true;
+    if (m_file != nullptr) {
+      hsize_t size = 0;
+      m_seeds.reset();
+      m_columns.clear();
+      m_own.clear();
+      isWhole = H5Fflush(m_file->Get(), H5F_SCOPE_GLOBAL) >= 0 &&
+                H5Fget_filesize(m_file->Get(), &size) >= 0;
+      m_file.reset();
+      // gives back what was reserved
+      isWhole = isWhole && ftruncate(descriptor, static_cast<off_t>(size)) == 0;
+    }
+    isWhole = close(descriptor) == 0 && isWhole;
+    if (!isWhole) {
+      THROW_ARGOSEXCEPTION("not all rows are written");
+    }
+  }
+
   // columns that every table has
   enum EOwn { Run, Tick, Time, Robot, Robots, Seeds };
 

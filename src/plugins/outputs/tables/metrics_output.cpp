@@ -78,9 +78,8 @@ class CMetricsOutput : public CTableBase {
     std::vector<double>& numbers = m_pending->Numbers;
     const auto& robots = simulator.GetSpace().GetControllableEntities();
     numbers.assign(1, static_cast<double>(robots.size()));
-    numbers.push_back(static_cast<double>(
-        std::count_if(robots.begin(), robots.end(),
-                      [](const CControllableEntity* robot) { return robot->IsStopped(); })));
+    numbers.push_back(
+        static_cast<double>(std::ranges::count_if(robots, &CControllableEntity::IsStopped)));
     for (const CMetrics::SMetric& metric : simulator.GetMetrics().GetAll()) {
       numbers.push_back(metric.Value);
     }

@@ -434,8 +434,7 @@ void CPointMass3DEngine::AddPhysicsModel(const std::string& id, CPointMass3DMode
 }
 
 void CPointMass3DEngine::RemovePhysicsModel(const std::string& id) {
-  const auto found = std::find_if(m_userModels.begin(), m_userModels.end(),
-                                  [&id](const SUserModel& user) { return user.Id == id; });
+  const auto found = std::ranges::find(m_userModels, id, &SUserModel::Id);
   if (found == m_userModels.end()) {
     THROW_ARGOSEXCEPTION("the physics engine \"" << GetId() << "\" has no model of \"" << id
                                                  << "\"");

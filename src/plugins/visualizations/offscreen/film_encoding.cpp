@@ -1,12 +1,12 @@
 #include <argos3/plugins/simulator/visualizations/offscreen/film_encoding.h>
 
+#include <argos3/core/utility/text/string_utilities.h>
 #include <argos3/support/shell_quoting.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <numeric>
@@ -15,11 +15,11 @@ namespace argos {
 
 namespace {
 
-constexpr std::int64_t kSpeedSteps = 10000;  // per unit
+constexpr std::int64_t kSpeedSteps = 10000;  // steps per unit
 constexpr std::int64_t kMaxTerm = 1000000;  // ffmpeg rounds ratios of larger numbers
 
 constexpr double kLowestRate = 1.0;  // players stumble over less
-constexpr double kHighestRate = 60.0;  // of most displays
+constexpr double kHighestRate = 60.0;  // most displays show no more, frames/s
 constexpr double kHighestGifRate = 30.0;  // browsers slow down delays below 2/100 s
 constexpr double kSmoothRate = 30.0;  // no more is drawn unless it is asked for
 
@@ -131,9 +131,7 @@ std::optional<EFilmFormat> FindFilmFormat(std::string_view name) {
 }
 
 std::optional<EFilmFormat> FindFilmFormatOfFile(const std::string& file) {
-  std::string extension = std::filesystem::path(file).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string extension = StringToLowerCase(std::filesystem::path(file).extension().string());
   return extension.empty() ? std::nullopt : FindFilmFormat(extension.substr(1));
 }
 
@@ -148,7 +146,7 @@ SFrameRate ComputeFrameRate(std::uint32_t ticksPerSecond, double speed, std::uin
 }
 
 std::uint32_t ChooseEvery(const SFilmSettings& settings) {
-  const double ticks = settings.TicksPerSecond * settings.Speed;  // per second of the film
+  const double ticks = settings.TicksPerSecond * settings.Speed;  // ticks per second of the film
   // a rounding must not cost a tick
   constexpr double kTolerance = 1e-9;
   const double every = settings.FramesPerSecond

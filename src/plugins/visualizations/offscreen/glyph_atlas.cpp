@@ -1,13 +1,13 @@
 #include <argos3/plugins/simulator/visualizations/offscreen/glyph_atlas.h>
 
 #include <argos3/core/utility/configuration/argos_exception.h>
+#include <argos3/core/utility/text/string_utilities.h>
 
 #include <ft2build.h>
 #include FT_FREETYPE_H
 #include FT_SYNTHESIS_H
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <string_view>
 
@@ -21,7 +21,7 @@ constexpr int kMaxText = 512;  // pixels
 constexpr double kLineDistance = 1.2;  // em
 constexpr int kGap = 1;  // pixels between bitmaps
 constexpr char32_t kInvalid = 0xFFFD;  // the replacement character
-constexpr double kBrightText = 150.0;  // of 255; brighter text has a dark contour
+constexpr double kBrightText = 150.0;  // 0 to 255; brighter text has a dark contour
 constexpr SRgba kLightContour = {255, 255, 255, 215};
 constexpr SRgba kDarkContour = {16, 18, 22, 215};
 
@@ -31,9 +31,7 @@ constexpr std::array<const char*, 6> kFontFiles = {"DejaVuSans.ttf",     "DejaVu
                                                    "DejaVuSerif.ttf",    "DejaVuSerif-Bold.ttf"};
 
 std::size_t ChooseFont(const STextStyle& style) {
-  std::string family = style.Family;
-  std::transform(family.begin(), family.end(), family.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string family = StringToLowerCase(style.Family);
   const auto has = [&family](const char* part) { return family.find(part) != std::string::npos; };
   std::size_t font = 0;
   if (has("mono") || has("courier") || has("consol") || has("typewriter")) {

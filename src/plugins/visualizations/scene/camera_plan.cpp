@@ -72,8 +72,7 @@ void ExtendToGround(const CSpace& space, CCameraFraming& framing) {
 
 std::optional<Eigen::Vector3d> FindPosition(CSpace& space, const std::string& id) {
   const std::vector<CEntity*>& roots = space.GetRootEntityVector();
-  const auto found = std::find_if(roots.begin(), roots.end(),
-                                  [&id](const CEntity* root) { return root->GetId() == id; });
+  const auto found = std::ranges::find(roots, id, &CEntity::GetId);
   return found != roots.end() ? FindPosition(**found) : std::nullopt;
 }
 

@@ -17,6 +17,26 @@ bool IsInside(const Eigen::Vector2d& point, const Eigen::Vector2d& a, const Eige
   return Cross(a, b, point) >= 0.0 && Cross(b, c, point) >= 0.0 && Cross(c, a, point) >= 0.0;
 }
 
+// @param left  the corners that are not cut yet, counter-clockwise. @param i  one of these.
+bool IsEar(const std::vector<Eigen::Vector2d>& corners, const std::vector<std::size_t>& left,
+           std::size_t i) {
+  const std::size_t before = left[(i + left.size() - 1) % left.size()];
+  const std::size_t after = left[(i + 1) % left.size()];
+  const Eigen::Vector2d& a = corners[before];
+  const Eigen::Vector2d& b = corners[left[i]];
+  const Eigen::Vector2d& c = corners[after];
+  if (Cross(a, b, c) < 0.0) {
+    return false;
+  }
+  for (const std::size_t other : left) {
+    const Eigen::Vector2d& point = corners[other];
+    if (point != a && point != b && point != c && IsInside(point, a, b, c)) {
+      return false;
+    }
+  }
+  return true;
+}
+
 }  // namespace
 
 std::vector<std::size_t> Triangulate(const std::vector<Eigen::Vector2d>& corners) {
@@ -24,7 +44,7 @@ std::vector<std::size_t> Triangulate(const std::vector<Eigen::Vector2d>& corners
   if (corners.size() < 3) {
     return triangles;
   }
-  // those that are left, counter-clockwise
+  // corners that are not cut yet, counter-clockwise
   std::vector<std::size_t> left(corners.size());
   std::iota(left.begin(), left.end(), std::size_t{0});
   double area = 0.0;
@@ -34,28 +54,11 @@ std::vector<std::size_t> Triangulate(const std::vector<Eigen::Vector2d>& corners
   if (area < 0.0) {
     std::reverse(left.begin(), left.end());
   }
-  const auto isEar = [&](std::size_t i) {
-    const std::size_t before = left[(i + left.size() - 1) % left.size()];
-    const std::size_t after = left[(i + 1) % left.size()];
-    const Eigen::Vector2d& a = corners[before];
-    const Eigen::Vector2d& b = corners[left[i]];
-    const Eigen::Vector2d& c = corners[after];
-    if (Cross(a, b, c) < 0.0) {
-      return false;
-    }
-    for (const std::size_t other : left) {
-      const Eigen::Vector2d& point = corners[other];
-      if (point != a && point != b && point != c && IsInside(point, a, b, c)) {
-        return false;
-      }
-    }
-    return true;
-  };
   std::size_t ear = 0;
   std::size_t tried = 0;
   while (left.size() > 2) {
-    // of a polygon that intersects itself, any corner is cut once none is an ear
-    if (isEar(ear) || tried == left.size()) {
+    // if none is an ear, the polygon intersects itself: any corner is cut
+    if (IsEar(corners, left, ear) || tried == left.size()) {
       const std::size_t before = (ear + left.size() - 1) % left.size();
       const std::size_t after = (ear + 1) % left.size();
       triangles.insert(triangles.end(), {left[before], left[ear], left[after]});
