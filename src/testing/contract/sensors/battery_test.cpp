@@ -270,6 +270,15 @@ TEST_CASE("battery noise: readings stay in [0,1]", "[contract][sensors][noise]")
   CHECK((empty && full));
 }
 
+TEST_CASE("battery: a charge above the full one reads 1", "[contract][sensors]") {
+  CRobotWorld world(WithBattery("<battery delta=\"0.25\" start_charge=\"0.5\"/>"));
+  Battery(world).SetAvailableCharge(1.5);
+  for (const Real charge : {1.0, 1.0, 0.75}) {
+    world.Step();
+    CHECK(Reading(world).AvailableCharge == charge);
+  }
+}
+
 TEST_CASE("battery: attributes without effect in ARGoS 3 are reported, once",
           "[contract][sensors][errors]") {
   SRobotExperiment experiment = WithBattery("");

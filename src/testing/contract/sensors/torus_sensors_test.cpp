@@ -8,6 +8,7 @@
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/simulator.h>
+#include <argos3/core/utility/math/box.h>
 #include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_distance_scanner_actuator.h>
 #include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_distance_scanner_sensor.h>
 #include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_light_sensor.h>
@@ -27,6 +28,8 @@
 #include <argos3/plugins/robots/generic/control_interface/ci_rfid_sensor.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_simple_radios_actuator.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_simple_radios_sensor.h>
+#include <argos3/plugins/simulator/physics_engines/pointmass3d/pointmass3d_engine.h>
+#include <argos3/plugins/simulator/physics_engines/pointmass3d/pointmass3d_model.h>
 
 #include <catch2/catch.hpp>
 
@@ -182,6 +185,57 @@ std::string FootBot(const std::string& id, const CVector3& place, Real yaw) {
          "side_length='0.03' payload='x'/></tags></foot-bot>";
 }
 
+/** A box of 0.5 m x 0.1 m x 0.4 m that only the model of a user describes. */
+class CHiddenWallEntity : public CComposableEntity {
+ public:
+  ENABLE_VTABLE();
+
+  CHiddenWallEntity() : CComposableEntity(nullptr) {
+    auto body = std::make_unique<CEmbodiedEntity>(this, "body_0");
+    m_body = body.get();
+    AddComponent(*body.release());
+  }
+  void Init(TConfigurationNode& tree) override {
+    CComposableEntity::Init(tree);
+    m_body->Init(GetNode(tree, "body"));
+  }
+  std::string GetTypeDescription() const override { return "hidden_wall"; }
+  CEmbodiedEntity& GetEmbodiedEntity() { return *m_body; }
+
+ private:
+  CEmbodiedEntity* m_body = nullptr;
+};
+
+class CHiddenWallModel : public CPointMass3DModel {
+ public:
+  CHiddenWallModel(CPointMass3DEngine& engine, CHiddenWallEntity& wall)
+      : CPointMass3DModel(engine, wall.GetEmbodiedEntity()),
+        m_box(kSize, Place(wall).Position, Place(wall).Orientation) {
+    Reset();
+  }
+  void UpdateFromEntityStatus() override {}
+  void Step() override {}
+  void CalculateBoundingBox() override {
+    const CVector3 half(0.5, 0.5, 0.5);
+    m_sBoundingBox.MinCorner = m_cPosition - half;
+    m_sBoundingBox.MaxCorner = m_cPosition + half;
+  }
+  bool CheckIntersectionWithRay(Real& tOnRay, const CRay3& ray) const override {
+    return m_box.Intersects(tOnRay, ray) && tOnRay <= 1.0;
+  }
+
+ private:
+  static const SAnchor& Place(CHiddenWallEntity& wall) {
+    return wall.GetEmbodiedEntity().GetOriginAnchor();
+  }
+  inline static const CVector3 kSize{0.5, 0.1, 0.4};
+  CBox m_box;
+};
+
+REGISTER_ENTITY(CHiddenWallEntity, "hidden_wall", "a test", "1.0", "A wall.", "Stands.", "Usable")
+REGISTER_STANDARD_SPACE_OPERATIONS_ON_COMPOSABLE(CHiddenWallEntity)
+REGISTER_STANDARD_POINTMASS3D_OPERATIONS_ON_ENTITY(CHiddenWallEntity, CHiddenWallModel)
+
 /** Four robots, a pillar, a box, a ball and lights around a point. */
 std::string Scene(const CVector3& middle) {
   return FootBot("r0", middle + CVector3(-0.3, 0.02, 0.0), 10.0) +
@@ -307,6 +361,86 @@ TEST_CASE("torus: a robot hears each other one once, where it is nearest",
       .GetOriginAnchor()
       .Orientation.ToEulerAngles(yaw, pitch, roll);
   CHECK_THAT(heard[1], WithinAbs(std::atan2(0.1, -0.3) - yaw.GetValue(), 1e-9));
+}
+
+TEST_CASE("users' models: sensors and media see bodies that only an engine knows as others",
+          "[contract][sensors]") {
+  const auto world = [](bool isHidden, const std::string& angle) {
+    SExperiment experiment =
+        World(CVector3(), "<kinematics2d id='e'/><pointmass3d id='users'/>", false);
+    const std::string place = ToText(CVector3(-0.4, -0.3, 0.0));
+    const std::string body = "<body position='" + place + "' orientation='" + angle + ",0,0'/>";
+    const std::string box = "<box id='wall' size='0.5,0.1,0.4' movable='false'>";
+    const size_t start = experiment.Arena.find("<box ");
+    const std::string end = "</box>";
+    const size_t length = experiment.Arena.find(end) + end.size() - start;
+    experiment.Arena.replace(
+        start, length,
+        isHidden ? "<hidden_wall id='wall'>" + body + "</hidden_wall>" : box + body + "</box>");
+    return experiment;
+  };
+  const std::string angle = GENERATE("30", "-20");
+  CTestWorld known(world(false, angle));
+  CTestWorld hidden(world(true, angle));
+  for (int tick = 0; tick < 8; ++tick) {
+    known.Step();
+    hidden.Step();
+    for (const std::string id : {"r0", "r1", "r2", "r3"}) {
+      const CTorusObserver& expected = Observer(known, id);
+      const CTorusObserver& found = Observer(hidden, id);
+      CAPTURE(tick, id);
+      REQUIRE(found.Names == expected.Names);
+      for (size_t k = 0; k < found.Readings.size(); ++k) {
+        CAPTURE(found.Names[k], k);
+        REQUIRE_THAT(found.Readings[k], WithinAbs(expected.Readings[k], 1e-9));
+      }
+    }
+  }
+}
+
+TEST_CASE("torus: radios and tags are found once, whatever the range",
+          "[contract][sensors][torus]") {
+  // ranges of 0.9 m and 0.6 m: several images of most of them are within it
+  SExperiment experiment = World(CVector3(), "<kinematics2d id='e'/>", true);
+  experiment.ArenaSize = "1,1.1,2";
+  const std::vector<CVector3> tags{CVector3(0.15, 0.02, 0.0), CVector3(-0.4, 0.53, 0.0),
+                                   CVector3(-0.4, -0.2, 0.0)};
+  experiment.Arena = FootBot("r0", CVector3(-0.4, 0.0, 0.0), 0.0) +
+                     FootBot("r1", CVector3(0.3, 0.1, 0.0), 0.0) +
+                     FootBot("r2", CVector3(-0.1, 0.45, 0.0), 0.0);
+  for (size_t i = 0; i < tags.size(); ++i) {
+    experiment.Arena += "<rfid_tag id='t" + std::to_string(i) + "' medium='rfid' position='" +
+                        ToText(tags[i]) + "'/>";
+  }
+  CTestWorld world(experiment);
+  world.Step(3);
+  const auto readings = [&world](const std::string& id, const std::string& name) {
+    const CTorusObserver& observer = Observer(world, id);
+    std::vector<Real> found;
+    for (size_t k = 0; k < observer.Names.size(); ++k) {
+      if (observer.Names[k] == name) {
+        found.push_back(observer.Readings[k]);
+      }
+    }
+    return found;
+  };
+  for (const std::string id : {"r0", "r1", "r2"}) {
+    CAPTURE(id);
+    // a message of each of the others
+    CHECK(readings(id, "radio") == std::vector<Real>{2.0});
+  }
+  const std::vector<Real> found = readings("r0", "rfid");
+  REQUIRE(found.size() == 2 * tags.size());
+  const CVector3 place = world.Get<CComposableEntity>("r0")
+                             .GetComponent<CEmbodiedEntity>("body")
+                             .GetOriginAnchor()
+                             .Position;
+  for (size_t i = 0; i < tags.size(); ++i) {
+    const CVector3 way = tags[i] - place;
+    CHECK_THAT(found[2 * i], WithinAbs(100.0 * std::hypot(std::remainder(way.GetX(), 1.0),
+                                                          std::remainder(way.GetY(), 1.1)),
+                                       1e-9));
+  }
 }
 
 }  // namespace torus_sensors_test
