@@ -252,6 +252,12 @@ TEST_CASE("robot types: mistakes are reported with file and line", "[contract][r
             "<proximity_sensors><rings/></proximity_sensors></robot-type>",
         "unknown child of <proximity_sensors>"},
        {"<robot-type id='x'>" + kBody + kDrive +
+            "<proximity_sensors><sensor offset='0,0,0' direction='0,0,0' range='1'/>"
+            "</proximity_sensors></robot-type>",
+        "\"direction\" must not be zero"},
+       {"<robot-type id='x'>" + kBody + kDrive + "<leds><rings/></leds></robot-type>",
+        "unknown child of <leds>; did you mean \"ring\"?"},
+       {"<robot-type id='x'>" + kBody + kDrive +
             "<light_sensors><ring radius='0.1' range='0' num_sensors='3'/></light_sensors>"
             "</robot-type>",
         "\"range\" (m)"},
@@ -344,6 +350,89 @@ TEST_CASE("robot types: a device needs the part that the type may lack",
     error = caught.what();
   }
   CHECK_THAT(error, Contains("light_sensors") || Contains("rab"));
+}
+
+TEST_CASE("robot types: a robot may have more sensors than are cast at a time",
+          "[contract][robots][types]") {
+  constexpr size_t kSensors = 75;
+  SExperiment experiment;
+  experiment.Engines = "<dynamics2d id='e'/>";
+  experiment.Controllers =
+      "<robot_world_controller id='c'><actuators/><sensors><light implementation='default'/>"
+      "<proximity implementation='default'/></sensors><params/></robot_world_controller>";
+  experiment.Media = "<led id='leds'/>";
+  // a light at (2,1) of the height of the sensors, and a long wall 0.15 m ahead of the robot
+  experiment.Arena =
+      "<urchin id='u'><body position='0,0,0'/><controller config='c'/></urchin>"
+      "<light id='l' position='2,1,0.05' color='red' intensity='0.8' medium='leds'/>"
+      "<box id='wall' size='9,0.1,0.04' movable='false'><body position='0,-0.2,0'/></box>";
+  const std::string ring =
+      "<ring center='0,0,0.05' radius='0.05' start_angle='2' range='0.2' num_sensors='75'/>";
+  const std::string low =
+      "<ring center='0,0,0.02' radius='0.05' start_angle='2' range='0.2' num_sensors='75'/>";
+  CTestWorld world(WithTypes(experiment,
+                             "<robot-type id='urchin'><body mass='0.4'><solid geometry='cylinder' "
+                             "radius='0.05' height='0.1'/></body>" +
+                                 kDrive + "<proximity_sensors>" + low +
+                                 "</proximity_sensors><light_sensors>" + ring +
+                                 "</light_sensors>"
+                                 "</robot-type>"));
+  world.Step();
+  auto& controller = world.Get<CComposableEntity>("u")
+                         .GetComponent<CControllableEntity>("controller")
+                         .GetController();
+  const std::vector<Real>& lights = controller.GetSensor<CCI_LightSensor>("light")->GetReadings();
+  const std::vector<Real>& near =
+      controller.GetSensor<CCI_ProximitySensor>("proximity")->GetReadings();
+  REQUIRE(lights.size() == kSensors);
+  REQUIRE(near.size() == kSensors);
+  for (size_t i = 0; i < kSensors; ++i) {
+    CAPTURE(i);
+    const Real angle = (2.0 + 360.0 / kSensors * static_cast<Real>(i)) * ARGOS_PI / 180.0;
+    const CVector2 direction(std::cos(angle), std::sin(angle));
+    const CVector2 toLight = CVector2(2.0, 1.0) - direction * 0.05;
+    const bool isAhead = toLight.DotProduct(direction) > 0.0;
+    CHECK_THAT(lights[i], WithinAbs(isAhead ? 0.64 / toLight.SquareLength() : 0.0, 1e-12));
+    // from the surface along the sensor to y = -0.15
+    const Real way = direction.GetY() < 0.0 ? 0.15 / -direction.GetY() - 0.05 : HUGE_VAL;
+    CHECK_THAT(near[i], WithinAbs(way < 0.2 ? std::exp(-way) : 0.0, 1e-12));
+  }
+}
+
+TEST_CASE("robot types: light from straight above passes beside a body, but not through it",
+          "[contract][robots][types]") {
+  SExperiment experiment;
+  experiment.Engines = "<dynamics2d id='e'/>";
+  experiment.Controllers =
+      "<robot_world_controller id='c'><actuators/><sensors><light implementation='default'/>"
+      "</sensors><params/></robot_world_controller>";
+  experiment.Media = "<led id='leds'/>";
+  const Real aside = GENERATE(0.0, 0.09, 0.11);  // m, of the plate's middle
+  const Real base = GENERATE(0.2, 0.6);  // m
+  CAPTURE(aside, base);
+  const std::string height = std::to_string(base);
+  experiment.Engines += "<dynamics2d id='above' elevation='" + height + "'/>";
+  experiment.Arena =
+      "<watcher id='u'><body position='0,0,0'/><controller config='c'/></watcher>"
+      "<light id='l' position='0,0,0.5' color='red' intensity='0.2' medium='leds'/>"
+      "<box id='plate' size='0.2,0.2,0.1' movable='false'><body position='" +
+      std::to_string(aside) + ",0," + height + "'/></box>";
+  CTestWorld world(
+      WithTypes(experiment,
+                "<robot-type id='watcher'><body mass='0.4'><solid geometry='cylinder' "
+                "radius='0.05' height='0.1'/></body>" +
+                    kDrive +
+                    "<light_sensors><sensor "
+                    "offset='0,0,0.1' direction='0,0,1' range='1'/></light_sensors></robot-type>"));
+  world.Step();
+  const bool isBlocked = aside < 0.1 && base < 0.5;
+  const std::vector<Real>& readings = world.Get<CComposableEntity>("u")
+                                          .GetComponent<CControllableEntity>("controller")
+                                          .GetController()
+                                          .GetSensor<CCI_LightSensor>("light")
+                                          ->GetReadings();
+  REQUIRE(readings.size() == 1);
+  CHECK_THAT(readings[0], WithinAbs(isBlocked ? 0.0 : 0.25, 1e-12));
 }
 
 }  // namespace argos::robot_types_test
