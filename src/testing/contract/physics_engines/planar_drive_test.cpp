@@ -120,6 +120,16 @@ TEST_CASE("planar drive: a new command takes effect with the engine's lag", "[co
   }
 }
 
+TEST_CASE("planar drive: a command that is too fast keeps its direction and its rate",
+          "[contract][engine]") {
+  using TCommand = SDriveCommand;
+  CHECK(TCommand{3.0, 4.0, 7.0}.Limited(2.5) == TCommand{1.5, 2.0, 7.0});
+  CHECK(TCommand{3.0, -4.0, 7.0}.Limited(5.5) == TCommand{3.0, -4.0, 7.0});
+  CHECK(TCommand{3.0, 0.0, 7.0}.Limited(2.5) == TCommand{2.5, 0.0, 7.0});
+  CHECK(TCommand{-3.0, 0.0, 7.0}.Limited(2.5) == TCommand{-2.5, 0.0, 7.0});
+  CHECK(TCommand{0.0, -3.0, 7.0}.Limited(2.5) == TCommand{0.0, -2.5, 7.0});
+}
+
 TEST_CASE("planar drive: force and torque bound the acceleration", "[contract][engine]") {
   const SEngineType type = GENERATE(from_range(kEnginesWithWheels));
   const std::string shape = GENERATE(as<std::string>(), "disc", "box");
@@ -283,6 +293,18 @@ TEST_CASE("planar drive: a command that is not finite is refused", "[contract][r
   CRoverWorld world(kKinematics2D.ToXml(), RoverXml("r", 0, 0));
   CHECK_THROWS_WITH(world.Rover().Drive(0.0, std::numeric_limits<Real>::infinity(), 0.0),
                     Contains("left = inf m/s"));
+}
+
+TEST_CASE("drive: speeds that lead out of the world are an error of the tick",
+          "[contract][robot]") {
+  // 1e20 m/s for 0.1 s
+  CDriveWorld wheels(kPointMass3D.ToXml(), DriverXml("e-puck", "r", 0, 0, 0, 1e22, 1e22));
+  CHECK_THROWS_WITH(wheels.Step(2), Contains("robot \"r\": wheel speeds of left = 1e+20 m/s") &&
+                                        Contains("lead beyond 1e+09 m"));
+  CRoverWorld rover(kPointMass3D.ToXml(), RoverXml("r", 0, 0));
+  rover.Rover().Drive(0.0, 1e12, 0.0);
+  CHECK_THROWS_WITH(rover.Step(), Contains("robot \"r\": drive commands of ahead = 0 m/s") &&
+                                      Contains("lead beyond 1e+09 m"));
 }
 
 TEST_CASE("drive: wheels of opposite speeds whose difference is infinite are an error of the tick",

@@ -163,15 +163,17 @@ TEST_CASE("torus: along an axis that is not periodic, bodies leave the arena", "
 TEST_CASE("torus: contacts across a seam are those inside of an arena", "[physics][torus]") {
   const SEngineType engine = GENERATE(from_range(kEngines));
   const SScene scene = GENERATE(from_range(kScenes));
-  CAPTURE(engine, scene.Name);
+  // bodies cross seams in the middle of a tick, too
+  const std::string xml = GENERATE_COPY(engine.ToXml(), engine.ToXml("e", "iterations='4'"));
+  CAPTURE(xml, scene.Name);
   const CVector3 middle(1.25, 1.0, 0.0);
-  CDriveWorld plain(engine.ToXml(), scene.ToXml(middle));
+  CDriveWorld plain(xml, scene.ToXml(middle));
   plain.Step(scene.Ticks);
   for (const CVector3& moved :
        {CVector3(0.0, 0.0, 0.0), CVector3(1.25, 0.0, 0.0), CVector3(0.0, 1.0, 0.0),
         CVector3(1.25, 1.0, 0.0), CVector3(1.21, -0.97, 0.0), CVector3(-1.3125, 1.03125, 0.0)}) {
     CAPTURE(moved);
-    CDriveWorld torus(Torus(engine.ToXml(), scene.ToXml(middle + moved)));
+    CDriveWorld torus(Torus(xml, scene.ToXml(middle + moved)));
     torus.Step(scene.Ticks);
     // kinematics2d: iterations stop at a gap that rounding may decide; dynamics2d: single precision
     const Real tolerance = engine.HasMomentum ? 2e-5 : 1e-9;
