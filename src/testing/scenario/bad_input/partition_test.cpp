@@ -96,6 +96,29 @@ TEST_CASE("bad partition: regions that overlap", "[bad_input][partition]") {
              Contains("share 16 m^2") && Contains("from z = 0.5 to 1 m"));
 }
 
+TEST_CASE("bad partition: regions without sides or without a top or bottom overlap, too",
+          "[bad_input][partition]") {
+  const auto air = [](const std::string& id, const std::string& faces) {
+    return "<pointmass3d id=\"" + id + "\"><boundaries>" + faces + "</boundaries></pointmass3d>";
+  };
+  const std::string low = "<bottom height=\"0.5\"/>";
+  const std::string high = "<top height=\"2\"/>";
+  const std::string sides =
+      "<sides><vertex point=\"0,0\"/><vertex point=\"1,0\"/><vertex point=\"1,3\"/></sides>";
+  const auto [first, second, shared] = GENERATE_COPY(table<std::string, std::string, std::string>(
+      {{low, low, "share everything from z = 0.5 m up;"},
+       {high, high, "share everything up to z = 2 m;"},
+       {low, high, "share everything from z = 0.5 to 2 m;"},
+       {high, "<top height=\"3\"/>" + sides,
+        "share 1.5 m^2 with the corners (0,0), (1,0), (1,3), "
+        "up to z = 2 m;"},
+       {sides, low, "share 1.5 m^2 with the corners (0,0), (1,0), (1,3), from z = 0.5 m up;"},
+       {sides, sides, "(0,0), (1,0), (1,3), at all heights;"}}));
+  CAPTURE(first, second);
+  CHECK_THAT(ErrorOf(air("a", first) + air("b", second)), Contains(shared));
+  CHECK(ErrorOf(air("a", "<top height=\"0.5\"/>") + air("b", low)) == "");
+}
+
 TEST_CASE("bad partition: all overlaps are reported together", "[bad_input][partition]") {
   const std::string error =
       ErrorOf({Region("a", "-2", "0.5"), Region("b", "0.25", "1"), Region("c", "0.75", "2")});
@@ -155,6 +178,30 @@ TEST_CASE("bad partition: a gate that does not lead into the named region",
              Contains("its top is a gate") && Contains("which is from z = 1.5 m up"));
   low.Heights = "<top height=\"1.5\" gate=\"high\"/>";
   CHECK(ErrorOf({low, high}) == "");
+  // one in a bottom face, below which the other region ends
+  high.Heights = "<bottom height=\"1.5\" gate=\"low\"/>";
+  low.Heights = "<top height=\"1\"/>";
+  CHECK_THAT(ErrorOf({low, high}),
+             Contains("its bottom is a gate") && Contains("which is up to z = 1 m"));
+  // at the height of the other region, which is beside it
+  low.Heights = "<top height=\"1.5\" gate=\"high\"/>";
+  high = Region("high", "2", "4");
+  high.Type = "pointmass3d";
+  high.Heights = "<bottom height=\"1.5\"/>";
+  CHECK_THAT(ErrorOf({low, high}),
+             Contains("which is beside it, with the corners (2,-2), (4,-2), (4,2), (2,2)"));
+  // one in a side, to a region above
+  low.Heights = "<top height=\"1\"/>";
+  low.EastFace = "gate=\"high\"";
+  CHECK_THAT(ErrorOf({low, high}),
+             Contains("is a gate that does not lead") && Contains("which is from z = 1.5 m up"));
+  // to a short region, whose corners are nearer than the ends of the gate
+  high = Region("high", "2.5", "4");
+  high.Type = "pointmass3d";
+  high.Low = "-1";
+  high.High = "1";
+  low.Heights = "";
+  CHECK_THAT(ErrorOf({low, high}), Contains("which is 0.5 m from it"));
 }
 
 TEST_CASE("bad partition: invalid polygons", "[bad_input][partition]") {
@@ -192,11 +239,24 @@ TEST_CASE("bad partition: an invalid automatic partition", "[bad_input][partitio
              Contains(At(SExperimentText::kEnginesLine)) &&
                  Contains("no physics engine of type <dynamic2d>; did you mean \"dynamics2d\""));
   CHECK_THAT(ErrorOf("<auto_partition engine=\"dynamics2d\"/>"), Contains("\"count\" is missing"));
+  CHECK_THAT(ErrorOf("<auto_partition engine=\"auto_partition\" count=\"4\"/>"),
+             Contains("no physics engine of type <auto_partition>"));
   CHECK_THAT(ErrorOf("<auto_partition engine=\"dynamics2d\" count=\"0\"/>"),
              Contains("from 1 to 4096, found 0"));
+  CHECK_THAT(ErrorOf("<auto_partition engine=\"dynamics2d\" count=\"4097\"/>"),
+             Contains("from 1 to 4096, found 4097"));
   CHECK_THAT(ErrorOf("<auto_partition engine=\"dynamics2d\" count=\"4\"><boundaries><sides/>"
                      "</boundaries></auto_partition>"),
              Contains("get their <sides> from the size of the arena"));
+  CHECK(ErrorOf("<auto_partition engine=\"dynamics2d\" count=\"4\"><boundaries>"
+                "<top height=\"3\"/></boundaries></auto_partition>") == "");
+  // of an arena without a size, whose error is the only one
+  SExperimentText empty;
+  empty.Engines =
+      "<physics_engines><auto_partition engine=\"dynamics2d\" count=\"4\"/></physics_engines>";
+  empty.ArenaAttributes = "size=\"4,-4,1\"";
+  CHECK_THAT(LoadError(empty), Contains("\"size\" must be positive along both axes") &&
+                                   !Contains("errors in the experiment"));
   // another engine that overlaps the partition
   CHECK_THAT(ErrorOf("<auto_partition engine=\"dynamics2d\" count=\"2\"/>" +
                      Region("extra", "-1", "1").ToXml()),

@@ -85,6 +85,12 @@ TEST_CASE("lua parameters: the table is as a plain one", "[lua][params]") {
   CHECK(TakeLogErr() == "");
   CHECK(world.Get("seen") == "2mnilnilstring");
   CHECK(world.Get("order") == "more other script speed ");
+  CLuaWorld other(
+      With("local p = robot.params p[1] = 'one' none = tostring(p[2]) seen = p[1]\n"
+           "ok, message = pcall(function() p[nil] = 1 end) v = p.speed",
+           "speed='1'"));
+  CHECK(other.Get("seen .. none") == "onenil");
+  CHECK_THAT(other.Get("message"), Contains("index is nil"));
   world.Step();
   CHECK(world.Get("getmetatable(robot.params)") == "nil");
   CHECK(world.Get("next({}, nil)") == "nil");
