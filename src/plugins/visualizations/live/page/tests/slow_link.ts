@@ -16,12 +16,13 @@ export class SlowLink {
         this.sockets.add(from);
         from.setNoDelay(true);
         let isFreeAt = 0; // when all that was taken has been sent, ms
-        from.on("data", (chunk) => {
-          isFreeAt = Math.max(isFreeAt, performance.now()) + (1000 * chunk.length) / bytesPerSecond;
-          setTimeout(() => to.writable && to.write(chunk), isFreeAt + delay - performance.now());
-        });
-        from.on("error", () => to.destroy());
-        from.on("close", () => to.destroy());
+        const later = (bytes: number, action: () => void): void => {
+          isFreeAt = Math.max(isFreeAt, performance.now()) + (1000 * bytes) / bytesPerSecond;
+          setTimeout(action, isFreeAt + delay - performance.now());
+        };
+        from.on("data", (chunk) => later(chunk.length, () => to.writable && to.write(chunk)));
+        from.on("error", () => from.destroy());
+        from.on("close", () => later(1, () => to.destroy()));
       }
     });
   }

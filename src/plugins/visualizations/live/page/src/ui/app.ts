@@ -93,7 +93,7 @@ function store(name: string, value: string): void {
 
 export class App implements SessionListener {
   private session: Session | null = null;
-  private view!: View;
+  private view!: View; // undefined where the browser cannot draw: then nothing is opened
   private frame: Frame | null = null;
   private theme: Theme = (stored("theme") as Theme | null) ?? "auto";
   private tab: TabName = "inspect";
@@ -180,7 +180,8 @@ export class App implements SessionListener {
       this.view = new View(this.canvas, this.labelCanvas);
       Object.assign(window, { argosView: this.view }); // for tests, and for those who want more
     } catch (error) {
-      this.welcome.replaceChildren(h("p", { class: "error" }, (error as Error).message));
+      this.showTab("inspect");
+      this.welcome.replaceChildren(h("p", { class: "error", role: "alert" }, (error as Error).message));
       return;
     }
     this.applyTheme();
@@ -229,10 +230,16 @@ export class App implements SessionListener {
   }
 
   openLive(url: string, token: string): void {
+    if (this.view === undefined) {
+      return; // the page says why there is no picture
+    }
     this.start(new LiveClient(url, token, this));
   }
 
   private async openSource(source: ByteSource, name: string): Promise<void> {
+    if (this.view === undefined) {
+      return; // as above
+    }
     this.root.classList.add("is-loading");
     try {
       const recording = await Recording.open(source);

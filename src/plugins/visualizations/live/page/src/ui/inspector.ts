@@ -476,7 +476,7 @@ export class Inspector {
   /** That state is one before the present. */
   isPast = false;
   private parameters: ParameterSliders | null = null;
-  private readonly parameterArea = h("div", {});
+  private readonly parameterArea = h("div", { class: "parameter-area" });
   private frame: Frame | null = null;
   private listVersion = -1;
   private readonly allSeries = new Map<string, Series>();

@@ -132,7 +132,7 @@ export class View {
   ) {
     const probe = document.createElement("canvas").getContext("webgl2");
     if (probe === null) {
-      throw new Error("this browser has no WebGL 2, which the picture needs");
+      throw new Error("The picture needs WebGL 2, which this browser does not have, or which is switched off in it.");
     }
     const info = probe.getExtension("WEBGL_debug_renderer_info");
     this.rendererName = String(
