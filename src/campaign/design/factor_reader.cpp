@@ -6,6 +6,7 @@
 #include <argos3/core/utility/text/string_utilities.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace argos {
@@ -34,6 +35,10 @@ void ReadRange(TConfigurationNode& node, SFactorRange& range) {
   }
   if (range.IsLogarithmic && range.Min <= 0.0) {
     ThrowAt(node, "scale=\"log\" needs min > 0, found min=\"" + ToString(range.Min) + '"');
+  }
+  if (range.IsInteger && std::ceil(range.Min) > std::floor(range.Max)) {
+    ThrowAt(node, "integer=\"true\" needs a whole number from min to max, found min=\"" +
+                      ToString(range.Min) + "\" and max=\"" + ToString(range.Max) + '"');
   }
 }
 

@@ -93,8 +93,11 @@ void AddRange(const std::string& text, const std::vector<Real>& numbers,
 
 std::string SFactorRange::ValueAt(Real place) const {
   Real value = IsLogarithmic ? Min * std::pow(Max / Min, place) : Min + (Max - Min) * place;
-  value = std::clamp(value, Min, Max);
-  return FormatValue(IsInteger ? std::round(value) : value);
+  if (IsInteger) {
+    // bounds need not be whole
+    value = std::clamp(std::round(value), std::ceil(Min), std::floor(Max));
+  }
+  return FormatValue(value);
 }
 
 std::vector<std::string> SplitValues(const std::string& text) {

@@ -14,7 +14,7 @@ class CRandomStream;
 struct SFactorRange {
   Real Min = 0.0, Max = 1.0;
   bool IsLogarithmic = false;
-  bool IsInteger = false; /**< values are rounded to whole numbers */
+  bool IsInteger = false; /**< values are rounded to whole numbers from Min to Max */
 
   /**
    * The value at a place in the range: 0 = Min, 1 = Max, between them in proportion to the number,

@@ -112,6 +112,14 @@ void CheckLook(TConfigurationNode& node, const std::string& name) {
   } else if (name == "reference") {
     Real reference = 0.0;
     GetNodeAttribute(node, name, reference);
+  } else if (name == "width" || name == "height") {
+    UInt32 side = 0;
+    GetNodeAttribute(node, name, side);
+    if (side < SFigure::kMinSide || side > SFigure::kMaxSide) {
+      ThrowAt(node, "attribute \"" + name + "\": expected a number of pixels from " +
+                        std::to_string(SFigure::kMinSide) + " to " +
+                        std::to_string(SFigure::kMaxSide) + ", found " + std::to_string(side));
+    }
   }
 }
 

@@ -24,6 +24,13 @@ Real ReadPositive(TConfigurationNode& node, const std::string& attribute) {
   return value;
 }
 
+// of seeds first, first + 1, ...
+void CheckLastSeed(const TConfigurationNode& node, UInt32 first, UInt32 count) {
+  if (first > std::numeric_limits<UInt32>::max() - (count - 1)) {
+    ThrowAt(node, "seeds from " + std::to_string(first) + " exceed 4294967295");
+  }
+}
+
 void ReadSequentialRule(TConfigurationNode& node, SStopping& stopping) {
   constexpr UInt32 kMinRuns = 2;  // an interval needs two values
   stopping.Metric = ReadName(node, "until");
@@ -46,9 +53,7 @@ void ReadSequentialRule(TConfigurationNode& node, SStopping& stopping) {
                       "\" and max=\"" + std::to_string(stopping.MaxRuns) + '"');
   }
   stopping.FirstSeed = ReadCount(node, "first", 1, 1);
-  if (stopping.FirstSeed > std::numeric_limits<UInt32>::max() - stopping.MaxRuns) {
-    ThrowAt(node, "seeds from " + std::to_string(stopping.FirstSeed) + " exceed 4294967295");
-  }
+  CheckLastSeed(node, stopping.FirstSeed, stopping.MaxRuns);
 }
 
 void ReadSeedCount(TConfigurationNode& node, UInt32 count, SStopping& stopping) {
@@ -58,9 +63,7 @@ void ReadSeedCount(TConfigurationNode& node, UInt32 count, SStopping& stopping) 
                       std::to_string(kMaxSeeds) + ", or a list, found " + std::to_string(count));
   }
   stopping.FirstSeed = ReadCount(node, "first", 1, 1);
-  if (stopping.FirstSeed > std::numeric_limits<UInt32>::max() - count) {
-    ThrowAt(node, "seeds from " + std::to_string(stopping.FirstSeed) + " exceed 4294967295");
-  }
+  CheckLastSeed(node, stopping.FirstSeed, count);
   for (UInt32 i = 0; i < count; ++i) {
     stopping.Seeds.push_back(stopping.FirstSeed + i);
   }

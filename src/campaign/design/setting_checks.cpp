@@ -42,7 +42,7 @@ SPaths CollectPaths(const std::vector<SLocatedSetting>& constants, const SDesign
   for (size_t f = 0; f < design.Factors.size(); ++f) {
     const SFactorSource& source = design.Factors[f];
     std::vector<SLevel> levels = source.Factor.Levels;
-    if (source.SettingLocations.size() == 1 || levels.empty()) {
+    if (source.SettingLocations.size() == 1) {
       // all levels set the same attributes
       levels = {source.MakeLevel("")};
       if (!source.Factor.Levels.empty()) {

@@ -6,22 +6,19 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <map>
 
 namespace argos {
 
 namespace {
 
-constexpr UInt32 kMinSide = 100;
-constexpr UInt32 kMaxSide = 4000;
-
 UInt32 ParseSide(const std::string& name, const std::string& text) {
   UInt32 side = 0;
-  if (ParseNumber(text, side) != ENumberParsing::Ok || side < kMinSide || side > kMaxSide) {
+  if (ParseNumber(text, side) != ENumberParsing::Ok || side < SFigure::kMinSide ||
+      side > SFigure::kMaxSide) {
     THROW_ARGOSEXCEPTION("attribute \"" << name << "\": \"" << text
-                                        << "\" is no number of pixels from " << kMinSide << " to "
-                                        << kMaxSide);
+                                        << "\" is no number of pixels from " << SFigure::kMinSide
+                                        << " to " << SFigure::kMaxSide);
   }
   return side;
 }
@@ -44,7 +41,7 @@ bool ParseBars(const std::string& text) {
 
 Real ParseReference(const std::string& text) {
   Real reference = 0.0;
-  if (ParseNumber(text, reference) != ENumberParsing::Ok || !std::isfinite(reference)) {
+  if (ParseNumber(text, reference) != ENumberParsing::Ok) {
     THROW_ARGOSEXCEPTION("attribute \"reference\": \"" << text << "\" is no finite number");
   }
   return reference;

@@ -240,6 +240,10 @@ TEST_CASE("campaign file: wrong factors", "[campaign][design]") {
        "attribute \"steps\": expected a whole number from 2 to 100000, found 1"},
       {"<factor name='a' path='//entity/@quantity' min='0' max='1' steps='2' random='2'/>",
        "expected either steps or random, found both"},
+      {"<factor name='a' path='//entity/@quantity' min='0' max='inf' steps='2'/>",
+       "attribute \"max\": found \"inf\""},
+      {"<factor name='a' path='//entity/@quantity' min='1.2' max='1.8' steps='2' integer='true'/>",
+       "needs a whole number from min to max, found min=\"1.2\" and max=\"1.8\""},
       {"<factor name='a' path='//entity/@quantity' min='x' max='1' steps='2'/>", "found \"x\""},
       {"<factor name='a' path='//entity/@quantity' values='1' stops='2'/>",
        "attribute \"stops\" is not used by anything"},
@@ -260,9 +264,73 @@ TEST_CASE("campaign file: wrong factors", "[campaign][design]") {
        "matches 2 elements"},
       {"<factor name='a' path='//entity/@quantity' min='0' max='1' random='100001'/>",
        "from 1 to 100000"},
+      {"<factor name='a' path='//entity/@quantity' values='x{'/>",
+       "attribute \"values\": \"x{\": '{' without '}'"},
   }));
   CAPTURE(factor);
   CHECK_THAT(ErrorOfFactor(factor), Contains(message) && Contains("test.xml:"));
+}
+
+TEST_CASE("campaign file: a factor without a path serves the expressions of others",
+          "[campaign][design]") {
+  const auto [design, other] = GENERATE(table<std::string, std::string>({
+      {"full", "path='//entity/@quantity' values='{a}'"},
+      {"full", "values='1,2'><set path='//entity/@quantity' value='{a + 2 * b}'/"},
+      {"full", "><level value='x'><set path='//entity/@quantity' value='{a}'/></level"},
+      {"latin_hypercube' samples='2",
+       "path='//experiment/@length' min='1' max='2'><set path='//entity/@quantity' value='{a}'/"},
+  }));
+  const bool isClosed = other.find('>') != std::string::npos;
+  const std::string text = "<runs seeds='1'/><factors design='" + design +
+                           "'><factor name='a' values='1,2'/><factor name='b' " + other +
+                           (isClosed ? "></factor></factors>" : "/></factors>");
+  CAPTURE(text);
+  const CTemporaryFolder folder;
+  for (const SCombination& combination : ReadTestCampaign(folder, text).Combinations) {
+    const SSetting& quantity = combination.Settings.back();
+    CHECK(quantity.Path == "//entity/@quantity");
+    // b is a text in one of them
+    const Real expected =
+        std::stod(combination.Values[0]) +
+        (other.find("2 * b") == std::string::npos ? 0.0 : 2.0 * std::stod(combination.Values[1]));
+    CHECK(std::stod(quantity.Value) == expected);
+  }
+}
+
+TEST_CASE("campaign file: limits that are not given keep their defaults", "[campaign][design]") {
+  const CTemporaryFolder folder;
+  const SRunLimits defaults;
+  const SRunLimits memory =
+      ReadTestCampaign(folder, "<runs seeds='1'/><limits memory='1.5 kB'/>").Limits;
+  CHECK(memory.Memory == 1500);
+  CHECK(memory.Output == defaults.Output);
+  const SRunLimits output =
+      ReadTestCampaign(folder, "<runs seeds='1'/><limits output='1000000 TB'/>").Limits;
+  CHECK(output.Memory == 0);
+  CHECK(output.Output == 1000000000000000000ULL);
+}
+
+TEST_CASE("campaign file: the last seed is 4294967295", "[campaign][design]") {
+  const CTemporaryFolder folder;
+  CHECK(ReadTestCampaign(folder, "<runs seeds='2' first='4294967294'/>").Stopping.Seeds ==
+        std::vector<UInt32>{4294967294, 4294967295});
+  const SStopping stopping =
+      ReadTestCampaign(folder, "<runs until='x' width='1' max='10' first='4294967286'/>").Stopping;
+  CHECK(stopping.FirstSeed + (stopping.MaxRuns - 1) == 4294967295);
+}
+
+TEST_CASE("campaign file: metrics of plug-ins, and a number and a series of one name",
+          "[campaign][design]") {
+  const CTemporaryFolder folder;
+  const std::vector<SCollectedMetric> metrics =
+      ReadTestCampaign(folder, R"(<runs seeds="1"/><collect>
+        <builtin name="purity" library="./libpurity.so"/>
+        <metric name="spread" of="max"/><metric name="spread" series="true"/></collect>)")
+          .Metrics;
+  REQUIRE(metrics.size() == 3);
+  CHECK(metrics[0].Library == "./libpurity.so");
+  CHECK_FALSE(metrics[1].IsSeries);
+  CHECK(metrics[2].IsSeries);
 }
 
 TEST_CASE("campaign file: too many combinations", "[campaign][design]") {
@@ -311,9 +379,11 @@ TEST_CASE("campaign file: wrong runs", "[campaign][design]") {
       {"", "expected either seeds=\"...\" or until=\"METRIC\""},
       {"seeds='3' until='x'", "expected either seeds"},
       {"seeds='0'", "expected a number of seeds from 1 to 1000000, or a list, found 0"},
+      {"seeds='1000001'", "expected a number of seeds from 1 to 1000000, or a list"},
       {"seeds='1,2' first='3'", "attribute \"first\" belongs to a number of seeds"},
       {"seeds='1,1'", "the seed 1 is given twice"},
-      {"seeds='10' first='4294967290'", "exceed 4294967295"},
+      {"seeds='10' first='4294967287'", "exceed 4294967295"},
+      {"until='x' relative='0.1' max='10' first='4294967287'", "exceed 4294967295"},
       {"until='x'", "needs either relative"},
       {"until='x' relative='0.1' width='1'", "needs either relative"},
       {"until='x' relative='-1'", "expected a number greater than 0, found -1"},
@@ -339,6 +409,9 @@ TEST_CASE("campaign file: wrong elements", "[campaign][design]") {
       {"<limits wall='-1'/>", "attribute \"wall\": expected a number greater than 0, found -1"},
       {"<limits memory='0'/>", "expected a size"},
       {"<limits memory='two'/>", "expected a size"},
+      {"<limits memory='1.2.3 MB'/>", "expected a size"},
+      {"<limits memory='0.5'/>", "expected a size"},
+      {"<limits output='2000001 TB'/>", "expected a size"},
       {"<execution isolation='fork'/>", "expected one of \"process\", \"thread\", found \"fork\""},
       {"<execution jobs='0'/>",
        "attribute \"jobs\": expected a whole number of at least 1, found 0"},
@@ -370,6 +443,20 @@ TEST_CASE("campaign file: wrong elements", "[campaign][design]") {
       {"<figures><means y='a' x='robots' reference='high'/></figures>", "reference"},
       {"<figures><means y='a' x='robots' bars='sd'/></figures>",
        "attribute \"bars\": expected one of \"interval\", \"deviation\""},
+      {"<figures><means y='a' x='robots' scale='sqrt'/></figures>",
+       "attribute \"scale\": expected one of \"linear\", \"log\""},
+      {"<figures><means y='a' x='robots' reference='inf'/></figures>",
+       "attribute \"reference\": found \"inf\""},
+      {"<figures><means y='a' x='robots' width='99'/></figures>",
+       "attribute \"width\": expected a number of pixels from 100 to 4000, found 99"},
+      {"<figures><means y='a' x='robots' height='4001'/></figures>",
+       "attribute \"height\": expected a number of pixels from 100 to 4000, found 4001"},
+      {"<collect><metric name='a' series='true'/></collect>"
+       "<figures><series y='a' band='sd'/></figures>",
+       "attribute \"band\": expected one of \"quartiles\", \"interval\""},
+      {"<collect><metric name='a' series='true'/></collect>"
+       "<figures><series y='a' ended='keep'/></figures>",
+       "attribute \"ended\": expected one of \"survivors\", \"hold\", \"drop\""},
       {"<figures><pie y='a'/></figures>", "in <figures>"},
       {"<figures><boxplot y='a' x='robots' colour='red'/></figures>",
        "attribute \"colour\" is not used by anything"},
@@ -420,7 +507,9 @@ TEST_CASE("campaign file: a comparison needs two levels", "[campaign][design]") 
 TEST_CASE("campaign file: what fails to be read has no consequences", "[campaign][design]") {
   const std::string text = ReadCampaignError(
       "<runs seeds='1'/><factors><factor name='a' path='//entity/@quantity' values=''/>"
-      "<exclude where='a == 1'/></factors><figures><boxplot y='m' x='a'/></figures>");
+      "<exclude where='a == 1'/></factors><figures><boxplot y='m' x='a'/>"
+      "<series y='m' where='a == 1'/></figures><collect><metric name='m' "
+      "series='true'/></collect>");
   CHECK_THAT(text, Contains("attribute \"values\" is empty"));
   CHECK_THAT(text, !Contains("errors in the campaign"));
 }

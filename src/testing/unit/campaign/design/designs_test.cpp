@@ -119,6 +119,39 @@ TEST_CASE("latin hypercube: more samples than combinations are an error", "[camp
              Contains("5 samples, but the values of the factors have only 4 combinations"));
 }
 
+TEST_CASE("latin hypercube: whole numbers may fill several strata", "[campaign][design]") {
+  const CTemporaryFolder folder;
+  const SCampaign campaign = ReadTestCampaign(
+      folder,
+      Factors("design=\"latin_hypercube\" samples=\"12\"",
+              Quantity("min=\"0.5\" max=\"3.5\" integer=\"true\"") + Speed("values=\"1:12\"")));
+  // 12 strata of width 0.25: four of each number
+  REQUIRE(campaign.Factors[0].Levels.size() == 3);
+  std::map<std::string, int> counts;
+  for (const SCombination& combination : campaign.Combinations) {
+    ++counts[combination.Values[0]];
+  }
+  CHECK(counts == std::map<std::string, int>{{"1", 4}, {"2", 4}, {"3", 4}});
+}
+
+TEST_CASE("latin hypercube: all samples are different", "[campaign][design]") {
+  const CTemporaryFolder folder;
+  // of the balanced assignments of 3 x 3 levels to 9 samples, 13 % have each combination once
+  const UInt32 seed = GENERATE(1, 2, 3, 4);
+  const SCampaign campaign = ReadTestCampaign(
+      folder,
+      Factors("design=\"latin_hypercube\" samples=\"9\" seed=\"" + std::to_string(seed) + '"',
+              Quantity("values=\"1:3\"") + Speed("values=\"1:3\"")));
+  std::set<TTexts> known;
+  for (const SCombination& combination : campaign.Combinations) {
+    known.insert(combination.Values);
+  }
+  CHECK(known.size() == 9);
+  CHECK_THAT(ReadCampaignError(Factors("design=\"latin_hypercube\" samples=\"100\"",
+                                       Quantity("values=\"1:10\"") + Speed("values=\"1:10\""))),
+             Contains("100 samples of 100 combinations are too many to be different ones"));
+}
+
 TEST_CASE("levels: several settings, and expressions of factors", "[campaign][design]") {
   const CTemporaryFolder folder;
   const SCampaign campaign = ReadTestCampaign(folder, Factors("", R"(
@@ -149,6 +182,23 @@ TEST_CASE("values may be expressions of the factors before", "[campaign][design]
   CHECK(campaign.Combinations[2].Settings[1].Value == "20");
   CHECK_THAT(ReadCampaignError(Factors("", Quantity("values=\"{speed}\"") + Speed("values=\"1\""))),
              Contains("test.xml:2: <factor>: the expression \"speed\": \"speed\" is not known"));
+}
+
+TEST_CASE("values: an expression that fails in all combinations is reported once",
+          "[campaign][design]") {
+  const std::string text =
+      ReadCampaignError(Factors("", Quantity("values=\"{x}, {y}\"") + Speed("values=\"1, 2\"")));
+  CHECK_THAT(text, Contains("test.xml:2: <factor>: the expression \"x\": \"x\" is not known"));
+  CHECK_THAT(text, !Contains("errors in the campaign") && !Contains("\"y\""));
+}
+
+TEST_CASE("values: a line break is one character of the key", "[campaign][design]") {
+  const CTemporaryFolder folder;
+  const SCampaign campaign = ReadTestCampaign(folder, Factors("", Speed("values=\"1&#10;2, 3\"")));
+  REQUIRE(campaign.Combinations.size() == 2);
+  CHECK(campaign.Combinations[0].Values == TTexts{"1\n2"});
+  CHECK(campaign.Combinations[0].ComputeKey() ==
+        "//lua_controller[@id='forage']/params/@speed=1&#10;2\n");
 }
 
 TEST_CASE("equal combinations are an error", "[campaign][design]") {

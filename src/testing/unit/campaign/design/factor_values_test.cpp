@@ -26,6 +26,11 @@ TEST_CASE("factor values: lists, with ranges of numbers", "[campaign][design]") 
   CHECK(SplitValues("a:b, c:1") == TTexts{"a:b", "c:1"});
   CHECK(SplitValues("0,0,1; 1,0,1") == TTexts{"0,0,1", "1,0,1"});
   CHECK(SplitValues("{math.max(1,2)}, {'a;b'}") == TTexts{"{math.max(1,2)}", "{'a;b'}"});
+  CHECK(SplitValues("{({5, 6})[1]}, 7") == TTexts{"{({5, 6})[1]}", "7"});
+  CHECK(SplitValues("{\"},'\"}, {'},\"'}") == TTexts{"{\"},'\"}", "{'},\"'}"});
+  CHECK(SplitValues("{'\\'},'}, {\"\\\"},\"}") == TTexts{"{'\\'},'}", "{\"\\\"},\"}"});
+  // a doubled brace is a character
+  CHECK(SplitValues("{{1, 2") == TTexts{"{{1", "2"});
 }
 
 TEST_CASE("factor values: wrong lists are errors", "[campaign][design]") {
@@ -66,6 +71,14 @@ TEST_CASE("factor values: random values are in the range and depend on the seed"
   // half of the values below the geometric mean, within 5 standard deviations, sqrt(4000)/2 = 32
   CHECK(below > 2000 - 160);
   CHECK(below < 2000 + 160);
+}
+
+TEST_CASE("factor values: whole numbers stay within bounds that are not whole",
+          "[campaign][design]") {
+  SFactorRange range{1.5, 3.5, false, true};
+  CHECK(ComputeSteps(range, 3) == TTexts{"2", "3"});
+  range = {-0.4, 2.6, false, true};
+  CHECK(ComputeSteps(range, 4) == TTexts{"0", "1", "2"});
 }
 
 TEST_CASE("factor values: seeds", "[campaign][design]") {
@@ -110,6 +123,9 @@ TEST_CASE("expressions: numbers, texts and math", "[campaign][design]") {
   CHECK(expressions.Evaluate("robots / 2") == "10");
   CHECK(expressions.Evaluate("40 / density") == "80");
   CHECK(expressions.Evaluate("0.1 * 3") == "0.3");
+  // above 2^53 not all whole numbers have a double
+  CHECK(expressions.Evaluate("2.0 ^ 53 - 1") == "9007199254740991");
+  CHECK(expressions.Evaluate("-(2.0 ^ 53)") == "-9.00719925474099e+15");
   CHECK(expressions.Evaluate("math.floor(robots / 3)") == "6");
   CHECK(expressions.Evaluate("mode .. '!'") == "fast!");
   CHECK(expressions.Evaluate("robots > 10 and mode == 'fast'") == "true");
