@@ -1,6 +1,7 @@
 #include "synthetic_campaign.h"
 
 #include <argos3/campaign/report/comparisons.h>
+#include <argos3/campaign/report/equal_levels.h>
 #include <argos3/campaign/report/page_parts.h>
 #include <argos3/campaign/report/report_text.h>
 #include <argos3/campaign/report/summary_tables.h>
@@ -12,6 +13,7 @@
 #include <limits>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace argos::report_tables_test {
 
@@ -273,6 +275,132 @@ TEST_CASE("report page: the set-up lists factors, seeds and limits", "[campaign]
   campaign.Stopping.Width = 0.0;
   campaign.Stopping.Relative = 0.05;
   CHECK_THAT(setUp(), Contains("is within 5 % of the mean to each side"));
+}
+
+TEST_CASE("report page: at most 50 failed runs and 40 levels are listed", "[campaign][report]") {
+  const size_t count = GENERATE(40, 51);
+  std::vector<std::string> levels;
+  for (size_t i = 0; i < count; ++i) {
+    levels.push_back(std::to_string(i + 1));
+  }
+  CSyntheticCampaign campaign({{"robots", levels}});
+  for (size_t i = 0; i < count; ++i) {
+    SStoredRun run;
+    run.Seed = 1;
+    run.Result.Status = ERunStatus::Failed;
+    run.Result.ExitStatus = 3;
+    campaign.AddRun(i, run);
+  }
+  const CReportData& data = campaign.Open();
+  const std::string failed = MakeFailedRuns(data);
+  CHECK_THAT(failed, Contains("<h3>robots = 40, seed 1: <span class=\"status\">failed, exit status "
+                              "3</span></h3>"));
+  CHECK_THAT(failed, !Contains("End of the output"));
+  CHECK((failed.find("robots = 51") == std::string::npos));
+  CHECK((failed.find("<p>And 1 more;") != std::string::npos) == (count == 51));
+  const std::string setUp = ListCells(MakeSetUp(data));
+  CHECK_THAT(setUp,
+             Contains(count == 51 ? ", 39, 40, ... (51 in all) | //" : ", 39, 40 | //robots"));
+}
+
+TEST_CASE("report page: the first run is the earliest; without factors there is no table of them",
+          "[campaign][report]") {
+  CSyntheticCampaign campaign(std::vector<std::pair<std::string, std::vector<std::string>>>{});
+  campaign.AddRuns(0, "food", {1, 2, 3});
+  const CReportData& opened = campaign.Open();
+  CHECK_THAT(MakeSetUp(opened), !Contains("<th class=\"text\">factor</th>"));
+  {
+    CResultStore store(campaign.GetCampaign().ResultsFile, CResultStore::EMode::Write);
+    SStoredRun run;
+    run.Combination = store.GetCombinationId(campaign.GetCampaign().Combinations[0].ComputeKey());
+    run.Seed = 8;
+    run.Started = "2026-01-30T12:00:00Z";
+    run.Result.Status = ERunStatus::Done;
+    store.Add({run});
+  }
+  CHECK_THAT(MakeOverview(CReportData(campaign.GetCampaign(), campaign.GetStore())),
+             Contains("from 2026-01-30T12:00:00Z to 2026-01-31T12:00:00Z"));
+}
+
+TEST_CASE("report page: metrics without numbers and runs without values are named",
+          "[campaign][report]") {
+  CSyntheticCampaign campaign({{"speed", {"1", "2"}}, {"robots", {"5", "10"}}});
+  campaign.AddRuns(0, "food", {1, 2, 3, 4, 5, 6}, "items");
+  campaign.AddRuns(1, "food", {11, 12, 13, 14, 15, kNone}, "items");
+  campaign.AddRuns(2, "food", {1, std::numeric_limits<Real>::infinity()});
+  campaign.GetCampaign().Comparisons = {
+      {"food", "robots", false, 0}, {"food", "robots", true, 0}, {"fod", "robots", false, 0}};
+  const CReportData& data = campaign.Open();
+  const std::vector<SComparisonTable> tables = CompareAll(data);
+  REQUIRE(tables.size() == 3);
+  const std::string page = MakeComparisonSection(tables);
+  CHECK_THAT(page, Contains("<h3>food by robots</h3>\n<p><b>speed = 1</b></p>\n"));
+  CHECK_THAT(page, Contains("<p class=\"quiet\">1 run left out: without the value.</p>"));
+  CHECK_THAT(page, Contains("1 seed left out: without a value at every level.</p>"));
+  CHECK_THAT(page,
+             Contains("<p><b>speed = 2</b></p>\n<p>Not tested: there is no value at the level "
+                      "10.</p>\n<h3>"));
+  CHECK_THAT(page, Contains("Not tested: no seed has a value at every level."));
+  CHECK_THAT(page, Contains("<p class=\"notice\">Not compared: no run has recorded the metric "
+                            "&quot;fod&quot;; did you mean &quot;food&quot;?.</p>"));
+  const std::string csv = MakeComparisonCSV(tables);
+  // the fields of each line are as many as those of the first one
+  CHECK_THAT(csv, Contains("\nfood,robots,false,speed = 2,,,,,,,,,,,,,there is no value at the "
+                           "level 10\n"));
+  CHECK_THAT(csv, Contains("\nfod,robots,false,,,,,,,,,,,,,,"));
+  const std::string metrics = MakeMetricTables(data);
+  CHECK_THAT(metrics, Contains("<td class=\"text\">2</td><td class=\"text\">5</td>"
+                               "<td class=\"note\" colspan=\"8\">") &&
+                          Contains("inf"));
+}
+
+TEST_CASE("equal levels: five of them are named, of runs that are done", "[campaign][report]") {
+  std::vector<std::string> levels;
+  for (int i = 1; i <= 9; ++i) {
+    levels.push_back(std::to_string(i));
+  }
+  CSyntheticCampaign campaign({{"gain", levels}, {"size", {"1"}}});
+  for (size_t i = 0; i < levels.size(); ++i) {
+    SStoredRun run;
+    run.Seed = 1;
+    // 8 differs; robots that were stopped are no failure, a crash is one
+    run.Result.Status = i == 1   ? ERunStatus::RobotsStopped
+                        : i == 8 ? ERunStatus::Crashed
+                                 : ERunStatus::Done;
+    run.Result.Digest = i == 7 ? 6 : 5;
+    campaign.AddRun(i, run);
+  }
+  const std::vector<std::string> warnings = WarnOfEqualLevels(campaign.Open());
+  REQUIRE(warnings.size() == 1);
+  CHECK_THAT(warnings[0],
+             Contains("the levels 1, 2, 3, 4, 5 and 2 others of the factor \"gain\" have equal "
+                      "final states (digests) in all 6 pairs of runs: it seems to be without"));
+  // one pair, of two levels
+  std::vector<SCombination>& combinations = campaign.GetCampaign().Combinations;
+  combinations.erase(combinations.begin() + 2, combinations.end());
+  const std::vector<std::string> two =
+      WarnOfEqualLevels(CReportData(campaign.GetCampaign(), campaign.GetStore()));
+  REQUIRE(two.size() == 1);
+  CHECK_THAT(two[0],
+             Contains("the levels 1 and 2 of the factor") && Contains("in the only pair of runs"));
+}
+
+TEST_CASE("comparisons: no levels without a partner", "[campaign][report]") {
+  CSyntheticCampaign campaign({{"speed", {"1", "2"}}, {"robots", {"5", "10"}}});
+  campaign.AddRuns(0, "food", {1, 2, 3, 4, 5});
+  campaign.AddRuns(1, "food", {11, 12, 13, 14, 15});
+  campaign.AddRuns(2, "food", {21, 22, 23});
+  // with 5 and 10 robots at speed 1, only 5 at speed 2
+  std::vector<SCombination>& combinations = campaign.GetCampaign().Combinations;
+  combinations.pop_back();
+  const SComparisonTable table = CompareLevels(campaign.Open(), {"food", "robots", false, 0});
+  REQUIRE(table.Results.size() == 1);
+  CHECK(table.Results[0].Context == "speed = 1");
+  // 10 robots at speed 1, and 5 at speed 2
+  combinations.erase(combinations.begin());
+  const CReportData data(campaign.GetCampaign(), campaign.GetStore());
+  CHECK_THROWS_WITH(CompareLevels(data, {"food", "robots", false, 0}),
+                    Contains("no two combinations differ in \"robots\" only"));
 }
 
 }  // namespace argos::report_tables_test

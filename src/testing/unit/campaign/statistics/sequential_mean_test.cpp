@@ -275,6 +275,7 @@ TEST_CASE("sequential mean: wrong values", "[campaign][statistics]") {
   // of runs that were under way
   CHECK_NOTHROW(mean.Insert(4, 9.0));
   CHECK(mean.GetCount() == 2);
+  CHECK_THROWS_WITH(mean.Insert(1, 1.0), Contains("position 1 has a value already"));
 }
 
 }  // namespace sequential_mean_test
