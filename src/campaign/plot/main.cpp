@@ -5,7 +5,6 @@
 #include <argos3/core/utility/text/string_utilities.h>
 #include <argos3/program/catalogue/version_text.h>
 
-#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <map>
@@ -62,7 +61,7 @@ struct SPlotOptions {
 
 Real ParseSeconds(const std::string& option, const std::string& text) {
   Real seconds = 0.0;
-  if (ParseNumber(text, seconds) != ENumberParsing::Ok || !std::isfinite(seconds)) {
+  if (ParseNumber(text, seconds) != ENumberParsing::Ok) {
     THROW_ARGOSEXCEPTION(option << " must be a number of seconds, found \"" << text << '"');
   }
   return seconds;

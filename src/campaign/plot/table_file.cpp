@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstring>
 #include <limits>
 
@@ -171,7 +170,7 @@ TNumberGroups CTableFile::ReadGroups(const std::string& text, size_t numbers) co
     std::vector<Real>& group = groups.emplace_back();
     for (const std::string& part : parts) {
       Real& number = group.emplace_back(0.0);
-      if (ParseNumber(part, number) != ENumberParsing::Ok || !std::isfinite(number)) {
+      if (ParseNumber(part, number) != ENumberParsing::Ok) {
         Throw("\"" + part + "\" is no number");
       }
     }
@@ -228,7 +227,7 @@ Real CTableFile::GetNumber(size_t column) const {
   }
   Real number = 0.0;
   if (ParseNumber(text, number) == ENumberParsing::Ok) {
-    return std::isfinite(number) ? number : kNone;
+    return number;
   }
   const std::string lower = StringToLowerCase(text);
   if (lower.find("nan") == std::string::npos && lower.find("inf") == std::string::npos) {

@@ -101,9 +101,8 @@ SPlotArea ComputeArea(const CTableFile& table, const std::vector<SPath>& paths) 
 
 // a part of the scale "viridis" (S. van der Walt and N. Smith, matplotlib), by polynomials
 UInt32 ComputeShade(Real t) {
-  const auto channel = [](Real value) {
-    return static_cast<UInt32>(std::clamp(value, 0.0, 255.0));
-  };
+  // within 0 and 255 for t from 0 to 1
+  const auto channel = [](Real value) { return static_cast<UInt32>(value); };
   return channel(68.0 + t * (-40.0 + t * (-160.0 + t * 380.0))) << 16 |
          channel(1.0 + t * (330.0 - t * 105.0)) << 8 | channel(84.0 + t * (300.0 - t * 360.0));
 }

@@ -94,6 +94,17 @@ TEST_CASE("plots: mistakes are errors that say what would be right", "[outputs][
   folder.Write("robots.csv", kRobots);
   folder.Write("1.csv", Metrics(3));
   folder.Write("other.csv", "a,b\n1,2\n");
+  folder.Write("empty.csv", "");
+  folder.Write("zeros.csv", std::string("# argos3 3.0.0-1\n\0\n\0x\n", 22));
+  folder.Write("short.csv", "# argos3 3.0.0-1\nrun,tick\n");
+  folder.Write("places.csv", "# argos3 3.0.0-1\nrun,tick,time,robot,x,y\n0,0,0,a,nan,0\n");
+  folder.Write("words.csv", "# argos3 3.0.0-1\nrun,tick,time,food\n0,0,0,many\n");
+  folder.Write("notes.txt", Metrics(3));
+  std::string many = "# argos3 3.0.0-1\nrun,tick,time,robot,x,y\n";
+  for (int i = 10; i < 32; ++i) {
+    many += "0,0,0,r" + std::to_string(i) + ",0,0\n";
+  }
+  folder.Write("many.csv", many);
   if (!HasGnuplot()) {
     return;
   }
@@ -106,11 +117,26 @@ TEST_CASE("plots: mistakes are errors that say what would be right", "[outputs][
        {"trajectories none.csv -o p.png", "there is no file \"none.csv\""},
        {"trajectories 1.csv -o p.png", "no column \"x\""},
        {"trajectories other.csv -o p.png", "no table of argos3"},
+       {"trajectories empty.csv -o p.png", "it must begin with \"# argos3\""},
+       {"trajectories zeros.csv -o p.png", "\"run,tick,time,...\" is missing"},
+       {"trajectories short.csv -o p.png", "\"run,tick,time,...\" is missing"},
+       {"trajectories places.csv -o p.png", "there are no rows with positions to plot"},
+       {"trajectories robots.csv 1.csv -o p.png", "trajectories needs one file, found 2"},
+       {"trajectories notes.txt -o p.png", "only .csv and .csv.gz can be plotted"},
+       {"trajectories many.csv --robots z -o p.png", ", r28, r29\n"},
+       {"trajectories robots.csv --run x -o p.png", "--run must be a whole number, found \"x\""},
        {"trajectories robots.csv --robots z -o p.png", "no rows of the robot \"z\""},
        {"trajectories robots.csv --run 3 -o p.png", "no rows"},
        {"metrics fod 1.csv -o p.png", "columns: run, tick, time, robots, food"},
        {"metrics x robots.csv -o p.png", "a row for each robot"},
        {"metrics food 1.csv --from x -o p.png", "--from must be a number"},
+       {"metrics food 1.csv --to inf -o p.png", "--to must be a number of seconds, found \"inf\""},
+       {"metrics food -o p.png", "metrics needs the names of columns and at least one file"},
+       {"metrics food 1.csv --from 0.3 -o p.png", "there are no values of \"food\" to plot"},
+       {"metrics food,run,tick,time,robots,food,run,tick,time,robots 1.csv -o p.png",
+        "at most 9 metrics fit into one plot, found 10"},
+       {"metrics food words.csv -o p.png", "column \"food\": \"many\" is no number"},
+       {"--log -o p.png", "trajectories or metrics?"},
        {"metrics food 1.csv --frm 1 -o p.png", "unknown option --frm; did you mean \"--from\"?"},
        {"metrics food 1.csv --ended x -o p.png", "none of survivors, hold and drop"},
        {"metrics food 1.csv --robots a -o p.png", "--robots belongs to trajectories"},
@@ -322,6 +348,10 @@ TEST_CASE("plots: header lines that are no numbers are errors with their line",
           "[outputs][plots]") {
   const auto [header, message] = GENERATE(table<std::string, std::string>(
       {{"# arena: -1,-1 1", "t.csv:2: expected 2 numbers, found \"1\""},
+       {"# arena: 1,1", "an arena is two corners"},
+       {"# arena: -1,1 1,-1", "an arena is two corners"},
+       {"# arena: -inf,-1 1,1", "\"-inf\" is no number"},
+       {"# circle: 0,0,1 1,1,1", "a circle is x, y and a radius above 0"},
        {"# arena: 1,1 -1,-1", "an arena is two corners"},
        {"# polygon: 0,0 1,1", "three corners or more"},
        {"# polygon: 0,0 1,x 2,2", "\"x\" is no number"},
@@ -348,6 +378,107 @@ TEST_CASE("plots: compressed tables, and one that is being written", "[outputs][
   folder.Write("2.csv", Metrics(3) + "0,3,0.3,2,9999");
   CHECK(Plot(folder, "metrics food 2.csv -o p.svg").Status == 0);
   CHECK_THAT(folder.Read("p.svg"), !Contains("10000"));
+  // the check sum at the end is wrong
+  std::string damaged = folder.Read("1.csv.gz");
+  damaged[damaged.size() - 8] ^= 1;
+  folder.Write("3.csv.gz", damaged);
+  CHECK_THAT(Plot(folder, "metrics food 3.csv.gz -o p.svg").Err, Contains("the file is damaged"));
+}
+
+TEST_CASE("plots: tables of other systems and programs can be read", "[outputs][plots]") {
+  if (!HasGnuplot()) {
+    return;
+  }
+  const CTestFolder folder;
+  // lines that end with CR LF; values that are missing in several spellings
+  folder.Write("1.csv",
+               "# argos3 3.0.0-1 table\r\n# units: time [s], food [kg]\r\n"
+               "run,tick,time,robots,food\r\n0,0,0,2,-nan(ind)\r\n0,1,0.1,2,1.#INF\r\n\r\n"
+               "0,2,0.2,2,-inf\r\n0,3,0.3,2,nan\r\n0,4,0.4,2,5\r\n0,5,0.5,2,6\r\n");
+  const SProgramRun run = Plot(folder, "metrics food 1.csv -o p.svg");
+  CHECK(run.Status == 0);
+  CHECK(run.Err == "");
+  CHECK_THAT(folder.Read("p.svg"), Contains("food, kg"));
+  // both have no value in the first rows
+  CHECK_THAT(Plot(folder, "metrics food 1.csv --to 0.35 -o p.svg").Err,
+             Contains("there are no values of \"food\""));
+}
+
+TEST_CASE("plots: help and version", "[outputs][plots]") {
+  const CTestFolder folder;
+  const auto [arguments, text] =
+      GENERATE(table<std::string, std::string>({{"-h", "Usage: argos3-plot "},
+                                                {"metrics --help", "Usage: "},
+                                                {"--version", "ARGOS_VERSION="}}));
+  const SProgramRun run = Plot(folder, arguments);
+  CHECK(run.Status == 0);
+  CHECK(run.Err == "");
+  CHECK_THAT(folder.Read("out.txt"), Contains(text));
+}
+
+TEST_CASE("plots: only the times from --from to --to are drawn", "[outputs][plots]") {
+  if (!HasGnuplot()) {
+    return;
+  }
+  const CTestFolder folder;
+  // a value equal to the time
+  std::string table = "# argos3 3.0.0-1 table\nrun,tick,time,food\n";
+  for (int tick = 0; tick <= 10; ++tick) {
+    const std::string text = std::to_string(tick);
+    table += "0," + text + ',' + text + ',' + text + '\n';
+  }
+  folder.Write("1.csv", table);
+  REQUIRE(Plot(folder, "metrics food 1.csv --from 2 --to 6 -o p.png").Status == 0);
+  const CPlotPicture picture(folder.Path("p.png"));
+  const SPixelBox axes = picture.FindAxes();
+  const SPixelBox line = picture.FindBox(CPlotPicture::kFirstColor, axes);
+  CHECK_THAT(line.Left, WithinAbs(axes.Left, 4.0));
+  CHECK_THAT(line.Right, WithinAbs(axes.Right, 4.0));
+  // the axis of values begins at 0
+  CHECK_THAT((axes.Bottom - line.Top) / (axes.Bottom - line.Bottom), WithinAbs(3.0, 0.1));
+}
+
+TEST_CASE("plots: pictures of paths are as high as the arena, from 300 to 1000 pixels",
+          "[outputs][plots]") {
+  if (!HasGnuplot()) {
+    return;
+  }
+  // 600 pixels times the ratio of the sides, 90 for the axis and 40 for a key of up to nine robots;
+  // a picture has twice as many
+  const auto [corner, robots, height] = GENERATE(table<std::string, int, int>({
+      {"1,1", 1, 2 * 730},
+      {"1,1", 10, 2 * 690},
+      {"1,0.1", 1, 2 * 300},
+      {"0.1,1", 1, 2 * 1000},
+      // an arena without an extent is drawn as a square
+      {"0,0", 1, 2 * 730},
+  }));
+  const CTestFolder folder;
+  std::string rows =
+      "# argos3 3.0.0-1 table\n# arena: 0,0 " + corner + "\nrun,tick,time,robot,x,y\n";
+  for (int i = 0; i < robots; ++i) {
+    rows += "0,0,0,r" + std::to_string(i) + ",0,0\n";
+  }
+  folder.Write("robots.csv", rows);
+  const SProgramRun run = Plot(folder, "trajectories robots.csv -o p.png");
+  CAPTURE(corner, robots, run.Err);
+  REQUIRE(run.Status == 0);
+  CHECK(CPlotPicture(folder.Path("p.png")).GetHeight() == height);
+}
+
+TEST_CASE("plots: without an arena the paths fill the frame; rows without a place are left out",
+          "[outputs][plots]") {
+  if (!HasGnuplot()) {
+    return;
+  }
+  const CTestFolder folder;
+  folder.Write("robots.csv",
+               "# argos3 3.0.0-1 table\nrun,tick,time,robot,x,y\n0,0,0,a,1,0.5\n"
+               "0,1,0.1,a,nan,7\n0,1,0.1,a,7,\n0,1,0.1,a,-1,-0.25\n0,2,0.2,a,0.5,0.75\n");
+  REQUIRE(Plot(folder, "trajectories robots.csv -o p.png").Status == 0);
+  const SPixelBox frame = CPlotPicture(folder.Path("p.png")).FindAxes();
+  // from -1 to 1 and from -0.25 to 0.75, with 2 % of 2 on each side
+  CHECK_THAT(frame.GetWidth() / frame.GetHeight(), WithinAbs(2.08 / 1.08, 0.03));
 }
 
 }  // namespace plot_test
