@@ -122,14 +122,28 @@ TEST_CASE("messages: a pipe carries any sizes in any pieces", "[campaign][messag
 }
 
 TEST_CASE("messages: other bytes in a pipe are an error", "[campaign][messages]") {
+  // magic, version, kind, and a size above 1 GiB are wrong
+  const std::string bytes =
+      GENERATE(std::string("hello world"), std::string("AX\x01\x02\0\0\0\0", 8),
+               std::string("AC\x02\x02\0\0\0\0", 8), std::string("AC\x01\x00\0\0\0\0", 8),
+               std::string("AC\x01\x04\0\0\0\0", 8), std::string("AC\x01\x02\x01\0\0\x40", 8));
   int ends[2];
   REQUIRE(pipe(ends) == 0);
-  REQUIRE(write(ends[1], "hello world", 11) == 11);
+  REQUIRE(write(ends[1], bytes.data(), bytes.size()) == static_cast<ssize_t>(bytes.size()));
   CMessageReader reader;
   REQUIRE(reader.Fill(ends[0]));
   CHECK_THROWS_AS(reader.Take(), CARGoSException);
   close(ends[0]);
   close(ends[1]);
+}
+
+TEST_CASE("output tail: a limit that is reached exactly drops nothing", "[campaign][output_tail]") {
+  COutputTail tail(10);
+  tail.Add("0123456789");
+  CHECK(tail.GetText() == "0123456789");
+  // what is beyond is kept while it is little, so that a message after the limit can be read
+  tail.Add("ab");
+  CHECK(tail.GetText() == "0123456789ab");
 }
 
 TEST_CASE("output tail: keeps the end, within the limit and beyond", "[campaign][output_tail]") {
