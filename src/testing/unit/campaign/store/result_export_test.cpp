@@ -35,6 +35,7 @@ struct SExported {
     crashed.Result.Series.clear();
     SStoredRun second = MakeRun(2, 1, 0.1);
     second.Machine = "a \"b\", \xff";
+    second.Version = "1\x01\n\xC3\xA9\\";
     second.Result.Metrics.push_back({"distance", "m", std::nan("")});
     Store->Add({MakeRun(1, 1, 3.0), second, crashed});
   }
@@ -107,6 +108,7 @@ TEST_CASE("JSON export: one object", "[campaign][store]") {
   CHECK_THAT(text, Contains("\"factors\": {\"robots\": 5, \"size\": \"2,2,1\"}, \"seed\": 1, "
                             "\"status\": \"done\""));
   CHECK_THAT(text, Contains("\"machine\": \"a \\\"b\\\", \\ufffd\""));
+  CHECK_THAT(text, Contains("\"version\": \"1\\u0001\\u000a\xC3\xA9\\\\\""));
   CHECK_THAT(text, Contains("\"metrics\": {\"delivered\": 0.1, \"distance\": null}"));
   CHECK_THAT(text, Contains("{\"name\": \"spread\", \"unit\": \"m\", \"combination\": 2, \"seed\": "
                             "1, \"ticks\": [0, 10, 20], \"values\": [1, 0.1, 0.1]}"));

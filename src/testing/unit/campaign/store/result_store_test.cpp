@@ -1,6 +1,8 @@
 #include <argos3/campaign/store/result_store.h>
 
 #include <argos3/campaign/store/database.h>
+#include <argos3/campaign/store/experiment_files.h>
+#include <argos3/campaign/store/failed_runs.h>
 #include <argos3/testing/unit/campaign/campaign_files.h>
 
 #include <catch2/catch.hpp>
@@ -159,6 +161,48 @@ TEST_CASE("result store: a retried run replaces the first", "[campaign][store]")
   fixture.Store->Add({interrupted, other});
   CHECK(fixture.Store->ListRuns().size() == 1);
   CHECK_FALSE(fixture.Store->IsStored(fixture.Key(0), 2));
+}
+
+TEST_CASE("failed runs: at most so many are described, of the combinations of the campaign",
+          "[campaign][store]") {
+  SFixture fixture;
+  std::vector<SStoredRun> runs;
+  for (const size_t combination : {0, 1, 2, 3}) {
+    SStoredRun run = MakeRun(fixture.Id(combination), 4, 0.0);
+    run.Result.Status = combination == 1 ? ERunStatus::Done : ERunStatus::Failed;
+    run.Result.Log = "[FATAL] number " + std::to_string(combination);
+    runs.push_back(run);
+  }
+  fixture.Store->Add(runs);
+  const std::string text = DescribeFailedRuns(fixture.Campaign, *fixture.Store, 2);
+  CHECK_THAT(text, Contains("3 runs failed:\n  robots=5, mode=1, seed=4: failed\n"
+                            "    [FATAL] number 0\n") &&
+                       Contains("number 2") && !Contains("number 3") && Contains("  and 1 more\n"));
+  CHECK_THAT(DescribeFailedRuns(fixture.Campaign, *fixture.Store, 3), !Contains("more"));
+  fixture.Campaign.Combinations.erase(fixture.Campaign.Combinations.begin());
+  CHECK_THAT(DescribeFailedRuns(fixture.Campaign, *fixture.Store, 2),
+             Contains("2 runs failed:") && !Contains("number 0") && !Contains("more"));
+}
+
+TEST_CASE("failed runs: the message is the last error that is no detail of another one",
+          "[campaign][store]") {
+  CHECK(FindErrorMessage("text\n[WARNING] text\n").empty());
+  CHECK(FindErrorMessage("[FATAL] one\ntext\n[FATAL] two\ntext\n") == "[FATAL] two");
+  CHECK(FindErrorMessage("[FATAL] two") == "[FATAL] two");
+  const std::string details =
+      GENERATE("[FATAL]   more\n", "[FATAL] stack traceback:\n", "[FATAL] \tmore\n[FATAL]  more\n");
+  CHECK(FindErrorMessage("[FATAL] one\ntext\n[FATAL] two\ntext\n" + details) == "[FATAL] two");
+  // the line below a crash belongs to it, whatever follows
+  CHECK(FindErrorMessage("[FATAL] crash: signal 11\n[FATAL] in robot \"a\"\n[FATAL] frame 1\n") ==
+        "[FATAL] crash: signal 11 [FATAL] in robot \"a\"");
+}
+
+TEST_CASE("experiment files: the first line that differs is named", "[campaign][store]") {
+  CHECK(DescribeFirstDifference("a\nb\n", "a\nb\n").empty());
+  CHECK(DescribeFirstDifference("a\n b\n", "a\n\tb \r\n") == "blanks or line breaks");
+  CHECK(DescribeFirstDifference("a\n\nb\n", "a\nb\n") == "line 2: 'b' instead of ''");
+  CHECK(DescribeFirstDifference("a\n", "a\nb\n") == "line 2: 'b' instead of '(end of the file)'");
+  CHECK(DescribeFirstDifference("a\nb\n", "a\n") == "line 2: '(end of the file)' instead of 'b'");
 }
 
 TEST_CASE("result store: the view has factors as numbers, and metrics", "[campaign][store]") {

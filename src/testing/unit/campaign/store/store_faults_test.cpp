@@ -310,7 +310,9 @@ TEST_CASE("result store: a damaged file", "[campaign][store]") {
 
 TEST_CASE("result store: no right to write", "[campaign][store]") {
   const CTemporaryFolder folder;
-  const SCampaign campaign = ReadTestCampaign(folder, "<runs seeds=\"1\"/>");
+  SCampaign campaign = ReadTestCampaign(folder, "<runs seeds=\"1\"/>");
+  // the name is a part of a URI, too
+  campaign.ResultsFile = folder.Path("a%20b?c#d.sqlite");
   {
     CResultStore store(campaign.ResultsFile, kWrite);
     store.Register(campaign, false);
