@@ -281,6 +281,14 @@ TEST_CASE("campaign: a dry run lists combinations and changes nothing", "[campai
         "4: length=1 speed=10\n4 combinations, 0 excluded\n"
         "6 seeds: 24 runs, 24 of them to be executed\n");
   CHECK_FALSE(std::filesystem::exists(folder.Path("results.sqlite")));
+  std::string sequential = MakeDiffusionCampaign("");
+  const std::string seeds = "seeds='6'";
+  sequential.replace(sequential.find(seeds), seeds.size(),
+                     "until='dispersion' relative='0.1' min='3' max='9'");
+  folder.Write("c.xml", sequential);
+  CHECK_THAT(folder.RunProgram("argos3-campaign", {"run", "c.xml", "--dry-run"}).Out,
+             Contains("\n4 combinations, 0 excluded\n3 to 9 runs of each, until the mean of "
+                      "dispersion is known: at least 12 runs, 12 of them to be executed\n"));
 }
 
 TEST_CASE("campaign: seeds can be added later, and are not repeated", "[campaign][program]") {

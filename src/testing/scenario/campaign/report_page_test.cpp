@@ -261,6 +261,16 @@ TEST_CASE("report: options that a figure does not have are errors", "[campaign][
     CHECK_THAT(refused.Err, Catch::Contains("give --plot KIND, too"));
   }
   CHECK_THAT(run({"--plot", "boxplot"}).Err, Catch::Contains("--plot needs -o FILE.svg"));
+  // those that it has are taken: then something else is wrong
+  for (const std::vector<std::string>& options :
+       {std::vector<std::string>{"means", "--reference", "1", "--xlog"},
+        {"series", "--band", "interval", "--ended", "hold", "--xlog"},
+        {"difference", "--group", "gain", "--xlog"}}) {
+    CAPTURE(options);
+    std::vector<std::string> arguments = {"--y", "height", "--x", "gain", "-o", "f.svg", "--plot"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    CHECK_THAT(run(arguments).Err, Catch::Contains("\"height\""));
+  }
 }
 
 }  // namespace report_page_test
