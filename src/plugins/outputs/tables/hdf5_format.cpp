@@ -358,7 +358,7 @@ class CHDF5Format : public CTableFormat {
     constexpr std::size_t kMaxAttributeBytes = 60000;  // the library's limit is 64 KiB
     for (auto& [key, value] : merged) {
       if (value.size() > kMaxAttributeBytes) {
-        value.resize(value.rfind('\n', kMaxAttributeBytes));
+        value.resize(std::min(value.rfind('\n', kMaxAttributeBytes), kMaxAttributeBytes));
       }
       WriteTextAttribute(file, key.c_str(), value);
     }

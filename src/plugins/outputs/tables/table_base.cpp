@@ -114,7 +114,7 @@ void CTableBase::Observe(CSimulator& simulator) {
 }
 
 void CTableBase::AppendTick(CSimulator& simulator, SRowBlock::STick tick) {
-  if (Update(simulator) && !m_writer->IsOpen()) {
+  if (Update(simulator) && m_writer->CanOpen()) {
     Open(simulator);
   }
   SRowBlock& block = m_writer->GetBlock();
@@ -129,7 +129,7 @@ void CTableBase::Finish(CSimulator& simulator) {
   if (m_writer == nullptr) {
     return;
   }
-  if (!m_writer->IsOpen()) {
+  if (m_writer->CanOpen()) {
     Update(simulator);
     if (m_writer->GetBlock().NumRows == 0) {
       LOGERR << "[WARNING] " << m_location << ": no rows were written to \"" << m_path

@@ -26,6 +26,7 @@ CTableWriter::~CTableWriter() {
 }
 
 void CTableWriter::Open(const STableSchema& schema) {
+  m_wasOpened = true;
   m_schema = schema;
   m_format->Open(m_path, m_schema);
   m_lastPush = std::chrono::steady_clock::now();

@@ -33,6 +33,8 @@ class CTableWriter {
 
   const std::string& GetPath() const { return m_path; }
   bool IsOpen() const { return m_thread.joinable(); }
+  /** @return true until Open() is called: a file that failed to open is not tried again. */
+  bool CanOpen() const { return !m_wasOpened; }
   /** Creates the file and starts the thread. @throws CARGoSException if that fails. */
   void Open(const STableSchema& schema);
   /** Adds columns of numbers after the others: rows until now have no values there. */
@@ -66,6 +68,7 @@ class CTableWriter {
   STableSchema m_schema;
   TBlock m_current;
   std::chrono::steady_clock::time_point m_lastPush;
+  bool m_wasOpened = false;
   bool m_wasFailureThrown = false;
 
   std::mutex m_mutex;  // guards all below

@@ -43,11 +43,12 @@ function post_step() simulation.metric("sum", simulation.clock() / 4) end
 )";
 
 // two foot-bots at a distance of 0.5 m that send one byte each
-std::string LuaExperiment(const CTestFolder& folder, const std::string& outputs) {
-  folder.Write("robot.lua", kRobotScript);
+std::string LuaExperiment(const CTestFolder& folder, const std::string& outputs,
+                          const std::string& script = kRobotScript, Real length = 0.3) {
+  folder.Write("robot.lua", script);
   folder.Write("loop.lua", kLoopScript);
   SExperiment experiment;
-  experiment.Length = 0.3;
+  experiment.Length = length;
   experiment.Controllers =
       "<lua_controller id='c'><actuators><range_and_bearing implementation='default'/></actuators>"
       "<sensors><range_and_bearing implementation='medium' medium='rab'/></sensors>"
@@ -98,6 +99,83 @@ TEST_CASE("tables: variables of Lua scripts, messages and metrics of Lua", "[out
   CHECK(messages.Columns.at("message_data")[4].rfind("fa", 0) == 0);
   CHECK(ReadCSV(folder.Read("metrics.csv")).Columns.at("sum") ==
         TTexts{"0", "0.25", "0.5", "0.75"});
+}
+
+TEST_CASE("tables: variables of Lua scripts that change their type", "[outputs][tables]") {
+  const CTestFolder folder;
+  LuaExperiment(folder,
+                "<table file='n.csv' robots='f1' fields='lua:number'/>"
+                "<table file='t.csv' robots='f1' fields='lua:text'/>",
+                R"(
+number, text, ticks = 1, "a", 0
+local numbers = {true, "x", {}, 7.5}
+local texts = {2.5, true, {}, 'b,"c"'}
+function init() end
+function reset() end
+function destroy() end
+function step()
+  ticks = ticks + 1
+  number, text = numbers[ticks], texts[ticks]
+end
+)",
+                0.5);
+  const SProgramRun run = folder.Run({"-n", "-c", "e.argos"});
+  CAPTURE(run.Out, run.Err);
+  REQUIRE(run.Status == 0);
+  typedef std::vector<std::string> TTexts;
+  CHECK(ReadCSV(folder.Read("n.csv")).Columns.at("lua_number") ==
+        TTexts{"1", "1", "", "", "7.5", ""});
+  // rows of a single robot, whose last column is quoted where it needs that
+  const std::string rows = folder.Read("t.csv");
+  for (const char* row : {",f1,a\n", ",0.1,f1,2.5\n", ",0.2,f1,1\n", ",0.3,f1,\n",
+                          ",0.4,f1,\"b,\"\"c\"\"\"\n", ",0.5,f1,\n"}) {
+    CHECK_THAT(rows, Contains(row));
+  }
+  // one warning for each field
+  CHECK_THAT(run.Err,
+             Contains("field \"lua:number\": in robot \"f1\" the variable is now a string") &&
+                 Contains("field \"lua:text\": in robot \"f1\" the variable is now a table") &&
+                 !Contains("field \"lua:number\": in robot \"f1\" the variable is now a table"));
+}
+
+TEST_CASE("tables: texts of HDF5 files that become longer keep the rows before",
+          "[outputs][tables]") {
+  const CTestFolder folder;
+  // elements of 32 bytes, then of the 80 that are needed, then of twice as many, beyond 2048 rows,
+  // which are copied together
+  LuaExperiment(folder,
+                "<table file='v.csv' fields='lua:word'/><table file='v.h5' fields='lua:word'/>",
+                R"(
+word, ticks = "start", 0
+function init() end
+function reset() end
+function destroy() end
+function step()
+  ticks = ticks + 1
+  if ticks == 5 then word = ("x"):rep(80) end
+  if ticks == 6 then word = "short" end
+  if ticks == 1100 then word = ("y"):rep(81) end
+end
+)",
+                112.0);
+  REQUIRE(folder.Run({"-n", "-c", "e.argos"}).Status == 0);
+  const SReadTable csv = ReadCSV(folder.Read("v.csv"));
+  const std::vector<std::string> texts = ReadHDF5Texts(folder.Path("v.h5"), "lua_word");
+  CHECK(texts == csv.Columns.at("lua_word"));
+  CHECK(texts.size() == 2 * 1121);
+  CHECK(texts[2 * 5] == std::string(80, 'x'));
+  CHECK(texts[2 * 1100] == std::string(81, 'y'));
+}
+
+TEST_CASE("tables: a long text in the head of an HDF5 file is cut", "[outputs][tables]") {
+  const CTestFolder folder;
+  LuaExperiment(folder, "<table file='t.h5' fields='pose'/>");
+  // an attribute of HDF5 has at most 64 KiB
+  const SProgramRun run = folder.Run(
+      {"-n", "-c", "e.argos", "--set", "//table/@fields=" + std::string(70000, ' ') + "pose"});
+  CAPTURE(run.Out, run.Err);
+  CHECK(run.Status == 0);
+  CHECK(ReadHDF5Numbers(folder.Path("t.h5"), "x").size() == 8);
 }
 
 TEST_CASE("tables: an unknown Lua variable is an error with the known ones", "[outputs][tables]") {

@@ -159,6 +159,8 @@ TEST_CASE("tables: what controllers keep, and what touches, are fields", "[outpu
     robot.RecordValue("food", -1.0);
     CHECK(robot.GetRecordedValue("food") == -1.0);
     world.Get().Step();
+    robot.RecordValue("food", -0.0);
+    world.Get().Step();
     CHECK_THROWS_WITH(robot.RecordValue("a b", 1.0), Contains("\"a b\" is no name"));
     CHECK_THROWS_WITH(robot.RecordValue("", 1.0), Contains("is no name"));
     CHECK_THROWS_WITH(robot.RecordValue("1a", 1.0), Contains("is no name"));
@@ -167,10 +169,10 @@ TEST_CASE("tables: what controllers keep, and what touches, are fields", "[outpu
     world.Close();
   }
   const SReadTable read = ReadCSV(folder.Read("t.csv"));
-  // ticks 0 to 3
-  REQUIRE(read.GetNumRows() == 12);
-  CHECK(read.Columns.at("food") ==
-        std::vector<std::string>{"", "", "", "", "", "", "", "2.5", "", "", "-1", ""});
+  // ticks 0 to 4
+  REQUIRE(read.GetNumRows() == 15);
+  CHECK(read.Columns.at("food") == std::vector<std::string>{"", "", "", "", "", "", "", "2.5", "",
+                                                            "", "-1", "", "", "-0", ""});
   const auto colliding = read.GetNumbers("colliding");
   CHECK(colliding[0] == 0.0);
   CHECK(colliding[1] == 1.0);
@@ -284,6 +286,33 @@ TEST_CASE("tables: metrics have a row for each tick", "[outputs][tables]") {
   CHECK(TakeLogErr() == "");
 }
 
+TEST_CASE("tables: a metric cannot have the name of a data set of HDF5 files",
+          "[outputs][tables]") {
+  const CTestFolder folder;
+  STableWorld table;
+  table.Outputs = {{"metrics", {{"file", folder.Path("m.h5")}}}};
+  const auto run = [&] {
+    CRunningWorld world(table);
+    world.Get().GetSimulator().GetLoopFunctions().SetMetric("seeds", 1.0);
+    world.Get().Step(2);
+    world.Close();
+  };
+  CHECK_THROWS_WITH(run(), Contains("the file has a data set \"seeds\" of its own"));
+}
+
+TEST_CASE("tables: robots that are disabled do not count in the dispersion", "[outputs][tables]") {
+  STableWorld table;
+  table.Arena = Robot("e-puck", "a", PoseText({1.0, 0.0, 0.0}, 0.0)) +
+                Robot("e-puck", "b", PoseText({-1.0, 0.0, 0.0}, 0.0)) +
+                Robot("e-puck", "c", PoseText({4.0, 0.0, 0.0}, 0.0));
+  CRunningWorld world(table);
+  CMetrics& metrics = world.Get().GetSimulator().GetMetrics();
+  metrics.EnableBuiltIn("dispersion");
+  world.Get().Get<CEPuckEntity>("c").Disable();
+  world.Get().Step();
+  CHECK_THAT(metrics.Find("dispersion")->Value, WithinAbs(1.0, 0.01));
+}
+
 TEST_CASE("tables: they do not change the run", "[outputs][tables]") {
   const CTestFolder folder;
   STableWorld with;
@@ -333,6 +362,7 @@ TEST_CASE("tables: wrong attributes are errors", "[outputs][tables]") {
        {"robots", "a, no", "\"robots\": there is no robot \"no\" at the start"},
        {"every", "0", "at least 1"},
        {"digits", "18", "from 1 to 17"},
+       {"digits", "0", "from 1 to 17"},
        {"file", "t.xls", ".csv.gz"},
        {"file", "/dev/null/t.csv", "/dev/null/t.csv"}}));
   CAPTURE(name, value);
