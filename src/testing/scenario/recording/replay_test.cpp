@@ -450,6 +450,51 @@ TEST_CASE("replay: impossible parts and options are errors", "[scenario][recordi
   CHECK(folder.Run({"-c", "x", "--from", "1"}).Status == 1);
 }
 
+TEST_CASE("replay: parts of a recording that begins late, or has few states",
+          "[scenario][recording]") {
+  const CTestFolder folder;
+  CheckSuccess(folder.Run({"-c", InSourceTree("experiments/flocking.argos"), "--length", "2", "-z",
+                           "--record", "run.rec", "--set", "//recording/@every=4"}));
+  CheckSuccess(folder.Run(
+      {"-z", "--replay", "run.rec", "--from", "7", "--to", "17", "--record", "part.rec"}));
+  const auto replay = [&folder](const std::vector<std::string>& arguments) {
+    return folder.Run(std::vector<std::string>{"-z", "--replay", "part.rec"} + arguments);
+  };
+  const auto [arguments, message] = GENERATE(table<std::vector<std::string>, std::string>({
+      {{"--to", "7"}, "has no state from tick 8 to tick 7: it has ticks 8 to 16, that is 0.8 s"},
+      {{"--from", "12", "--to", "11"}, "has no state from tick 12 to tick 11"},
+      {{"--from", "17"}, "has no state from tick 17 to tick 16"},
+      {{"--from", "1e30s"}, "has no state from tick 4294967295 to tick 16"},
+      {{"--from", "9", "--to", "11"}, "has no state from tick 9 to tick 11: it has one every "},
+  }));
+  const SProgramRun refused = replay(arguments);
+  CHECK(refused.Status == 1);
+  CHECK_THAT(refused.Err, Contains(message));
+  // from the first state on, if that is later
+  CheckSuccess(replay({"--from", "2", "--to", "1e30s", "--csv", "csv"}));
+  std::istringstream rows(folder.Read("csv/metrics.csv"));
+  std::vector<std::string> ticks;
+  for (std::string row; std::getline(rows, row);) {
+    if (row.rfind("0,", 0) == 0) {
+      ticks.push_back(row.substr(2, row.find(',', 2) - 2));
+    }
+  }
+  CHECK(ticks == std::vector<std::string>{"8", "12", "16"});
+}
+
+TEST_CASE("recording: wrong attributes are errors", "[scenario][recording]") {
+  const CTestFolder folder;
+  const auto [set, message] = GENERATE(table<std::string, std::string>({
+      {"every=0", "attribute \"every\" (ticks) must be at least 1, found 0"},
+      {"file=", "attribute \"file\" is empty"},
+      {"precision=exakt", "did you mean \"exact\"?"},
+  }));
+  const SProgramRun run = folder.Run({"-zc", InSourceTree("experiments/flocking.argos"), "--record",
+                                      "run.rec", "--set", "//recording/@" + set});
+  CHECK(run.Status == 1);
+  CHECK_THAT(run.Err, Contains(message));
+}
+
 TEST_CASE("recording: the digest of a run does not change", "[scenario][recording]") {
   const CTestFolder folder;
   const std::vector<std::string> arguments = {"-zc", InSourceTree("experiments/flocking.argos"),
