@@ -96,7 +96,8 @@ void CColorRule::Init(TConfigurationNode& node, const std::optional<CColor>& ofA
     }
     GetNodeAttributeOrDefault(node, "min", m_min, m_min);
     GetNodeAttributeOrDefault(node, "max", m_max, m_max);
-    if (!(m_min < m_max) || !std::isfinite(m_max - m_min)) {
+    // numbers of files are finite, and at most 1e12
+    if (!(m_min < m_max)) {
       THROW_ARGOSEXCEPTION(OwnerOf(node) << ": attribute \"min\" must be below \"max\", got "
                                          << m_min << " and " << m_max);
     }

@@ -128,9 +128,10 @@ void CTrailsOverlay::Draw(CSimulator& simulator, CDrawing& drawing) {
   // drawn in the order of the robots, not of the map
   for (const CRobotsInView::SRobot& robot : m_robots.List(space)) {
     const auto found = m_trails.find(robot.Root->GetId());
-    if (found == m_trails.end() || found->second.Points.empty()) {
+    if (found == m_trails.end()) {
       continue;
     }
+    ARGOS_ASSERT(!found->second.Points.empty(), "a trail has a point for its robot's place");
     DrawTrail(found->second, space.GetSimulationClock(), drawing);
     const CVector3& last = found->second.Points.back().Position;
     drawing.DrawLine(last, robot.Pose.Position, ComputeColor(found->second, 0), m_width);

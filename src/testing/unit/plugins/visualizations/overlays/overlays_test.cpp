@@ -37,8 +37,10 @@ class CDriver : public CCI_Controller {
     if (HasActuator("range_and_bearing")) {
       GetActuator<CCI_Actuator>("range_and_bearing");
     }
-    GetActuator<CCI_DifferentialSteeringActuator>("differential_steering")
-        ->SetLinearVelocity(10.0, 10.0);
+    if (HasActuator("differential_steering")) {
+      GetActuator<CCI_DifferentialSteeringActuator>("differential_steering")
+          ->SetLinearVelocity(10.0, 10.0);
+    }
   }
 };
 
@@ -178,6 +180,44 @@ TEST_CASE("overlays: regions of engines have an outline inside of each, and its 
   COverlaysOf black(world, "<regions color='black' ids='false'/>");
   CHECK(black.DrawAll(EKind::Text).empty());
   CHECK(black.DrawAll(EKind::Line)[4].Color == CColor::BLACK);
+}
+
+TEST_CASE("overlays: outlines of regions in a tall arena, and of small ones", "[overlays]") {
+  CTestWorld world(SExperiment{
+      .Controllers = "",
+      .Engines = "<dynamics2d id='small'><boundaries><sides><vertex point='-1,-2'/>"
+                 "<vertex point='-0.99,-2'/><vertex point='-0.99,-1.99'/><vertex point='-1,-1.99'/>"
+                 "</sides></boundaries></dynamics2d>"
+                 "<dynamics2d id='large'><boundaries><sides><vertex point='0,-2'/>"
+                 "<vertex point='1,-2'/><vertex point='1,-1'/><vertex point='0,-1'/></sides>"
+                 "</boundaries></dynamics2d>",
+      .ArenaSize = "2,4,4",
+      .Arena = ""});
+  COverlaysOf view(world, "<regions/>");
+  const std::vector<SDrawnShape> lines = view.DrawAll(EKind::Line);
+  REQUIRE(lines.size() == 8);
+  // corners go half-way to the middle at most
+  CHECK(lines[0].Size.Length() == Approx(0.005));
+  // else by 0.6 % of the shorter side of the arena, 2 m, along a diagonal
+  CHECK(lines[4].Size.Length() == Approx(1.0 - 2.0 * 0.012 / std::sqrt(2.0)));
+}
+
+TEST_CASE("overlays: marks, arrows and ids fit robots that are wider than long", "[overlays]") {
+  CTestWorld world(SExperiment{
+      .Controllers = "<overlay_driver id='stand'><actuators/><sensors/><params/></overlay_driver>",
+      .Engines = "<dynamics3d id='e'/>",
+      .Arena = "<prototype id='p' movable='true'><body position='0,0,0'/><links ref='base'>"
+               "<link id='base' geometry='box' size='0.1,0.4,0.1' mass='1'/></links>"
+               "<controller config='stand'/></prototype>"});
+  COverlaysOf view(world, "<marks/><headings/><ids/>");
+  const std::vector<SDrawnShape> circles = view.DrawAll(EKind::Circle);
+  REQUIRE(circles.size() == 1);
+  CHECK(circles[0].Size.GetX() == Approx(0.2));
+  // without the tip, 35 % of an arrow as long as the robot is wide
+  REQUIRE(view.DrawAll(EKind::Line).size() == 1);
+  CHECK(view.DrawAll(EKind::Line)[0].Size.Length() == Approx(0.65 * 0.4));
+  REQUIRE(view.DrawAll(EKind::Text).size() == 1);
+  CHECK(view.DrawAll(EKind::Text)[0].Position.GetX() > 0.2);
 }
 
 TEST_CASE("overlays: title and legend", "[overlays]") {
@@ -447,6 +487,7 @@ TEST_CASE("overlays: errors give the place in the file", "[overlays]") {
   CHECK_THAT(ErrorOf("<title/>"), Contains("test.argos:2") && Contains("\"text\""));
   CHECK_THAT(ErrorOf("<legend/>"), Contains("<entry>"));
   CHECK_THAT(ErrorOf("<trails duration='-1'/>"), Contains("\"duration\""));
+  CHECK_THAT(ErrorOf("<trails duration='1e9'/>"), Contains("less than 4e9 ticks, got 1e+09"));
   CHECK_THAT(ErrorOf("<headings width='-2'/>"), Contains("\"width\""));
   CHECK_THAT(ErrorOf("<ids of=' '/>"), Contains("names no type"));
 }

@@ -1,3 +1,5 @@
+#include <argos3/core/simulator/entity/floor_entity.h>
+#include <argos3/core/simulator/loop_functions.h>
 #include <argos3/core/simulator/outputs/run_output.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/space.h>
@@ -15,6 +17,8 @@
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace povray_output_test {
 
@@ -65,16 +69,19 @@ class CFakePovray {
 // ten ticks in an empty arena
 class CExperiment {
  public:
-  explicit CExperiment(const std::string& visualization) : m_scope(m_simulator) {
+  explicit CExperiment(const std::string& visualization, const std::string& arena = "")
+      : m_scope(m_simulator) {
     m_document.Parse(R"(<argos-configuration>
       <framework><experiment length="1" ticks_per_second="10" random_seed="1"/></framework>
-      <controllers/><arena size="2,2,1"/><physics_engines/>
+      <controllers/><arena size="2,2,1">)" +
+                         arena + R"(</arena><physics_engines/>
       <media/>
       <visualization>)" + visualization +
                          "</visualization></argos-configuration>",
                      "test.argos");
     m_simulator.Load(m_document);
   }
+  CSimulator& GetSimulator() { return m_simulator; }
   void Run() { m_simulator.Execute(); }
 
  private:
@@ -95,6 +102,49 @@ TEST_CASE("povray: writes scene files of the ticks that are chosen", "[povray]")
   CExperiment(In(folder, "every='4' render='false'")).Run();
   CHECK(folder.List() == std::vector<std::string>{"scene_0000000000.pov", "scene_0000000004.pov",
                                                   "scene_0000000008.pov", "scene_0000000010.pov"});
+}
+
+TEST_CASE("povray: an image of the floor is written for each change of it", "[povray]") {
+  class CPainting : public CLoopFunctions {
+   public:
+    explicit CPainting(CSimulator& simulator) : m_simulator(simulator) {}
+    CColor GetFloorColor(const CVector2& /*point*/) override { return m_color; }
+    void PostStep() override {
+      if (m_simulator.GetSpace().GetSimulationClock() == 6) {
+        m_color = CColor(0, 0, 200);
+        m_simulator.GetSpace().GetFloorEntity().SetChanged();
+      }
+    }
+
+   private:
+    CSimulator& m_simulator;
+    CColor m_color = CColor(200, 0, 0);
+  };
+  const CTemporaryFolder folder;
+  const CLogCapture log;
+  CExperiment experiment(In(folder, "every='4' render='false'"),
+                         "<floor id='floor' source='loop_functions' pixels_per_meter='4'/>");
+  CPainting painting(experiment.GetSimulator());
+  experiment.GetSimulator().SetLoopFunctions(painting);
+  experiment.Run();
+  std::vector<std::string> images;
+  for (const std::string& file : folder.List()) {
+    if (file.ends_with(".ppm")) {
+      images.push_back(file);
+    }
+  }
+  REQUIRE(images.size() == 2);
+  // 2 m of 4 pixels each way
+  CHECK(folder.Read(images[0]).ends_with(std::string("\xc8\0\0", 3)));
+  CHECK(folder.Read(images[1]).ends_with(std::string("\0\0\xc8", 3)));
+  for (const auto& [scene, image] : {std::pair("scene_0000000000.pov", 0),
+                                     {"scene_0000000004.pov", 0},
+                                     {"scene_0000000008.pov", 1},
+                                     {"scene_0000000010.pov", 1}}) {
+    CAPTURE(scene);
+    CHECK_THAT(folder.Read(scene), Contains(images[image]) && !Contains(images[1 - image]));
+  }
+  experiment.GetSimulator().Destroy();
 }
 
 TEST_CASE("povray: runs the program in the folder of the scenes", "[povray]") {

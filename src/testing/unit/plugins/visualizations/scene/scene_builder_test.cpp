@@ -12,11 +12,13 @@
 #include <argos3/plugins/simulator/entities/cylinder_entity.h>
 #include <argos3/plugins/simulator/entities/led_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/light_entity.h>
+#include <argos3/core/simulator/visualization/floor_samples.h>
 #include <argos3/testing/support/captured_logs.h>
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <memory>
 
 namespace scene_builder_test {
 
@@ -278,6 +280,68 @@ TEST_CASE("scene builder: an obstructed ray without a recorded hit keeps its len
   world.GetSpace().RemoveControllableEntity(robot);
 }
 
+TEST_CASE("scene builder: hits belong to obstructed rays in their order, of any length",
+          "[visualizations][offscreen][scene]") {
+  CWorld world;
+  CControllableEntity robot(nullptr, "robot");
+  world.GetSpace().AddControllableEntity(robot);
+  // of no length, free though a later hit is on it, with a hit, and without one
+  const CVector3 origin(0.0, 0.0, 0.5);
+  const CRay3 point(origin, origin);
+  const CRay3 along(origin, CVector3(0.0, 0.5, 0.5));
+  const CRay3 last(origin, CVector3(0.0, -0.5, 0.5));
+  robot.AddCheckedRay(true, point);
+  robot.AddCheckedRay(false, along);
+  robot.AddCheckedRay(true, along);
+  robot.AddCheckedRay(true, last);
+  robot.AddIntersectionPoint(point, 0.0);
+  robot.AddIntersectionPoint(along, 0.5);
+  SScene& scene = world.Build();
+  REQUIRE(scene.Lines.size() == 4);
+  CHECK(scene.Lines[0].End == std::array<float, 3>{0.0f, 0.0f, 0.5f});
+  CHECK(scene.Lines[1].End == std::array<float, 3>{0.0f, 0.5f, 0.5f});
+  CHECK(scene.Lines[2].End == std::array<float, 3>{0.0f, 0.25f, 0.5f});
+  CHECK(scene.Lines[3].End == std::array<float, 3>{0.0f, -0.5f, 0.5f});
+  CHECK(scene.Glows.size() == 2);
+  world.GetSpace().RemoveControllableEntity(robot);
+}
+
+TEST_CASE("scene builder: a body without an appearance is drawn as its solids",
+          "[visualizations][offscreen][scene]") {
+  class CUsersBody : public CComposableEntity {
+   public:
+    CUsersBody() : CComposableEntity(nullptr, "mine") {
+      auto* const body =
+          new CEmbodiedEntity(this, "body", CVector3(1.0, 0.5, 0.25), CQuaternion(), false);
+      AddComponent(*body);
+      auto description = std::make_shared<SBodyDescription>();
+      description->Shapes = {SShapeDescription::Box(CVector3(0.4, 0.2, 0.1)),
+                             SShapeDescription::Cylinder(0.25, 0.5, CVector3(1.0, 0.0, 0.0)),
+                             SShapeDescription::Sphere(0.25, CVector3(0.0, 1.0, 0.25))};
+      body->SetBodyDescription(description);
+    }
+    std::string GetTypeDescription() const override { return "mine"; }
+  };
+  CWorld world;
+  CUsersBody body;
+  world.GetSpace().GetRootEntityVector().push_back(&body);
+  TakeLogErr();
+  SScene& scene = world.Build();
+  CHECK_THAT(TakeLogErr(), Contains("pictures show the solids of \"mine\" and other <mine>"));
+  const auto place = [&scene](EMeshKind kind) {
+    REQUIRE(scene.OfKind(kind).size() == 1);
+    const auto& rows = scene.OfKind(kind).front().ToWorld;
+    return CVector3(rows[0][3], rows[1][3], rows[2][3]);
+  };
+  // boxes and cylinders are placed by their base, spheres by their centre
+  CHECK(place(EMeshKind::Box) == CVector3(1.0, 0.5, 0.25));
+  CHECK(place(EMeshKind::Cylinder) == CVector3(2.0, 0.5, 0.25));
+  CHECK(place(EMeshKind::Sphere) == CVector3(1.0, 1.5, 0.75));
+  world.Build();
+  CHECK(TakeLogErr().empty());
+  world.GetSpace().GetRootEntityVector().pop_back();
+}
+
 TEST_CASE("scene builder: LEDs that the appearance does not contain are drawn at their places",
           "[visualizations][offscreen][scene]") {
   // a user's robot: an appearance, or none, and LEDs that only its layout knows
@@ -354,6 +418,42 @@ TEST_CASE("floor image: edges that loop functions paint are filtered, areas are 
   CHECK(red(21) == 0);
   // before the loop functions end
   world.GetSimulator().Destroy();
+}
+
+TEST_CASE("floor image: edges are filtered in both directions, along the sides of the arena, too",
+          "[visualizations][offscreen][scene]") {
+  class CStripes : public CLoopFunctions {
+   public:
+    CColor GetFloorColor(const CVector2& point) override {
+      return point.GetY() < -0.94 || point.GetY() > 0.23 ? CColor(200, 0, 0) : CColor(0, 0, 200);
+    }
+  };
+  CWorld world;
+  CStripes stripes;
+  world.GetSimulator().SetLoopFunctions(stripes);
+  auto* floor = new CFloorEntity("floor", 10);
+  world.Add(floor);
+  world.GetSpace().SetFloorEntity(*floor);
+  const SScene& scene = world.Build();
+  REQUIRE(scene.Floor.Height == 20);
+  const auto red = [&scene](std::size_t row) { return (*scene.Floor.Pixels)[4 * 40 * row]; };
+  // from y = -1 on, in steps of 0.1; the middles of rows 0 and 12, at -0.95 and 0.25, are red, and
+  // one of their two samples, a quarter of a pixel away, is not: -0.925 and 0.225
+  CHECK(red(0) == 100);
+  CHECK(red(1) == 0);
+  CHECK(red(11) == 0);
+  CHECK(red(12) == 100);
+  CHECK(red(13) == 200);
+  world.GetSimulator().Destroy();
+}
+
+TEST_CASE("floor image: a side has from 1 to 8192 pixels", "[visualizations][offscreen][scene]") {
+  CWorld world;
+  CFloorEntity& floor = world.Add(new CFloorEntity("floor", 10));
+  const SFloorSamples samples =
+      SampleFloor(floor, CVector3(0.0, 0.0, 0.0), CVector3(1000.0, 0.0, 1.0));
+  CHECK(samples.Width == 8192);
+  CHECK(samples.Height == 1);
 }
 
 TEST_CASE("scene builder: the marker of a robot is the middle of its largest part, as wide as that",
