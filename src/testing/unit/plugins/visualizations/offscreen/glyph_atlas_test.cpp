@@ -101,6 +101,29 @@ TEST_CASE("glyph atlas: size, weight and family change the letters",
         Set(atlas, MakeLabel("www|")).back().Area[0]);
 }
 
+TEST_CASE("glyph atlas: names of families are those with, without serifs, and of typewriters",
+          "[visualizations][offscreen][text]") {
+  CGlyphAtlas atlas;
+  const auto widthOf = [&atlas](const std::string& family) {
+    STextStyle style;
+    style.Family = family;
+    return RightEnd(Set(atlas, MakeLabel("illiw", style)));
+  };
+  const float sans = widthOf("");
+  const float serif = widthOf("DejaVu Serif");
+  const float mono = widthOf("DejaVu Sans Mono");
+  CHECK((sans != serif && sans != mono && serif != mono));
+  for (const char* const family : {"Helvetica", "Sans Serif", "Arial"}) {
+    CHECK(widthOf(family) == sans);
+  }
+  for (const char* const family : {"Times", "Times New Roman", "CMU roman", "serif"}) {
+    CHECK(widthOf(family) == serif);
+  }
+  for (const char* const family : {"courier", "Consolas", "Lucida Typewriter"}) {
+    CHECK(widthOf(family) == mono);
+  }
+}
+
 TEST_CASE("glyph atlas: line feeds begin a line below, malformed UTF-8 is replaced",
           "[visualizations][offscreen][text]") {
   CGlyphAtlas atlas;
@@ -111,6 +134,13 @@ TEST_CASE("glyph atlas: line feeds begin a line below, malformed UTF-8 is replac
   // one character in two bytes
   CHECK(Set(atlas, MakeLabel("\xC3\xBC")).size() == 2);
   CHECK(Set(atlas, MakeLabel("\xFF\xC3")).size() == 4);
+  // a byte that begins no character, one beyond U+10FFFF, and a character that is cut by a letter
+  const float replacement = RightEnd(Set(atlas, MakeLabel("\xEF\xBF\xBD")));
+  CHECK(RightEnd(Set(atlas, MakeLabel("\x80"))) == replacement);
+  CHECK(RightEnd(Set(atlas, MakeLabel("\xF5"))) == replacement);
+  CHECK(RightEnd(Set(atlas, MakeLabel("\xC3w"))) ==
+        RightEnd(Set(atlas, MakeLabel("\xEF\xBF\xBDw"))));
+  CHECK(Set(atlas, MakeLabel("a\r\na")).size() == 4);
   CHECK(Set(atlas, MakeLabel("")).empty());
 }
 

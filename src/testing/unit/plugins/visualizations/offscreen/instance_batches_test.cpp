@@ -59,6 +59,8 @@ TEST_CASE("instance batches: solids outside the view are culled",
   CHECK(CountOpaque({-2.0, 0.0, 0.0}, 0.1) == 0);
   // here the eye is inside the solid
   CHECK(CountOpaque({0.0, 0.0, 0.0}, 1.0) == 1);
+  // also in front of its centre
+  CHECK(CountOpaque({-0.3, 0.0, 0.0}, 1.0) == 1);
 }
 
 TEST_CASE("instance batches: solids smaller than a pixel are culled",

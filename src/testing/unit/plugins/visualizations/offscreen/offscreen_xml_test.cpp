@@ -1,5 +1,6 @@
 #include <argos3/plugins/simulator/visualizations/scene/camera_xml.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/offscreen_xml.h>
+#include <argos3/testing/support/captured_logs.h>
 
 #include <catch2/catch.hpp>
 
@@ -223,6 +224,45 @@ TEST_CASE("camera in a file: the older form without <placements> is accepted",
       " lens_focal_length='28'/>");
   CHECK(timeline.GetPlacement(0).Position == Eigen::Vector3d(0.0, -1.0, 2.0));
   CHECK(timeline.GetPlacement(0).FocalLength == 28.0);
+}
+
+TEST_CASE("camera in a file: what is up is said if the camera looks straight down",
+          "[visualizations][offscreen][xml]") {
+  const auto [up, isWarning] =
+      GENERATE(table<std::string, bool>({{"", true}, {"up='0,1,0'", false}}));
+  TakeLogErr();
+  const CCameraTimeline timeline =
+      ReadCameraText("<placement index='0' position='1,2,5' look_at='1,2,0' " + up + "/>");
+  const std::string warning = TakeLogErr();
+  CHECK((warning.find("the camera looks straight up or down and has no \"up\"") !=
+         std::string::npos) == isWarning);
+  // to the left is +y, so that up is +x
+  CHECK(timeline.GetPlacement(0).Up ==
+        (isWarning ? Eigen::Vector3d(1.0, 0.0, 0.0) : Eigen::Vector3d(0.0, 1.0, 0.0)));
+}
+
+TEST_CASE("camera in a file: the last keyframe needs no successor of its projection",
+          "[visualizations][offscreen][xml]") {
+  const std::string loop = GENERATE(std::string(), std::string("loop='100'"));
+  const std::string children =
+      "<placements>"
+      "<placement index='0' position='0,-1,2' look_at='0,0,0' lens_focal_length='10'/>"
+      "<placement index='1' position='0,-1,2' look_at='0,0,0' orthographic_height='3'/>"
+      "</placements>"
+      "<timeline " +
+      loop +
+      "><keyframe placement='0' step='0'/>"
+      "<keyframe placement='1' step='40'/><interpolate/></timeline>";
+  const CCameraTimeline timeline = ReadCameraText(children);
+  if (loop.empty()) {
+    CHECK_NOTHROW(timeline.CheckGlides());
+    // it stays
+    CHECK(timeline.ComputeAt(1000).OrthographicHeight == 3.0);
+  } else {
+    CHECK_THROWS_WITH(
+        timeline.CheckGlides(),
+        Contains("from placement 1 to placement 0, of which only one is orthographic"));
+  }
 }
 
 TEST_CASE("camera in a file: the timeline moves the camera", "[visualizations][offscreen][xml]") {
