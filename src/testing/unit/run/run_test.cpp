@@ -145,6 +145,22 @@ TEST_CASE("run: warnings are collected beside the log, and beside others that se
   CHECK(seen == std::vector<std::string>{"a line for both"});
 }
 
+TEST_CASE("run: at most 200 warnings are collected, the first ones", "[run]") {
+  SToyRun toy;
+  toy.Run.CollectWarnings();
+  REQUIRE(toy.Load());
+  CHECK(toy.Run.Do([] {
+    for (int i = 1; i <= 201; ++i) {
+      LOG << "[WARNING] " << i << std::endl;
+    }
+    LOG.Flush();
+  }));
+  const std::vector<std::string>& warnings = toy.Run.Finish().Warnings;
+  REQUIRE(warnings.size() == CRun::kMaxWarnings);
+  CHECK(warnings.front() == "[WARNING] 1");
+  CHECK(warnings.back() == "[WARNING] 200");
+}
+
 TEST_CASE("run: each status has its word, and its exit status", "[run]") {
   for (const ERunStatus status :
        {ERunStatus::Done, ERunStatus::RobotsStopped, ERunStatus::Failed, ERunStatus::Crashed,

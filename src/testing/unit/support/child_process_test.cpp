@@ -104,6 +104,20 @@ TEST_CASE("child process: the last messages are kept, in whole lines", "[core][p
   CHECK_THAT(text, Catch::EndsWith("line 20000\nlast"));
 }
 
+TEST_CASE("child process: a last message that is longer than what is kept is cut",
+          "[core][processes]") {
+  // with and without a line break at its end, and in two lines
+  const auto [script, expected] = GENERATE(table<std::string, std::string>({
+      {"printf '%05000d' 7 >&2", std::string(CChildProcess::kErrorTextSize - 1, '0') + '7'},
+      {"printf '%05000d\\n' 7 >&2", std::string(CChildProcess::kErrorTextSize - 2, '0') + '7'},
+      {"printf '%05000d\\nend' 7 >&2", "end"},
+      {"printf '%02048d' 7 >&2", std::string(CChildProcess::kErrorTextSize - 1, '0') + '7'},
+  }));
+  CChildProcess child(Shell(script));
+  CHECK(child.Finish().IsSuccess);
+  CHECK(child.GetErrorText() == expected);
+}
+
 TEST_CASE("child process: a signal that ends it is named", "[core][processes]") {
   CChildProcess child(Shell("kill -TERM $$"));
   const SProcessEnd end = child.Finish();

@@ -94,6 +94,37 @@ TEST_CASE("output file: at any time the file has whole lines, and flush writes t
   CHECK_THAT(Content(name), Catch::EndsWith("\nline 19999\nhalf a line"));
 }
 
+TEST_CASE("output file: lines of 1 MiB or more are written in parts", "[core][files]") {
+  const CName name;
+  COutputFile file(name);
+  file << std::string((1 << 20) - 1, 'x');
+  CHECK(Content(name).empty());
+  file << "xy";
+  CHECK(Content(name).size() == (1 << 20) + 1);
+  // the rest of the line follows, and lines are whole again
+  file << "z\nhalf";
+  file << std::string(40000, 'a') << '\n' << "next";
+  CHECK_THAT(Content(name), Catch::EndsWith("a\n"));
+  file.Close();
+  CHECK(Content(name).size() == (1 << 20) + 1 + 2 + 4 + 40001 + 4);
+}
+
+TEST_CASE("output file: single characters fill the buffer, too", "[core][files]") {
+  const CName name;
+  COutputFile file(name);
+  for (int i = 0; i < 40000; ++i) {
+    file.put(i % 100 == 99 ? '\n' : 'x');
+  }
+  CHECK(Content(name).size() >= 32700);
+  CHECK_THAT(Content(name), Catch::EndsWith("\n"));
+  file.Close();
+  CHECK(Content(name).size() == 40000);
+  // nothing can be written then
+  file.exceptions(std::ios::goodbit);
+  file.put('x');
+  CHECK(file.bad());
+}
+
 TEST_CASE("output file: a full disk is an exception with file and reason", "[core][files]") {
   COutputFile file("/dev/full");
   file << "text\n";
@@ -108,6 +139,8 @@ TEST_CASE("output file: a full disk is an exception with file and reason", "[cor
   file.Open("/dev/full");
   CHECK(file.GetFailure().empty());
   CHECK_THROWS_AS(file << std::string(100000, 'x') + '\n', CARGoSException);
+  CHECK_THROWS_WITH(file.WriteRecord("record\n"), Contains("cannot write the file \"/dev/full\""));
+  CHECK_THROWS_WITH(file.Replace("content"), Contains("cannot write the file \"/dev/full\""));
   CHECK_NOTHROW(file.Close());
 }
 

@@ -114,6 +114,30 @@ TEST_CASE("log control: a receiver gets complete lines instead of the stream", "
   CHECK(log.Flushed() == "\033[1;31m\033[1;32magain\033[0m\033[0m\n");
 }
 
+TEST_CASE("log control: a line that begins at one level ends whole at another", "[core][log]") {
+  const SDefaults defaults;
+  SLog log;
+  CLogControl::SetLevel(ELogLevel::Warning);
+  log.Log << "[WARNING] sta";
+  CHECK(log.Flushed().empty());
+  CLogControl::SetLevel(ELogLevel::Info);
+  log.Log << "rt" << std::endl;
+  CHECK(log.Flushed() == "[WARNING] start\n");
+}
+
+TEST_CASE("log control: a colour that does not end hides its line only", "[core][log]") {
+  const SDefaults defaults;
+  SLog log;
+  std::vector<std::string> lines;
+  CLogControl::SetLineReceiver(
+      [&lines](ELogLevel, const std::string& line) { lines.push_back(line); });
+  log.Log << "before \033[31 not ended" << std::endl
+          << "\033[31[FATAL] not ended" << std::endl
+          << "\033[31mended" << std::endl;
+  log.Log.Flush();
+  CHECK(lines == std::vector<std::string>{"before ", "", "ended"});
+}
+
 TEST_CASE("log control: the end of the redirection writes the start of a line", "[core][log]") {
   const SDefaults defaults;
   SLog log;
