@@ -219,6 +219,26 @@ TEST_CASE("positional index: a ray query stops at the match, or after its cell",
   CHECK(afterCell.Found == std::vector<CPositionalEntity*>{&match, &besides});
 }
 
+TEST_CASE("hash index: along a ray of more cells than entities all entities are visited",
+          "[core][space]") {
+  SIndexed world("hash");
+  CPositionalEntity& first = world.Add(CVector3(0.1, 0.1, 0.1));
+  CPositionalEntity& match = world.Add(CVector3(0.2, 0.1, 0.1));
+  CPositionalEntity& distant = world.Add(CVector3(3.9, 0.1, 0.1));
+  world.Index->Update();
+  const CRay3 ray(CVector3(0.05, 0.1, 0.1), CVector3(100.0, 0.1, 0.1));
+  CCollect all;
+  world.Index->ForEntitiesAlongRay(ray, all);
+  CHECK(all.Found == std::vector<CPositionalEntity*>{&first, &match, &distant});
+  CStopAt once(&match);
+  world.Index->ForEntitiesAlongRay(ray, once);
+  CHECK(once.Found == std::vector<CPositionalEntity*>{&first, &match});
+  // which of them is the closest one is not known
+  CStopAt closest(&match);
+  world.Index->ForEntitiesAlongRay(ray, closest, true);
+  CHECK(closest.Found == std::vector<CPositionalEntity*>{&first, &match, &distant});
+}
+
 TEST_CASE("positional index: a removed entity is never visited again", "[core][space]") {
   const std::string kind = GENERATE("grid", "hash");
   CAPTURE(kind);
@@ -301,6 +321,39 @@ TEST_CASE("positional index: an update allocates nothing, wherever the entities 
       world.Index->Update();
     }
   });
+}
+
+TEST_CASE("grid: cells outside are those at its edges", "[core][space]") {
+  class CPutAt : public TGrid::COperation {
+   public:
+    CPutAt(TGrid& grid, SInt32 i, SInt32 j, SInt32 k) : m_grid(grid), m_i(i), m_j(j), m_k(k) {}
+    bool operator()(CPositionalEntity& entity) override {
+      m_grid.UpdateCell(m_i, m_j, m_k, entity);
+      return true;
+    }
+
+   private:
+    TGrid& m_grid;
+    SInt32 m_i, m_j, m_k;
+  };
+  // of 7 x 10 x 2 cells
+  const auto [i, j, k, nearestI, nearestJ, nearestK] =
+      GENERATE(table<SInt32, SInt32, SInt32, SInt32, SInt32, SInt32>({
+          {-1, 4, 1, 0, 4, 1},
+          {7, 4, 1, 6, 4, 1},
+          {3, -5, 0, 3, 0, 0},
+          {3, 10, 0, 3, 9, 0},
+          {3, 4, -1, 3, 4, 0},
+          {3, 4, 2, 3, 4, 1},
+          {6, 9, 1, 6, 9, 1},
+      }));
+  SIndexed world("grid");
+  auto& grid = dynamic_cast<TGrid&>(*world.Index);
+  CPutAt put(grid, i, j, k);
+  grid.SetUpdateEntityOperation(&put);
+  CPositionalEntity& entity = world.Add(CVector3());
+  grid.Update();
+  CHECK(grid.GetCellAt(nearestI, nearestJ, nearestK).Entities.exists(&entity));
 }
 
 TEST_CASE("grid: a cell lists its entities in order, as of the last update", "[core][space]") {
