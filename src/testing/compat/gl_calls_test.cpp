@@ -8,7 +8,9 @@
 
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <thread>
+#include <vector>
 
 using namespace argos;
 
@@ -100,7 +102,10 @@ TEST_CASE("compat: each kind of OpenGL's shapes is made of its triangles", "[com
       {GL_TRIANGLE_STRIP,
        {0, 1, 3, 2},
        {{kCorner[0], kCorner[1], kCorner[3]}, {kCorner[3], kCorner[1], kCorner[2]}}},
-      {GL_TRIANGLE_FAN, {0, 1}, {}}};
+      {GL_TRIANGLE_FAN, {0, 1}, {}},
+      // without an area
+      {GL_TRIANGLES, {0, 1, 1, 0, 1, 2}, {lower}},
+      {GL_QUADS, {0, 1, 2, 2}, {lower}}};
   for (const SCase& one : cases) {
     CAPTURE(one.Shape, one.Corners);
     CheckTriangles(Draw([&one] {
@@ -208,6 +213,76 @@ static void DrawTriangle(GLdouble f_z = 0.0) {
   glEnd();
 }
 
+TEST_CASE("compat: OpenGL's strips of lines are open, loops are closed", "[compat]") {
+  const auto [shape, corners, lengths] =
+      GENERATE(table<GLenum, std::vector<int>, std::vector<Real>>({
+          {GL_LINE_STRIP, {0, 1, 2, 3}, {2, 2, 2}},
+          {GL_LINE_LOOP, {0, 1, 2, 3}, {2, 2, 2, 2}},
+          {GL_LINE_LOOP, {0, 1}, {2}},
+          {GL_LINE_STRIP, {0}, {}},
+      }));
+  const SPicture picture = Draw([shape = shape, &corners = corners] {
+    glBegin(shape);
+    AddVertices(corners);
+    glEnd();
+  });
+  REQUIRE(picture.Others.size() == lengths.size());
+  for (size_t i = 0; i < lengths.size(); ++i) {
+    CHECK(picture.Others[i].Size.Length() == lengths[i]);
+  }
+}
+
+TEST_CASE("compat: OpenGL calls with values out of range have those of its ends, or no effect",
+          "[compat]") {
+  TakeLogErr();
+  const SPicture picture = Draw([] {
+    // more than can be kept, and as many of the other kind
+    for (int i = 0; i < 1100; ++i) {
+      glPushMatrix();
+      glPushAttrib(GL_ALL_ATTRIB_BITS);
+    }
+    glTranslatef(0.0f, 0.0f, 7.0f);
+    glColor3f(-1.0f, 2.0f, std::numeric_limits<GLfloat>::quiet_NaN());
+    for (int i = 0; i < 1100 - 1024; ++i) {
+      glPopMatrix();
+    }
+    DrawTriangle();
+    for (int i = 0; i < 1024; ++i) {
+      glPopMatrix();
+    }
+    // an axis without a length
+    glRotatef(90.0f, 0.0f, 0.0f, 0.0f);
+    DrawTriangle();
+    // nothing was pushed
+    glTranslatef(0.0f, 0.0f, 1.0f);
+    glPopMatrix();
+    DrawTriangle();
+  });
+  const auto triangle = [](Real z) {
+    return TTriangle{CVector3(0, 0, z), CVector3(1, 0, z), CVector3(0, 1, z)};
+  };
+  CheckTriangles(picture, {triangle(7.0), triangle(0.0), triangle(1.0)});
+  CHECK(picture.Colors[0] == CColor(0, 255, 0));
+  CHECK_THAT(TakeLogErr(), Catch::Contains("by more than 1,024 times"));
+}
+
+TEST_CASE("compat: numbers of display lists end, and none are reserved for less than one",
+          "[compat]") {
+  CHECK(glGenLists(0) == 0);
+  CHECK(glGenLists(-1) == 0);
+  const GLuint unList = glGenLists(1);
+  REQUIRE(unList != 0);
+  glNewList(unList, GL_COMPILE);
+  DrawTriangle();
+  glEndList();
+  glDeleteLists(unList, -1);
+  CHECK(glIsList(unList));
+  glDeleteLists(unList, 1);
+  CHECK_FALSE(glIsList(unList));
+  // calls outside of a shape
+  CHECK(Draw([] { AddVertices({0, 1, 2}); }).Triangles.empty());
+}
+
 TEST_CASE("compat: triangles have the colour or the lit material that was set last", "[compat]") {
   const SPicture picture = Draw([] {
     const GLfloat pfGreen[] = {0.0f, 1.0f, 0.0f, 0.5f};
@@ -296,6 +371,66 @@ TEST_CASE("compat: matrices of OpenGL are multiplied, those of the camera stay",
     DrawTriangle(1.0);
   });
   CheckTriangles(picture, {{CVector3(3, 5, 5), CVector3(3, 5, 7), CVector3(4, 5, 5)}});
+}
+
+static const std::string kThreeVertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nusemtl a\n";
+
+TEST_CASE("compat: wrong lines of models are errors with their number", "[compat]") {
+  const auto [line, message] = GENERATE(table<std::string, std::string>({
+      {"f 1//1 2//1 0//1", "\"0\" is not a vertex from 1 to 3"},
+      {"f 1//1 2//1 4//1", "\"4\" is not a vertex from 1 to 3"},
+      {"f 1//1 2//1 -4//1", "\"-4\" is not a vertex from 1 to 3"},
+      {"f 1//1 2//1 3x//1", "\"3x\" is not a vertex"},
+      {"f 1//1 2//1 x//1", "\"x\" is not a vertex"},
+      {"f 1//1 2//1 99999999999999999999//1", "is not a vertex"},
+      {"f 1//1 2//1 3//2", "\"2\" is not a normal from 1 to 1"},
+      {"v 1 2 3x", "\"3x\" is not a number"},
+      {"v 1 2 inf", "\"inf\" is not a number"},
+      {"v 1 2", "\"\" is not a number"},
+  }));
+  CHECK_THROWS_WITH(CQTOpenGLObjModel("", kThreeVertices + line),
+                    Catch::Contains(":6: ") && Catch::Contains(message));
+}
+
+TEST_CASE("compat: faces of models count back from the last corner, and need an area", "[compat]") {
+  const TTriangle triangle = {CVector3(), CVector3::X, CVector3::Y};
+  CheckTriangles(Draw([] {
+                   CQTOpenGLObjModel("", kThreeVertices +
+                                             "f -3//-1 -2//1 -1//1\nf 1//1 2//1 2//1\n# f\n"
+                                             "f 1//1 2//1 3//1 3//1\n")
+                       .Draw();
+                 }),
+                 {triangle, triangle});
+}
+
+TEST_CASE("compat: materials of models have opacities from 0 to 1", "[compat]") {
+  const auto [lines, alpha] = GENERATE(table<std::string, GLfloat>({
+      {"d 0.75", 0.75f},
+      {"Tr 0.25", 0.75f},
+      {"d 2", 1.0f},
+      {"Tr 3", 0.0f},
+      {"Ka 0 0 0", 1.0f},
+  }));
+  CQTOpenGLObjModel cModel(
+      "Kd 9 9 9\nnewmtl a\nKa 0.1 0.2 0.3\nKd 0.25 1 0.5\nKs 0.4 0.5 0.6\n" + lines,
+      kThreeVertices + "f 1//1 2//1 3//1");
+  CQTOpenGLObjModel::SMaterial& sMaterial = cModel.GetMaterial("a");
+  CHECK(sMaterial.Alpha == alpha);
+  CHECK(sMaterial.EnableTransparency == (alpha < 1.0f));
+  CHECK(sMaterial.Diffuse == std::array<GLfloat, 4>{0.25f, 1.0f, 0.5f, alpha});
+  CHECK(sMaterial.Specular == std::array<GLfloat, 4>{0.4f, 0.5f, 0.6f, alpha});
+  CHECK((sMaterial.Ambient[1] == 0.2f) == (lines[0] != 'K'));
+  // users' code may lower either of both
+  const auto getAlpha = [&cModel] {
+    return Draw([&cModel] { cModel.Draw(); }).Colors.at(0).GetAlpha();
+  };
+  CHECK(getAlpha() == std::lround(255.0 * alpha));
+  sMaterial.EnableTransparency = true;
+  sMaterial.Alpha = 0.2f;
+  sMaterial.Diffuse[3] = 0.4f;
+  CHECK(getAlpha() == 51);
+  sMaterial.Alpha = 0.8f;
+  CHECK(getAlpha() == 102);
 }
 
 TEST_CASE("compat: models can be in display lists", "[compat]") {
