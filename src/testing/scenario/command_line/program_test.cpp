@@ -7,6 +7,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <sys/stat.h>
+
 #include <atomic>
 #include <csignal>
 #include <cstdlib>
@@ -155,6 +157,10 @@ TEST_CASE("argos3: --length, --threads, --seed and --set change the run", "[comm
   CHECK(run.Status == 0);
   CHECK_THAT(run.Notices, Contains("simulated 2 s") && Contains("5 robots"));
   CHECK_THAT(run.Out, Contains("Using random seed = 77") && Contains("Using 2 threads"));
+  // 0 draws one from the clock, which is not that of the file
+  const std::string drawn = folder.Run({"-zc", "e.argos", "--seed", "0"}).Out;
+  CHECK_THAT(drawn, Contains("Using random seed = ") && !Contains("seed = 0\n") &&
+                        !Contains("seed = 1\n"));
 }
 
 TEST_CASE("argos3: --lenient accepts malformed numbers with warnings", "[command_line]") {
@@ -348,6 +354,16 @@ function init()
   assert(io.open("other.txt")):close()
   assert(io.open("new.txt", "w")):close()
   assert(io.open("no_folder/new.txt", "w") == nil)
+  -- what is not there, is removed already, or would leave its folder
+  assert(io.open("none.txt", "r+") == nil)
+  for _, name in ipairs({"none.txt", "old.txt"}) do assert(os.remove(name) == nil) end
+  assert(not os.rename("none.txt", "x.txt") and not os.rename("log.txt", "no_folder/log.txt"))
+  -- written, removed and written again
+  assert(os.remove("results.csv") and not io.open("results.csv"))
+  assert(io.open("results.csv", "a")):close()
+  assert(assert(io.open("results.csv")):read("a") == "")
+  -- no program reads it
+  assert(io.open("fifo", "w")):close()
 end
 )");
   folder.Write("e.argos", Experiment("test_idle",
@@ -356,6 +372,7 @@ end
   for (const char* const name : {"results.csv", "log.txt", "old.txt", "name.txt"}) {
     folder.Write(name, "of a run");
   }
+  REQUIRE(mkfifo(folder.Path("fifo").c_str(), 0600) == 0);
   const SProgramRun check = folder.Run({"e.argos", "--check"});
   CAPTURE(check.Out, check.Err);
   CHECK(check.Status == 0);

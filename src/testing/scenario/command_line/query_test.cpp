@@ -560,4 +560,12 @@ TEST_CASE("plug-ins: the simplest of each kind is found, runs and is described",
              Contains("An element by A. Author") && Contains("default 1."));
 }
 
+TEST_CASE("argos3: manual page and completions are generated", "[command_line]") {
+  const auto [word, start] = GENERATE(table<std::string, std::string>(
+      {{"man", ".TH "}, {"zsh", "#compdef argos3"}, {"bash", "complete"}}));
+  const SProgramRun run = CTestFolder().Run({"--generate", word});
+  CHECK(run.Status == 0);
+  CHECK_THAT(run.Out, Contains(start) && Contains("threads"));
+}
+
 }  // namespace query_test

@@ -75,6 +75,17 @@ TEST_CASE("folders: a second run cannot write the frames of one that runs", "[ou
   }
 }
 
+TEST_CASE("folders: a folder of --csv that cannot be is an error before the run",
+          "[outputs][folders]") {
+  const CTestFolder folder;
+  folder.Write("e.argos", RecordedExperiment());
+  const bool isCheck = GENERATE(false, true);
+  const SProgramRun run =
+      folder.Run({"-zc", "e.argos", "--csv", "e.argos/csv", isCheck ? "--check" : "--quiet"});
+  CHECK(run.Status == 1);
+  CHECK_THAT(run.Err, Contains("--csv: ") && Contains("e.argos"));
+}
+
 TEST_CASE("folders: a second run cannot write the data of one that runs", "[outputs][folders]") {
   const CTestFolder folder;
   folder.Write("e.argos", RecordedExperiment());
