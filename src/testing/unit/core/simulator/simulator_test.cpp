@@ -7,6 +7,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <cmath>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
@@ -483,6 +484,11 @@ TEST_CASE("simulator: before engines exist, one stands in that knows the clock",
   CHECK(engine.GetIterations() == 10);
   const CSimulator::CScope scope(simulator);
   CPhysicsEngine::SetSimulationClockTick(0.25);
+  CHECK(engine.GetInverseSimulationClockTick() == 4.0);
+  for (const Real wrong : {0.0, -0.1, std::nan("")}) {
+    CHECK_THROWS_WITH(CPhysicsEngine::SetSimulationClockTick(wrong),
+                      Contains("the length of a tick must be positive"));
+  }
   CHECK(engine.GetInverseSimulationClockTick() == 4.0);
   CHECK(&simulator.GetPhysicsEngine("other") == &engine);
   CHECK_THAT(TakeLogErr(), Contains("\"other\""));

@@ -288,4 +288,29 @@ TEST_CASE("body description: the bounds of prisms are those of their corners", "
   }
 }
 
+TEST_CASE("body description: solids without a mass share what the others leave", "[core][body]") {
+  // 1 kg at x = 2 m; the other two, of 1 and 2 l, share the rest at x = -1 m and x = 0
+  auto heavy = SShapeDescription::Box(CVector3(0.1, 0.1, 0.1), CVector3(2.0, 0.0, 0.0));
+  heavy.Mass = 1.0;
+  const std::vector<SShapeDescription> shapes = {
+      heavy, SShapeDescription::Box(CVector3(0.1, 0.1, 0.1), CVector3(-1.0, 0.0, 0.0)),
+      SShapeDescription::Box(CVector3(0.1, 0.2, 0.1), CVector3())};
+  CHECK_THAT(Body(shapes, 4.0).ComputeCentreOfMass().GetX(),
+             WithinRel((2.0 * 1.0 - 1.0 * 1.0) / 4.0, 1e-12));
+  // what has more mass than the body leaves nothing
+  CHECK_THAT(Body(shapes, 0.5).ComputeCentreOfMass().GetX(), WithinRel(2.0, 1e-12));
+}
+
+TEST_CASE("shape description: hulls and prisms without points are refused",
+          "[core][body][errors]") {
+  CHECK_THROWS_WITH(SShapeDescription::Hull({}), Catch::Contains("span a volume, found none"));
+  const Real bad = GENERATE(std::numeric_limits<Real>::quiet_NaN(), HUGE_VAL);
+  CHECK_THROWS_WITH(
+      SShapeDescription::Hull({CVector3(), CVector3::X, CVector3::Y, CVector3(0.0, bad, 1.0)}),
+      Catch::Contains("must be finite"));
+  auto prism = SShapeDescription::Box(CVector3(0.1, 0.1, 0.1));
+  prism.Kind = SShapeDescription::EKind::Prism;
+  CHECK_THROWS_WITH(Body({prism}).ComputeBoundingRadius(), Catch::Contains("has no Vertices"));
+}
+
 }  // namespace body_description_test

@@ -52,8 +52,10 @@ TEST_CASE("convex polygon: what is no convex polygon is refused", "[core][geomet
   CHECK_THROWS_WITH(MakeConvexPolygon({}), Contains("at least 3 corners") && Contains("found 0"));
   CHECK_THROWS_WITH(MakeConvexPolygon({CVector2(0, 0), CVector2(1, 0), CVector2(1, 1e-7)}),
                     Contains("at least 3 corners") && Contains("found 2"));
-  CHECK_THROWS_WITH(MakeConvexPolygon({CVector2(0, 0), CVector2(1, nan), CVector2(1, 1)}),
-                    Contains("finite"));
+  for (const CVector2& corner : {CVector2(1, nan), CVector2(nan, 1), CVector2(1, HUGE_VAL)}) {
+    CHECK_THROWS_WITH(MakeConvexPolygon({CVector2(0, 0), corner, CVector2(1, 1)}),
+                      Contains("finite"));
+  }
   CHECK_THROWS_WITH(
       MakeConvexPolygon({CVector2(0, 0), CVector2(1, 1), CVector2(2, 2), CVector2(3, 3)}),
       Contains("in a line"));
@@ -63,6 +65,9 @@ TEST_CASE("convex polygon: what is no convex polygon is refused", "[core][geomet
   CHECK_THROWS_WITH(
       MakeConvexPolygon({CVector2(0, 0), CVector2(1, 0), CVector2(1, 2e-6), CVector2(0, 2e-6)}),
       Contains("in a line"));
+  // far from the line of its first side, but nowhere as wide as 1e-5 m: a needle of 2e-6 m x 1 m
+  CHECK_THROWS_WITH(MakeConvexPolygon({CVector2(0, 0), CVector2(2e-6, 0), CVector2(1e-6, 1)}),
+                    Contains("too narrow") && Contains("at least 1e-05 m, found 2e-06"));
   // a five-pointed star turns to the left at all corners
   const TPolygon pentagon = RegularPolygon(5, 1.0);
   CHECK_THROWS_WITH(

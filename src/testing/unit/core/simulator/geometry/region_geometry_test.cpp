@@ -56,6 +56,21 @@ TEST_CASE("region geometry: segments are cut at the border", "[core][volume]") {
   CHECK_THAT(wide->GetLength(), WithinAbs(3.0, 1e-12));
   CHECK_FALSE(Clip(CRay2(CVector2(-1, 3), CVector2(5, 3)), kSquare, 0.5));
   CHECK(Clip(CRay2(CVector2(-1, 2.4), CVector2(5, 2.4)), kSquare, 0.5));
+  // past a corner: it is beyond no side for its whole length
+  CHECK_FALSE(Clip(CRay2(CVector2(1.5, 3), CVector2(3, 1.5)), kSquare, 0.0));
+  const auto corner = Clip(CRay2(CVector2(1, 2.5), CVector2(2.5, 1)), kSquare, 0.0);
+  REQUIRE(corner);
+  CHECK_THAT(corner->GetLength(), WithinAbs(0.5 * std::sqrt(2.0), 1e-12));
+}
+
+TEST_CASE("region geometry: the nearest point of a segment is between its ends", "[core][volume]") {
+  const CRay2 segment(CVector2(1, 1), CVector2(4, 5));
+  CHECK(FindNearest(segment, CVector2(0, 0)) == CVector2(1, 1));
+  CHECK(FindNearest(segment, CVector2(9, 9)) == CVector2(4, 5));
+  // 0.4 of the way, and 5 m aside
+  CHECK(Distance(FindNearest(segment, CVector2(2.2 - 4, 2.6 + 3)), CVector2(2.2, 2.6)) < 1e-12);
+  // of no length
+  CHECK(FindNearest(CRay2(CVector2(1, 1), CVector2(1, 1)), CVector2(9, 9)) == CVector2(1, 1));
 }
 
 TEST_CASE("region geometry: distances from a square", "[core][volume]") {

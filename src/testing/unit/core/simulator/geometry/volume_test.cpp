@@ -1,5 +1,8 @@
 #include <argos3/core/simulator/geometry/volume.h>
 
+#include <argos3/core/simulator/geometry/body_description.h>
+#include <argos3/core/utility/math/angles.h>
+
 #include <catch2/catch.hpp>
 
 #include <cmath>
@@ -247,6 +250,33 @@ TEST_CASE("volume: only walls hold a body", "[core][volume]") {
   CHECK_FALSE(volume.HoldInside(position, velocity, 0.25, 0.5));
   CHECK(position == place);
   CHECK(velocity == CVector3(-1.0, 1.0, 1.0));
+}
+
+TEST_CASE("volume: it is touched by bodies within reach of it", "[core][volume]") {
+  // of 0.2 m x 0.4 m x 0.6 m
+  SBodyDescription body;
+  body.Shapes = {SShapeDescription::Box(CVector3(0.2, 0.4, 0.6))};
+  const CQuaternion upright;
+  const auto touches = [&](const SVolume& volume, const CVector3& place, const CQuaternion& turn) {
+    return volume.IsTouchedBy(body, place, turn, 0.1);
+  };
+  SVolume slab;
+  Read(slab, kSlab);  // from -0.5 m to 1 m
+  CHECK(touches(slab, CVector3(9, 9, 1.09), upright));
+  CHECK_FALSE(touches(slab, CVector3(9, 9, 1.11), upright));
+  CHECK(touches(slab, CVector3(9, 9, -1.19), upright));
+  CHECK_FALSE(touches(slab, CVector3(9, 9, -1.21), upright));
+  SVolume west;
+  Read(west, kWest);  // from (-2,-1) to (0,1)
+  CHECK(touches(west, CVector3(0.19, 0.0, 9.0), upright));
+  CHECK_FALSE(touches(west, CVector3(0.21, 0.0, 9.0), upright));
+  CHECK(touches(west, CVector3(-1.0, 1.29, 9.0), upright));
+  CHECK_FALSE(touches(west, CVector3(-1.0, 1.31, 9.0), upright));
+  // it lies on its side: from its origin it reaches 0.6 m along x
+  const CQuaternion tilted(CRadians::PI_OVER_TWO, CVector3(0.0, -1.0, 0.0));
+  CHECK(touches(west, CVector3(0.69, 0.0, 9.0), tilted));
+  CHECK_FALSE(touches(west, CVector3(5.0, 0.0, 9.0), tilted));
+  CHECK(touches(SVolume(), CVector3(1e6, 0.0, -1e6), tilted));
 }
 
 }  // namespace volume_test

@@ -229,6 +229,14 @@ TEST_CASE("distribute: invalid settings are errors", "[core][space][distribute]"
       Contains("quantity") && Contains("-1"));
   CHECK_THAT(LoadError(Experiment(Distribute(kUniform, kNoYaw, attributes, ""))),
              Contains("<entity>"));
+  CHECK_THAT(LoadError(Experiment(Distribute(kUniform, kNoYaw, attributes,
+                                             std::string(kRobot) + "<toy-lamp id='l'/>"))),
+             Contains("<toy-lamp>: <entity> holds one element, and that is already <toy-robot>"));
+  for (const std::string tooMany :
+       {"quantity='10000001' max_trials='1'", "quantity='1' max_trials='10000001'"}) {
+    CHECK_THAT(LoadError(Experiment(Distribute(kUniform, kNoYaw, tooMany, kRobot))),
+               Contains("must be an integer from 0 to 10000000, found 10000001"));
+  }
   CHECK_THAT(
       LoadError(Experiment(Distribute(kUniform, kNoYaw, attributes, "<toy-robto id='r' />"))),
       Contains("toy-robto") && Contains("toy-robot"));

@@ -153,6 +153,17 @@ TEST_CASE("walls: lines of a drawing are read, with y upwards", "[core][walls][s
   CHECK(!lines[4].IsClosed);
 }
 
+TEST_CASE("walls: points of a drawing that do not differ are no line", "[core][walls][svg]") {
+  const CTemporaryFolder folder;
+  const std::string path =
+      folder.Write("plan.svg",
+                   "<svg><line x1='1' y1='2' x2='1' y2='2'/>"
+                   "<polyline points='0,0 0,0 1,0 1,0 1,0'/><path d='M3,3 L3,3'/></svg>");
+  const auto lines = ReadWallLines(path, 1.0);
+  REQUIRE(lines.size() == 1);
+  CHECK(lines[0].Points == std::vector<CVector2>{{0, 0}, {1, 0}});
+}
+
 TEST_CASE("walls: what is no straight line is refused with its place", "[core][walls][svg]") {
   const CTemporaryFolder folder;
   const auto [text, message] = GENERATE(table<std::string, std::string>(
@@ -163,6 +174,7 @@ TEST_CASE("walls: what is no straight line is refused with its place", "[core][w
        {"<svg><polyline points='0,0 a,1'/></svg>", "\"a,1\" is no number"},
        {"<svg><line x1='inf'/></svg>", "is no number"},
        {"<svg><circle r='1'/></svg>", "only straight lines can be walls"},
+       {"<svg><ellipse rx='1' ry='2'/></svg>", "only straight lines can be walls"},
        {"<svg><g transform='scale(2)'/></svg>", "transformations are not read"},
        {"<html/>", "is no SVG: its root element is <html>"},
        {"<svg>", "plan.svg"}}));

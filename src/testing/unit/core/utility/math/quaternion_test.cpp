@@ -269,4 +269,13 @@ TEST_CASE("quaternion: text form is z,y,x in degrees", "[core][math]") {
   CHECK_THROWS_WITH(bad >> quaternion, Contains("\"" + text + "\"") && Contains("orientation"));
 }
 
+TEST_CASE("quaternion: a stream that has failed leaves it as it is", "[core][math]") {
+  std::istringstream in("90,0,0");
+  in.setstate(std::ios::failbit);
+  CQuaternion quaternion(0.5, 0.5, 0.5, 0.5);
+  in >> quaternion;
+  CHECK(quaternion == CQuaternion(0.5, 0.5, 0.5, 0.5));
+  CHECK(in.fail());
+}
+
 }  // namespace quaternion_test

@@ -231,4 +231,13 @@ TEST_CASE("range: bounds of integers must be integers of the type", "[core][math
   CHECK_THROWS_AS(byteIn >> bytes, CARGoSException);
 }
 
+TEST_CASE("range: a stream that has failed leaves it as it is", "[core][math]") {
+  std::istringstream in("1:2");
+  in.setstate(std::ios::failbit);
+  CRange<Real> range(7.0, 8.0);
+  in >> range;
+  CHECK(range.GetMin() == 7.0);
+  CHECK(range.GetMax() == 8.0);
+}
+
 }  // namespace range_test

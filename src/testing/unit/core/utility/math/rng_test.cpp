@@ -92,6 +92,10 @@ TEST_CASE("random numbers: copies give the same numbers, a new seed takes effect
   CHECK(DrawSome(rng) == DrawSome(other));
   copy = other;
   CHECK(DrawSome(copy) == DrawSome(other));
+  CHECK(copy.GetSeed() == 13u);
+  const CRandom::CRNG& same = copy;
+  copy = same;
+  CHECK(DrawSome(copy) == DrawSome(other));
 }
 
 TEST_CASE("random numbers: uniform numbers are min + u / (2^32 - 1) * span", "[core][math]") {

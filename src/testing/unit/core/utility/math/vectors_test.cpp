@@ -342,4 +342,15 @@ TEST_CASE("vectors: malformed text is refused with a quotation and a reason", "[
   }
 }
 
+TEST_CASE("vectors: a stream that has failed leaves them as they are", "[core][math]") {
+  std::istringstream in("5,6,7");
+  in.setstate(std::ios::failbit);
+  CVector2 plane(1, 2);
+  CVector3 space(1, 2, 3);
+  in >> plane >> space;
+  CHECK(plane == CVector2(1, 2));
+  CHECK(space == CVector3(1, 2, 3));
+  CHECK(in.fail());
+}
+
 }  // namespace vectors_test
