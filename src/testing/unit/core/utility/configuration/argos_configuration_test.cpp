@@ -280,6 +280,8 @@ TEST_CASE("configuration: the text of an element can be read", "[core][configura
   CHECK_THROWS_WITH(GetNodeText(world["empty"], number), Contains("<empty> contains no text"));
   GetNodeTextOrDefault(world["empty"], number, 3U);
   CHECK(number == 3);
+  GetNodeTextOrDefault(world["text"], number, 3U);
+  CHECK(number == 12);
   world["empty"].SetText(4);
   CHECK(world["empty"].GetText() == "4");
 }
@@ -340,6 +342,13 @@ TEST_CASE("configuration: attributes can be iterated", "[core][configuration]") 
   attribute->GetName(&name);
   CHECK(name == "real");
   CHECK(attribute->Next()->Name() == "word");
+  CConfigurationAttribute* last = attribute;
+  while (CConfigurationAttribute* const next = last->Next(false)) {
+    last = next;
+  }
+  CHECK_THROWS_WITH(last->Next(),
+                    Contains("test.argos:") && Contains("no attribute follows \"" + last->Name()));
+  CHECK_THROWS_WITH(CConfigurationAttribute().Name(), Contains("does not exist was used"));
   Real value = 0;
   CHECK_THROWS_WITH(attribute->GetValue(&value), Contains("attribute \"real\": found \"1.5x\""));
   attribute->SetValue(2.5);

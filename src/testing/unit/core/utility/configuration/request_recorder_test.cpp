@@ -66,6 +66,25 @@ TEST_CASE("requests: names and types are recorded, values do not change", "[core
   CHECK_FALSE(found->Find({"other"})->IsVisited);
 }
 
+TEST_CASE("requests: what is read as two types has none", "[core][configuration]") {
+  CConfigurationDocument document;
+  document.Parse("<root both='1,2,3' same='1,2,3'/>");
+  const CRequestRecorder recorder;
+  TConfigurationNode& root = document.GetRoot();
+  CVector3 vector;
+  std::string text;
+  GetNodeAttribute(root, "both", vector);
+  GetNodeAttribute(root, "both", text);
+  GetNodeAttribute(root, "same", vector);
+  GetNodeAttribute(root, "same", vector);
+  // whether it is there at all says nothing about its type
+  CHECK(NodeAttributeExists(root, "same"));
+  const SRequestedElement* const found = recorder.GetRequests().Find({"root"});
+  REQUIRE(found != nullptr);
+  CHECK(Attribute(*found, "both").Sample.empty());
+  CHECK(Attribute(*found, "same").Sample == "1,1,1");
+}
+
 TEST_CASE("requests: those of a copy belong to the original", "[core][configuration]") {
   CConfigurationDocument document;
   document.Parse("<root><device implementation='default'><part/></device></root>");
