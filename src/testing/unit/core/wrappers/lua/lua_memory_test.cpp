@@ -44,4 +44,14 @@ TEST_CASE("lua memory: what is kept in order is adjacent, whatever was freed bef
   memory.LoadAheadInOrder();  // has no effect that can be seen
 }
 
+TEST_CASE("lua memory: an order of nothing may be kept, too", "[lua]") {
+  CLuaMemory memory;
+  memory.KeepOrder(true);
+  memory.LoadAheadInOrder();
+  memory.KeepOrder(false);
+  memory.KeepOrder(false);
+  std::byte* const first = Allocate(memory);
+  CHECK(Allocate(memory) == first + kSize);
+}
+
 }  // namespace lua_memory_test

@@ -23,6 +23,7 @@ TEST_CASE("lua source: parameters are fields of params, and of variables that re
        {"v = robot.params.speed", "v = tonumber(robot.params['speed'])",
         "local v = (simulation.params [ [[speed]] ])", "local p = robot.params print(p.speed)",
         "params = robot.params\nfunction step() go(params.speed) end",
+        "local next = robot.params v = next.speed", "pairs = robot.params v = pairs.speed",
         "local p = robot.params or {} --[[ x ]] v = p.speed --"}) {
     CAPTURE(text);
     const SLuaSource source = Read(text);
@@ -46,7 +47,9 @@ TEST_CASE("lua source: where the name of a parameter is not known, every word ma
   for (const char* const text :
        {"function get(name) return robot.params[name] end v = get('speed')",
         "function get(t) return t.speed end v = get(robot.params)",
-        "self.p = robot.params\nv = self.p.speed", "return { robot.params, 'speed' }"}) {
+        "self.p = robot.params\nv = self.p.speed", "return { robot.params, 'speed' }",
+        // of two variables, the first may have it
+        "a, b = robot.params, 1 v = a.speed", "t[1] = robot.params v = t[1].speed"}) {
     CAPTURE(text);
     CHECK(Read(text).MayUseParameter("speed"));
     CHECK_FALSE(Read(text).MayUseParameter("sped"));
@@ -58,7 +61,7 @@ TEST_CASE("lua source: a script that visits its parameters, or runs unknown code
   for (const char* const text :
        {"for k, v in pairs(robot.params) do end", "for k, v in next, robot.params do end",
         "k = next(robot.params)", "load(text)()", "require(name)", "require 'no.such.module'",
-        "\x1bLua"}) {
+        "loadfile(name)()", "dofile(name)", "\x1bLua"}) {
     CAPTURE(text);
     CHECK(Read(text).MayUseParameter("speed"));
   }

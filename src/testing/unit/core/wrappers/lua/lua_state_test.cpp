@@ -40,6 +40,8 @@ TEST_CASE("lua state: errors that are not strings are described", "[lua][state]"
   CHECK(lua.GetError("error()") == "(the error is a nil value)");
   CHECK(lua.GetError("error(setmetatable({}, {__tostring = function() return 'mine' end}))") ==
         "mine");
+  CHECK(lua.GetError("error(setmetatable({}, {__tostring = function() return 1 end}))") ==
+        "(the error is a table value)");
 }
 
 TEST_CASE("lua state: exceptions pass through Run, and the state can be used again",

@@ -299,6 +299,8 @@ TEST_CASE("lua table: the length and values of byte lists are checked", "[lua][t
              Contains(expected + "got a table of 2"));
   CHECK_THAT(lua.GetError("robot.device.set_bytes({1, 2, 256})"),
              Contains(expected + "but entry 3 is 256"));
+  CHECK_THAT(lua.GetError("robot.device.set_bytes({1, -1, 255})"),
+             Contains(expected + "but entry 2 is -1"));
   CHECK_THAT(lua.GetError("robot.device.set_bytes({1, 'x', 3})"),
              Contains(expected + "but entry 2 is string \"x\""));
   CHECK_THAT(lua.GetError("robot.device.set_bytes(1)"), Contains(expected + "got 1"));

@@ -78,6 +78,9 @@ TEST_CASE("lua types: wrong arguments of a constructor are errors that list the 
   CHECK_THAT(lua.GetError("quaternion(1, vector2())"), Contains("got number, vector2"));
   CHECK_THAT(lua.GetError("quaternion(1, vector3())"),
              Contains("axis must not be the zero vector"));
+  CHECK_THAT(lua.GetError("quaternion(1, vector3(0, 1e308, 1e308))"), Contains("nor infinite"));
+  CHECK_THAT(lua.GetError("quaternion(vector3(), vector3(0, 0, 1))"),
+             Contains("got vector3, vector3"));
 }
 
 TEST_CASE("lua types: components can be read and written by name", "[lua][types]") {
@@ -188,7 +191,8 @@ TEST_CASE("lua types: normalize works in place and returns the object", "[lua][t
   CHECK_THAT(lua.GetNumber("q.w"), WithinAbs(0.5, kRounding));
   CHECK_THAT(lua.GetNumber("q.z"), WithinAbs(0.5, kRounding));
 
-  const std::string zero = GENERATE("vector2()", "vector3()", "quaternion(0, 0, 0, 0)");
+  const std::string zero = GENERATE("vector2()", "vector3()", "quaternion(0, 0, 0, 0)",
+                                    "vector3(1e308, 1e308, 0)", "vector2(0, 0/0)");
   CHECK_THAT(lua.GetError("local _ = " + zero + ":normalize()"), Contains("has no direction"));
 }
 

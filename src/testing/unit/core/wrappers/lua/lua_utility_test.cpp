@@ -212,6 +212,11 @@ TEST_CASE("lua utility: globals and the stack can be printed", "[lua][utility]")
   const std::string text = TakeLog();
   CHECK_THAT(text, Contains("apple = 1\n") && Contains("  a = \"text\"\n  b = 2\n"));
   CHECK(text.find("apple = 1") < text.find("zebra = table"));
+  // eight levels of tables are printed, and no more
+  lua.Do("deep = {} local t = deep for level = 1, 20 do t.next = { mark = level } t = t.next end");
+  lua.Run([](lua_State* state) { CLuaUtility::PrintGlobals(LOG, state); });
+  const std::string deep = TakeLog();
+  CHECK_THAT(deep, Contains("mark = 7\n") && !Contains("mark = 9\n"));
   lua.Run([](lua_State* state) {
     lua_pushinteger(state, 5);
     lua_pushstring(state, "top");
@@ -370,6 +375,40 @@ TEST_CASE("lua utility: malformed bytes give no table", "[lua][utility]") {
       });
     }
   }
+}
+
+TEST_CASE("lua utility: bytes of tables that are nested too deep, or have NaN as a key, give none",
+          "[lua][utility]") {
+  // tags: end 0, float 2, integer 3, table 6
+  const auto nested = [](int levels) {
+    CByteArray data;
+    data << UInt8(6);
+    for (int level = 1; level < levels; ++level) {
+      data << UInt8(3) << SInt64(1) << UInt8(6);
+    }
+    for (int level = 0; level < levels; ++level) {
+      data << UInt8(0);
+    }
+    return data;
+  };
+  const auto keyed = [](Real key) {
+    CByteArray data;
+    data << UInt8(6) << UInt8(2) << std::bit_cast<UInt64>(key) << UInt8(3) << SInt64(1) << UInt8(0);
+    return data;
+  };
+  const auto isTable = [](CByteArray data) {
+    bool worked = false;
+    CLuaTester lua;
+    lua.Run([&](lua_State* state) {
+      worked = CLuaUtility::LuaDeserializeTable(data, state);
+      CHECK(lua_gettop(state) == (worked ? 1 : 0));
+    });
+    return worked;
+  };
+  CHECK(isTable(nested(10)));
+  CHECK_FALSE(isTable(nested(100000)));
+  CHECK(isTable(keyed(2.5)));
+  CHECK_FALSE(isTable(keyed(std::nan(""))));
 }
 
 }  // namespace lua_utility_test
