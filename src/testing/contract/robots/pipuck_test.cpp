@@ -18,6 +18,7 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <sstream>
 #include <vector>
 
 namespace pipuck_test {
@@ -213,6 +214,46 @@ TEST_CASE("pi-puck: the camera finds tags and LEDs in its frame", "[contract][ro
   CHECK(camera.DetectLed(found.Position) == CCI_PiPuckFrontCameraSensor::ELedState::OFF);
   camera.Disable();
   CHECK(camera.GetTags().empty());
+}
+
+TEST_CASE("pi-puck: the camera sees no tag from behind, behind it, too near or too far",
+          "[contract][robots]") {
+  // a tag at a distance in front of the camera, m, turned about z, degrees
+  const auto [distance, turn, isSeen] = GENERATE(table<Real, Real, bool>({{0.2, 0.0, true},
+                                                                          {0.2, 180.0, false},
+                                                                          {0.2, 80.0, false},
+                                                                          {-0.2, 180.0, false},
+                                                                          {-0.2, 0.0, false},
+                                                                          {0.49, 0.0, true},
+                                                                          {0.51, 0.0, false},
+                                                                          {0.011, 0.0, true},
+                                                                          {0.009, 0.0, false}}));
+  CAPTURE(distance, turn);
+  std::ostringstream tag;
+  tag << "<prototype id='p' movable='false'><body position='" << 0.0363 + distance
+      << ",0,0' orientation='" << turn << ",0,0'/><links ref='base'><link id='base' "
+      << "geometry='box' size='0.001,0.001,0.001' mass='1' position='0,0,0.0005'/></links>"
+      << "<devices><tags medium='tags'><tag anchor='origin' position='0,0,0.0275' "
+      << "orientation='0,-90,0' observable_angle='75' side_length='0.001' payload='42'/></tags>"
+      << "</devices></prototype>";
+  CRobotWorld world(PiPuck(tag.str()));
+  auto& camera = world.GetSensor<CCI_PiPuckFrontCameraSensor>("r", "pipuck_front_camera");
+  camera.Enable();
+  world.Step();
+  CHECK(camera.GetTags().size() == (isSeen ? 1 : 0));
+}
+
+TEST_CASE("pi-puck: what its devices cannot do is an error", "[contract][robots]") {
+  CRobotWorld world(PiPuck());
+  CHECK_THROWS_WITH(Drive(world, std::nan(""), 0.1), Contains("wheel speeds must be finite"));
+  CHECK_THROWS_WITH(Drive(world, 0.1, HUGE_VAL), Contains("wheel speeds must be finite"));
+  SRobotExperiment experiment = PiPuck();
+  const std::string attribute = GENERATE("focal_length='0,1000'", "resolution='640,-480'");
+  experiment.Sensors =
+      "<pipuck_front_camera implementation='default' tag_medium='tags' "
+      "directional_led_medium='dl' " +
+      attribute + "/>";
+  CHECK_THAT(LoadError(experiment), Contains("must be two numbers > 0"));
 }
 
 TEST_CASE("pi-puck: the camera tells the colour of an LED", "[contract][robots]") {

@@ -19,6 +19,7 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <utility>
 
 namespace robot_components_test {
 
@@ -194,6 +195,28 @@ TEST_CASE("robots: every getter returns the component of its name", "[contract][
   CHECK(&ePuck.GetComponent("rab") == &ePuck.GetRABEquippedEntity());
   CHECK(&ePuck.GetComponent("battery") == &ePuck.GetBatterySensorEquippedEntity());
   CHECK(&ePuck.GetComponent("controller") == &ePuck.GetControllableEntity());
+}
+
+TEST_CASE("robots: values that a component cannot have are refused, and change nothing",
+          "[contract][robots]") {
+  SRobotExperiment experiment;
+  experiment.Arena = Robot("foot-bot", "r", "position=\"0,0,0\"");
+  CRobotWorld world(experiment);
+  auto& robot = world.Get<CFootBotEntity>("r");
+  auto& turret = robot.GetTurretEntity();
+  turret.SetMode(CTurretEntity::MODE_POSITION_CONTROL);
+  CHECK_THROWS_WITH(turret.SetMode(4), Contains("there is no mode 4, but modes 0 to 3"));
+  CHECK(turret.GetMode() == CTurretEntity::MODE_POSITION_CONTROL);
+  auto& scanner = robot.GetDistanceScannerEquippedEntity();
+  CHECK_NOTHROW(scanner.SetMode(2));
+  CHECK_THROWS_WITH(scanner.SetMode(3), Contains("there is no mode 3, but modes 0 to 2"));
+  auto& camera = robot.GetPerspectiveCameraEquippedEntity();
+  camera.SetImagePxSize(30, 20);
+  for (const auto& [width, height] : {std::pair<SInt32, SInt32>{0, 20}, {30, 0}, {-1, 20}}) {
+    CHECK_THROWS_WITH(camera.SetImagePxSize(width, height), Contains("at least 1 pixel"));
+  }
+  CHECK(camera.GetImagePxWidth() == 30);
+  CHECK(camera.GetImagePxHeight() == 20);
 }
 
 TEST_CASE("robots: engines update a robot after moves only while a component follows its body",
