@@ -291,6 +291,7 @@ TEST_CASE("live view: strangers are refused", "[live]") {
 
   CHECK_THAT(Get(world, "GET / HTTP/1.1\r\nHost: " + host), Contains("200 OK"));
   CHECK_THAT(Get(world, "GET / HTTP/1.1\r\nHost: localhost:1"), Contains("200 OK"));
+  CHECK_THAT(Get(world, "GET /?detail=low HTTP/1.1\r\nHost: localhost:1"), Contains("200 OK"));
   CHECK_THAT(Get(world, "GET / HTTP/1.1\r\nHost: evil.example"), Contains("403"));
   CHECK_THAT(Get(world, "GET / HTTP/1.1\r\nHost: localhost.evil.example"), Contains("403"));
   CHECK_THAT(Get(world, "GET /../../etc/passwd HTTP/1.1\r\nHost: " + host), Contains("404"));

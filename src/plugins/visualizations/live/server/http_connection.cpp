@@ -6,6 +6,7 @@
 #include <boost/beast/http/write.hpp>
 #include <boost/beast/websocket/rfc6455.hpp>
 
+#include <algorithm>
 #include <chrono>
 #include <utility>
 
@@ -32,6 +33,11 @@ std::string MakeContentPolicy(const std::string& host) {
   return "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data: "
          "blob:; font-src data:; worker-src blob:; connect-src 'self' ws://" +
          host + " wss://" + host + "; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
+}
+
+std::string CutQuery(std::string target) {
+  target.erase(std::min(target.find('?'), target.size()));
+  return target;
 }
 
 }  // namespace
@@ -65,7 +71,8 @@ void CHTTPConnection::Read() {
 
 void CHTTPConnection::OnRequest() {
   const TLiveRequest request = m_parser->release();
-  const std::string target = ToString(request.target());
+  // the page reads what follows "?" itself
+  const std::string target = CutQuery(ToString(request.target()));
   const bool isHead = request.method() == http::verb::head;
   m_response.keep_alive(false);
   if (!IsAllowedHost(ToString(request[http::field::host]), m_hub.GetAccess())) {
