@@ -127,7 +127,7 @@ async function watchPage(tab: Tab): Promise<() => Promise<Arrival[]>> {
 // 1,000 robots in real time: their states need 3 % of the link, so that what a viewer is behind is the way there and
 // back. With LINK_SECONDS it is also measured with the page, which is slow where other programs run.
 test("live: over 10 Mbit/s and 100 ms a viewer gets each tenth of a second, half a second old at most", { skip, timeout: kTimeout + 1500 * linkSeconds }, async () => {
-  const { url } = await startRun("rooms", "--set", "//distribute/entity/@quantity=1000", "--threads", "0");
+  const { url } = await startRun("rooms", "--set", "//distribute/entity/@quantity=1000", "--length", String(linkSeconds + 60));
   const { port } = new URL(url);
   const link = await SlowLink.open(Number(port), 1.25e6, 50);
   const near = new Watcher(url);

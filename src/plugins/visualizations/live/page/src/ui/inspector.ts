@@ -79,7 +79,7 @@ class Card {
     this.headingRow = h("label", { class: "row heading" }, h("span", {}, "Heading (°)"), this.heading);
     this.logArea = h(
       "details",
-      { class: "log-of", hidden: true, open: true },
+      { class: "tree log-of", hidden: true, open: true },
       h("summary", {}, h("span", { class: "title" }, "Log")),
       this.logLines,
       button({ text: "All its lines", title: `Show the lines of ${id} in the log`, className: "quiet", onClick: () => host.showLogOf(this.id) }),
@@ -375,10 +375,12 @@ function numberWithUnit(value: number, unit: string): string {
   return unit === "rad" ? `${formatNumber((value * 180) / Math.PI, 3)}°` : `${formatNumber(value, 3)} ${unit}`.trim();
 }
 
-// an item of a list, such as a message, in a line
+// an item of a list, such as a message, in a line: distances, angles, then texts
 function describe(item: Tree): string {
+  const order = ([name, value]: [string, unknown]): number => (typeof value !== "number" ? 2 : unitOf(name) === "rad" ? 1 : 0);
   return Object.entries(item)
     .filter(([name, value]) => value !== null && !(name.includes("vertical") && value === 0))
+    .sort((a, b) => order(a) - order(b))
     .map(([name, value]) => (typeof value === "number" ? numberWithUnit(value, unitOf(name)) : String(value)))
     .join(", ");
 }
