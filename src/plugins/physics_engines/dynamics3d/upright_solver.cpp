@@ -14,15 +14,32 @@ constexpr UInt32 kNone = SUprightContact::kNone;
 
 // share of the tolerance below which a change does not matter to others
 constexpr Real kSlight = 0.1;
+// the search goes on while the energy of changes grows by no more than this factor
+constexpr Real kGrowth = 1.02;
 
-void PushAt(SUprightBody& body, const SUprightSupport& at, Real first, Real second) {
-  const Real x = first * at.EX - second * at.EY;
-  const Real y = first * at.EY + second * at.EX;
-  const Real turn = first * at.Lever1 + second * at.Lever2;
-  body.Push(x, y, turn);
+// Changes of the impulses of all supports of a body, whose directions are the same.
+struct SDriveChange {
+  Real First = 0.0, Second = 0.0;  // N s
+  Real Turn = 0.0;  // N m s
+
+  void Set(SUprightSupport& support, const SPair2& next) {
+    const Real first = next.X - support.Impulse1;
+    const Real second = next.Y - support.Impulse2;
+    First += first;
+    Second += second;
+    Turn += first * support.Lever1 + second * support.Lever2;
+    support.Impulse1 = next.X;
+    support.Impulse2 = next.Y;
+  }
+};
+
+void PushBy(SUprightBody& body, const SUprightSupport& at, const SDriveChange& change) {
+  const Real x = change.First * at.EX - change.Second * at.EY;
+  const Real y = change.First * at.EY + change.Second * at.EX;
+  body.Push(x, y, change.Turn);
   body.DriveX += x;
   body.DriveY += y;
-  body.DriveTurn += turn;
+  body.DriveTurn += change.Turn;
 }
 
 void SetImpulse(SUprightSupport& support, Real first, Real second) {
@@ -30,13 +47,14 @@ void SetImpulse(SUprightSupport& support, Real first, Real second) {
   support.Impulse2 = second;
 }
 
-// The speed of a support against the floor, m/s.
-SPair2 GetSlip(Real vx, Real vy, Real w, const SUprightSupport& at) {
-  return {vx * at.EX + vy * at.EY + w * at.Lever1, vy * at.EX - vx * at.EY + w * at.Lever2};
+// The velocity of the centre of mass along the directions of a support, m/s.
+SPair2 GetOwnSpeed(const SUprightBody& body, const SUprightSupport& at) {
+  return {body.VX * at.EX + body.VY * at.EY, body.VY * at.EX - body.VX * at.EY};
 }
 
-SPair2 GetSlip(const SUprightBody& body, const SUprightSupport& at) {
-  return GetSlip(body.VX, body.VY, body.W, at);
+// The speed of a support against the floor, m/s.
+SPair2 GetSlip(const SUprightBody& body, const SPair2& own, const SUprightSupport& at) {
+  return {own.X + body.W * at.Lever1, own.Y + body.W * at.Lever2};
 }
 
 // Shortens a pair of impulses to the friction that a support has. @return false if it is enough.
@@ -76,16 +94,18 @@ void CUprightSolver::Prepare(const SIsland& island) const {
       normal += b.InverseInertia * contact.NormalLeverB * contact.NormalLeverB;
       tangent += b.InverseInertia * contact.TangentLeverB * contact.TangentLeverB;
     }
-    contact.Mass = 1.0 / (mass + normal);
-    contact.TangentMass = 1.0 / (mass + tangent);
+    contact.InverseMass = mass + normal;
+    contact.InverseTangentMass = mass + tangent;
+    contact.Mass = 1.0 / contact.InverseMass;
+    contact.TangentMass = 1.0 / contact.InverseTangentMass;
     contact.StepNormal = contact.StepTangent = 0.0;
     contact.LastSweep = 0;
     Apply(contact, contact.Normal, contact.Tangent);
   }
 }
 
-// @return the change of a speed, m/s.
-Real CUprightSolver::SolveContact(SUprightContact& contact) const {
+// @return the change of a speed, m/s. @param energy  to which that of the changes is added.
+inline Real CUprightSolver::SolveContact(SUprightContact& contact, Real& energy) const {
   const SUprightBody& a = m_bodies[contact.A];
   Real x = -a.VX;
   Real y = -a.VY;
@@ -111,7 +131,10 @@ Real CUprightSolver::SolveContact(SUprightContact& contact) const {
   const Real changeT = tangent - contact.Tangent;
   contact.Tangent = tangent;
   Apply(contact, changeN, changeT);
-  return std::max(std::abs(changeN) / contact.Mass, std::abs(changeT) / contact.TangentMass);
+  const Real speedN = changeN * contact.InverseMass;
+  const Real speedT = changeT * contact.InverseTangentMass;
+  energy += changeN * speedN + changeT * speedT;
+  return std::max(std::abs(speedN), std::abs(speedT));
 }
 
 // The friction that stops an object, if its feet can bear it.
@@ -211,45 +234,43 @@ void CUprightSolver::SolvePlanarDrive(SUprightBody& body) const {
 // pushed at its middle would turn. The same share of both slips, so that friction is opposite to
 // the slip when that does not change any more.
 void CUprightSolver::SolveFeet(SUprightBody& body, SUprightSupport* feet) const {
-  const Real vx = body.VX;
-  const Real vy = body.VY;
-  const Real w = body.W;
+  const SPair2 own = GetOwnSpeed(body, feet[0]);
+  SDriveChange change;
   for (UInt32 i = 0; i < body.NumSupports; ++i) {
     SUprightSupport& foot = feet[i];
-    const SPair2 slip = GetSlip(vx, vy, w, foot);
+    const SPair2 slip = GetSlip(body, own, foot);
     SPair2 next{foot.Impulse1 - foot.Share * slip.X, foot.Impulse2 - foot.Share * slip.Y};
     LimitToGrip(next, foot.Grip);
-    PushAt(body, foot, next.X - foot.Impulse1, next.Y - foot.Impulse2);
-    SetImpulse(foot, next.X, next.Y);
+    change.Set(foot, next);
   }
+  PushBy(body, feet[0], change);
 }
 
 // The same for both wheels at once, so that none has an advantage: a robot that is pushed from
 // behind would turn. A motor that is not at its limit keeps its speed; else the wheel rolls as fast
 // as the floor lets it.
 void CUprightSolver::SolveWheels(SUprightBody& body, SUprightSupport* wheels) const {
-  SPair2 next[2];
+  const SPair2 own = GetOwnSpeed(body, wheels[0]);
+  SDriveChange change;
   for (UInt32 i = 0; i < 2; ++i) {
     SUprightSupport& at = wheels[i];
-    const SPair2 speed = GetSlip(body, at);
-    next[i] = {at.Impulse1 - at.Share * (speed.X - at.Target), at.Impulse2 - at.Share * speed.Y};
+    const SPair2 speed = GetSlip(body, own, at);
+    SPair2 next{at.Impulse1 - at.Share * (speed.X - at.Target), at.Impulse2 - at.Share * speed.Y};
     // the impulse of the motor is that of the floor, and what changes the spin
-    const Real motor = next[i].X + at.Own;
+    const Real motor = next.X + at.Own;
     const bool isWeak = std::abs(motor) > at.Motor;
     const Real most = std::copysign(at.Motor, motor);
     at.Spin = at.Target;
     if (isWeak) {
-      next[i].X = most - (speed.X - at.StartSpin) * at.Rim;
+      next.X = most - (speed.X - at.StartSpin) * at.Rim;
       at.Spin = speed.X;
     }
-    if (LimitToGrip(next[i], at.Grip) && isWeak) {
-      at.Spin = at.StartSpin + (most - next[i].X) / at.Rim;
+    if (LimitToGrip(next, at.Grip) && isWeak) {
+      at.Spin = at.StartSpin + (most - next.X) / at.Rim;
     }
+    change.Set(at, next);
   }
-  for (UInt32 i = 0; i < 2; ++i) {
-    PushAt(body, wheels[i], next[i].X - wheels[i].Impulse1, next[i].Y - wheels[i].Impulse2);
-    SetImpulse(wheels[i], next[i].X, next[i].Y);
-  }
+  PushBy(body, wheels[0], change);
 }
 
 // @return the change of its velocity, m/s.
@@ -269,9 +290,9 @@ Real CUprightSolver::SolveDrive(SUprightBody& body) const {
       {std::abs(body.VX - x), std::abs(body.VY - y), std::abs(body.W - turn) * body.Extent});
 }
 
-// @return the greatest change of a speed, m/s.
-Real CUprightSolver::Sweep(const SIsland& island, const SSweep& sweep) const {
+CUprightSolver::SChange CUprightSolver::Sweep(const SIsland& island, const SSweep& sweep) const {
   Real greatest = 0.0;
+  Real energy = 0.0;
   for (const UInt32 number : island.Bodies) {
     SUprightBody& body = m_bodies[number];
     if (sweep.IsDue(body)) {
@@ -290,14 +311,14 @@ Real CUprightSolver::Sweep(const SIsland& island, const SSweep& sweep) const {
     contact.LastSweep = sweep.Number;
     contact.LastNormal = contact.Normal;
     contact.LastTangent = contact.Tangent;
-    const Real change = SolveContact(contact);
+    const Real change = SolveContact(contact, energy);
     greatest = std::max(greatest, change);
     sweep.Mark(a, change);
     if (b != nullptr) {
       sweep.Mark(*b, change);
     }
   }
-  return greatest;
+  return {greatest, energy};
 }
 
 UInt32 CUprightSolver::Solve(const SIsland& island, UInt32 maxSweeps, Real tolerance) const {
@@ -307,32 +328,19 @@ UInt32 CUprightSolver::Solve(const SIsland& island, UInt32 maxSweeps, Real toler
   Real last = 0.0;
   SSweep sweep{1, kSlight * tolerance};
   for (; sweep.Number < maxSweeps; ++sweep.Number) {
-    if (Sweep(island, sweep) <= tolerance) {
+    const SChange change = Sweep(island, sweep);
+    if (change.Speed <= tolerance) {
       break;
     }
     // what the last sweeps leave must obey the laws
     if (4 * sweep.Number > 3 * maxSweeps) {
       continue;
     }
-    const Real change = MeasureChange(island, sweep);
-    StepOn(island, sweep, last > 0.0 && change < last ? change / last : 0.0);
-    last = change;
+    const bool goesOn = last > 0.0 && change.Energy < kGrowth * last;
+    StepOn(island, sweep, goesOn ? std::min(1.0, change.Energy / last) : 0.0);
+    last = change.Energy;
   }
   return sweep.Number;
-}
-
-// The energy of the changes.
-Real CUprightSolver::MeasureChange(const SIsland& island, const SSweep& sweep) const {
-  Real sum = 0.0;
-  for (const UInt32 number : island.Contacts) {
-    const SUprightContact& contact = m_contacts[number];
-    if (contact.LastSweep == sweep.Number) {
-      const Real normal = contact.Normal - contact.LastNormal;
-      const Real tangent = contact.Tangent - contact.LastTangent;
-      sum += normal * normal / contact.Mass + tangent * tangent / contact.TangentMass;
-    }
-  }
-  return sum;
 }
 
 // Adds a share of the last direction; the next sweep makes impulses obey their laws again.
@@ -351,7 +359,7 @@ void CUprightSolver::StepOn(const SIsland& island, const SSweep& sweep, Real sha
       contact.Normal += normal;
       contact.Tangent += tangent;
       Apply(contact, normal, tangent);
-      const Real change = (std::abs(normal) + std::abs(tangent)) / contact.Mass;
+      const Real change = (std::abs(normal) + std::abs(tangent)) * contact.InverseMass;
       sweep.Mark(m_bodies[contact.A], change);
       if (contact.B != kNone) {
         sweep.Mark(m_bodies[contact.B], change);

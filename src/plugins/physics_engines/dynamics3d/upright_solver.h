@@ -19,6 +19,7 @@ struct SUprightContact {
   Real Approach = 0.0;  // greatest speed of approach, m/s; negative: they must part
   Real Friction = 0.0;
   Real Mass = 0.0, TangentMass = 0.0;  // that resist, kg; set by the solver
+  Real InverseMass = 0.0, InverseTangentMass = 0.0;  // 1/kg
   Real Normal = 0.0, Tangent = 0.0;  // impulses, N s
   // the search: impulses before the sweep, and the direction in which they change
   Real LastNormal = 0.0, LastTangent = 0.0, StepNormal = 0.0, StepTangent = 0.0;
@@ -68,16 +69,21 @@ class CUprightSolver {
     }
   };
 
-  Real Sweep(const SIsland& island, const SSweep& sweep) const;
+  // What a sweep changed.
+  struct SChange {
+    Real Speed = 0.0;  // the greatest, m/s
+    Real Energy = 0.0;  // of the impulses of contacts, J
+  };
+
+  SChange Sweep(const SIsland& island, const SSweep& sweep) const;
   Real SolveDrive(SUprightBody& body) const;
   bool HoldFeet(SUprightBody& body, SUprightSupport* feet) const;
   bool HoldWheels(SUprightBody& body, SUprightSupport* wheels) const;
   void SolvePlanarDrive(SUprightBody& body) const;
   void SolveFeet(SUprightBody& body, SUprightSupport* feet) const;
   void SolveWheels(SUprightBody& body, SUprightSupport* wheels) const;
-  Real SolveContact(SUprightContact& contact) const;
+  Real SolveContact(SUprightContact& contact, Real& energy) const;
   void Apply(const SUprightContact& contact, Real normal, Real tangent) const;
-  Real MeasureChange(const SIsland& island, const SSweep& sweep) const;
   void StepOn(const SIsland& island, const SSweep& sweep, Real share) const;
 
   std::vector<SUprightBody>& m_bodies;
