@@ -6,8 +6,8 @@
 #include <boost/beast/http/write.hpp>
 #include <boost/beast/websocket/rfc6455.hpp>
 
-#include <algorithm>
 #include <chrono>
+#include <string_view>
 #include <utility>
 
 namespace argos {
@@ -35,9 +35,10 @@ std::string MakeContentPolicy(const std::string& host) {
          host + " wss://" + host + "; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 }
 
-std::string CutQuery(std::string target) {
-  target.erase(std::min(target.find('?'), target.size()));
-  return target;
+// the page itself reads what follows "?"
+bool IsPage(std::string_view target) {
+  return target == "/" || target == "/index.html" || target == "/?detail=full" ||
+         target == "/?detail=low";
 }
 
 }  // namespace
@@ -71,8 +72,7 @@ void CHTTPConnection::Read() {
 
 void CHTTPConnection::OnRequest() {
   const TLiveRequest request = m_parser->release();
-  // the page reads what follows "?" itself
-  const std::string target = CutQuery(ToString(request.target()));
+  const std::string target = ToString(request.target());
   const bool isHead = request.method() == http::verb::head;
   m_response.keep_alive(false);
   if (!IsAllowedHost(ToString(request[http::field::host]), m_hub.GetAccess())) {
@@ -86,7 +86,7 @@ void CHTTPConnection::OnRequest() {
     }
   } else if (!isHead && request.method() != http::verb::get) {
     Respond(http::status::method_not_allowed, "GET only.\n", "text/plain");
-  } else if (target != "/" && target != "/index.html") {
+  } else if (!IsPage(target)) {
     Respond(http::status::not_found, "There is only one page: /\n", "text/plain");
   } else {
     m_response.set("Content-Security-Policy",
