@@ -34,6 +34,63 @@ NUMBER ComputeShare(NUMBER energy, NUMBER before) {
 
 }  // namespace
 
+// A motor within its bounds keeps the rate of the turret against A, so that both are one body; else
+// its torque is given, and the turret turns by itself.
+template <typename NUMBER>
+SGripChange<NUMBER> SolveGrip(const SIslandGrip<NUMBER>& grip, const SGripMotion<NUMBER>& a,
+                              const SGripMotion<NUMBER>& b) {
+  const NUMBER* const impulse = grip.Impulse.Now;
+  NUMBER rest[2];  // that is to be stopped, m/s
+  ComputeGripSpeeds(grip, a, b, rest);
+  for (const int axis : {kAxisAlong, kAxisAcross}) {
+    rest[axis] += grip.Bias[axis] + grip.Softness[axis] * impulse[axis];
+  }
+  const NUMBER inverseMasses = a.InverseMass + b.InverseMass;
+  const NUMBER arm = grip.InverseArmInertia;
+  // solves both axes, with shares of the turning of A and of the turret
+  const auto solve = [&](const NUMBER* speeds, auto&& turn) {
+    const auto give = [&](int i, int j) {
+      return turn(i, j) + b.InverseInertia * grip.HeldLever[i] * grip.HeldLever[j] +
+             (i == j ? inverseMasses + grip.Softness[i] : NUMBER(0));
+    };
+    const NUMBER xx = give(0, 0);
+    const NUMBER xy = give(0, 1);
+    const NUMBER yy = give(1, 1);
+    const NUMBER scale = NUMBER(-1) / (xx * yy - xy * xy);
+    return SGripChange<NUMBER>{scale * (yy * speeds[0] - xy * speeds[1]),
+                               scale * (xx * speeds[1] - xy * speeds[0]), NUMBER(0)};
+  };
+  const auto turnApart = [&](int i, int j) {
+    return a.InverseInertia * grip.BaseLever[i] * grip.BaseLever[j] +
+           arm * grip.ArmLever[i] * grip.ArmLever[j];
+  };
+  if (!grip.HasTurret()) {
+    return solve(rest, turnApart);
+  }
+  const NUMBER both = a.InverseInertia + arm;
+  const NUMBER late = grip.MotorRate + a.Turn - grip.ArmRate.Now[0];  // rad/s
+  NUMBER coupling[2];  // of the motor's impulse with the speeds
+  NUMBER speeds[2];
+  for (const int axis : {kAxisAlong, kAxisAcross}) {
+    coupling[axis] = a.InverseInertia * grip.BaseLever[axis] - arm * grip.ArmLever[axis];
+    speeds[axis] = rest[axis] + coupling[axis] * late / both;
+  }
+  const NUMBER shared = a.InverseInertia * arm / both;
+  SGripChange<NUMBER> change = solve(speeds, [&](int i, int j) {
+    return shared * (grip.BaseLever[i] + grip.ArmLever[i]) * (grip.BaseLever[j] + grip.ArmLever[j]);
+  });
+  change.Motor = (late - coupling[0] * change.Along - coupling[1] * change.Across) / both;
+  const NUMBER motor = impulse[kAxisMotor] + change.Motor;
+  if (std::abs(motor) > grip.MotorMost) {
+    const NUMBER bound = std::clamp(motor, -grip.MotorMost, grip.MotorMost) - impulse[kAxisMotor];
+    speeds[0] = rest[0] + coupling[0] * bound;
+    speeds[1] = rest[1] + coupling[1] * bound;
+    change = solve(speeds, turnApart);
+    change.Motor = bound;
+  }
+  return change;
+}
+
 template <typename NUMBER>
 template <typename VISIT>
 void CContactIsland<NUMBER>::ForAll(VISIT&& visit) {
@@ -43,6 +100,10 @@ void CContactIsland<NUMBER>::ForAll(VISIT&& visit) {
   }
   for (SIslandContact<NUMBER>& contact : m_contacts) {
     visit(contact.Impulse);
+  }
+  for (SIslandGrip<NUMBER>& grip : m_grips) {
+    visit(grip.Impulse);
+    visit(grip.ArmRate);
   }
 }
 
@@ -56,7 +117,7 @@ UInt32 CContactIsland<NUMBER>::Solve(NUMBER tolerance, UInt32 mostSweeps) {
   m_tolerance = tolerance;
   m_mostSweeps = mostSweeps;
   m_sweeps = 0;
-  CIslandNewton<NUMBER> newton(m_bodies, m_contacts);
+  CIslandNewton<NUMBER> newton(m_bodies, m_contacts, m_grips);
   NUMBER change = Run(newton.Fits() ? kFirstRun : mostSweeps);
   for (UInt32 run = kSecondRun; !IsDone(change); run = std::min(2 * run, kLongestRun)) {
     change = StepByNewton(newton, change);
@@ -78,6 +139,7 @@ NUMBER CContactIsland<NUMBER>::Run(UInt32 end) {
     SChange change;
     SweepDrives(change);
     SweepContacts(change);
+    SweepGrips(change);
     ++m_sweeps;
     if (IsDone(change.Velocity) || m_sweeps >= end) {
       return change.Velocity;
@@ -95,12 +157,15 @@ NUMBER CContactIsland<NUMBER>::StepByNewton(CIslandNewton<NUMBER>& newton, NUMBE
   for (UInt32 step = 0; step < kNewtonSteps && m_sweeps < m_mostSweeps; ++step) {
     SChange next;
     SweepDrives(next);
+    SweepMotors(next);
     if (!newton.Step(damping)) {
       break;
     }
     SweepDrives(next);
+    SweepMotors(next);
     next = SChange();
     SweepContacts(next);
+    SweepGrips(next);
     ++m_sweeps;
     if (next.Velocity <= NUMBER(kWorse) * change) {
       change = next.Velocity;
@@ -192,12 +257,46 @@ void CContactIsland<NUMBER>::SweepContacts(SChange& change) {
   change = {greatest, energy};
 }
 
+template <typename NUMBER>
+void CContactIsland<NUMBER>::SweepMotors(SChange& change) {
+  for (SIslandGrip<NUMBER>& grip : m_grips) {
+    if (grip.HasTurret()) {
+      const NUMBER motor = SolveGripMotor(grip, GetGripMotion(m_bodies[grip.A]));
+      ApplyGripChange(m_bodies, grip, {NUMBER(0), NUMBER(0), motor});
+      change.Energy += motor * motor * grip.InverseArmInertia;
+    }
+  }
+}
+
+template <typename NUMBER>
+void CContactIsland<NUMBER>::SweepGrips(SChange& change) {
+  for (SIslandGrip<NUMBER>& grip : m_grips) {
+    const SIslandBody<NUMBER>& a = m_bodies[grip.A];
+    const SIslandBody<NUMBER>& b = m_bodies[grip.B];
+    const SGripChange<NUMBER> step = SolveGrip(grip, GetGripMotion(a), GetGripMotion(b));
+    ApplyGripChange(m_bodies, grip, step);
+    const NUMBER changes[2] = {step.Along, step.Across};
+    for (const int axis : {kAxisAlong, kAxisAcross}) {
+      const NUMBER speed =
+          changes[axis] * ComputeGripCompliance(grip, a.InverseMass + b.InverseMass,
+                                                a.InverseInertia, b.InverseInertia, axis);
+      change.Velocity = std::max(change.Velocity, std::abs(speed));
+      change.Energy += speed * changes[axis];
+    }
+    change.Energy += step.Motor * step.Motor * (a.InverseInertia + grip.InverseArmInertia);
+  }
+}
+
 // Velocities are linear in impulses, so that the direction of the search has those as well.
 template <typename NUMBER>
 void CContactIsland<NUMBER>::StepOn(NUMBER share) {
   ForAll([share](auto& searched) { searched.StepOn(share); });
 }
 
+template SGripChange<float> SolveGrip(const SIslandGrip<float>&, const SGripMotion<float>&,
+                                      const SGripMotion<float>&);
+template SGripChange<double> SolveGrip(const SIslandGrip<double>&, const SGripMotion<double>&,
+                                       const SGripMotion<double>&);
 template class CContactIsland<float>;
 template class CContactIsland<double>;
 

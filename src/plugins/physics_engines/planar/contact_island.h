@@ -64,6 +64,123 @@ struct SIslandContact {
   NUMBER Friction = NUMBER(0);  // coefficient
 };
 
+/** Of the impulse of a grip. */
+enum EGripAxis { kAxisAlong, kAxisAcross, kAxisMotor };
+
+/**
+ * A grip of an island: a point of B is held at the end of an arm of A, by a spring along the arm,
+ * rigidly across it, and free to rotate. The arm may be on a turret of A, which has no mass of its
+ * own, but an inertia, and is turned against A by a motor of bounded torque.
+ */
+template <typename NUMBER>
+struct SIslandGrip {
+  SSearched<NUMBER, 3> Impulse;  // N s, of the motor N m s
+  SSearched<NUMBER, 1> ArmRate;  // of the turret, rad/s
+  UInt32 A = 0, B = 0;  // numbers of bodies in the island
+  NUMBER NX = NUMBER(1), NY = NUMBER(0);  // the axis along the arm
+  // of the two axes: about the centre of mass of A (of the turret's pivot; without a turret of the
+  // point), about the pivot, about the centre of mass of B; m
+  NUMBER BaseLever[2] = {}, ArmLever[2] = {}, HeldLever[2] = {};
+  NUMBER Softness[2] = {};  // 1/kg
+  NUMBER Bias[2] = {};  // speed that is to be stopped in addition, m/s
+  NUMBER InverseArmInertia = NUMBER(0);  // of the turret, 1/(kg m^2); 0: there is none
+  NUMBER MotorRate = NUMBER(0);  // that the motor aims at, against A, rad/s
+  NUMBER MotorMost = NUMBER(0);  // N m s
+
+  bool HasTurret() const { return InverseArmInertia > NUMBER(0); }
+};
+
+/** What a grip needs to know of a body. */
+template <typename NUMBER>
+struct SGripMotion {
+  NUMBER X, Y, Turn;  // m/s, rad/s
+  NUMBER InverseMass, InverseInertia;
+};
+
+/** What one solution of a grip changes: its impulses. */
+template <typename NUMBER>
+struct SGripChange {
+  NUMBER Along = NUMBER(0), Across = NUMBER(0), Motor = NUMBER(0);  // N s, N m s
+};
+
+/** The speeds at which the held point leaves the end of the arm, along it and across, m/s. */
+template <typename NUMBER>
+void ComputeGripSpeeds(const SIslandGrip<NUMBER>& grip, const SGripMotion<NUMBER>& a,
+                       const SGripMotion<NUMBER>& b, NUMBER* speeds) {
+  const NUMBER x = b.X - a.X;
+  const NUMBER y = b.Y - a.Y;
+  speeds[kAxisAlong] = x * grip.NX + y * grip.NY;
+  speeds[kAxisAcross] = y * grip.NX - x * grip.NY;
+  for (const int axis : {kAxisAlong, kAxisAcross}) {
+    speeds[axis] += b.Turn * grip.HeldLever[axis] - a.Turn * grip.BaseLever[axis] -
+                    grip.ArmRate.Now[0] * grip.ArmLever[axis];
+  }
+}
+
+/** The change of impulses that satisfies a grip and the motor of its turret together. */
+template <typename NUMBER>
+SGripChange<NUMBER> SolveGrip(const SIslandGrip<NUMBER>& grip, const SGripMotion<NUMBER>& a,
+                              const SGripMotion<NUMBER>& b);
+
+/** The change of the impulse of the motor alone. */
+template <typename NUMBER>
+NUMBER SolveGripMotor(const SIslandGrip<NUMBER>& grip, const SGripMotion<NUMBER>& a) {
+  const NUMBER* const impulse = grip.Impulse.Now;
+  const NUMBER change =
+      (grip.MotorRate + a.Turn - grip.ArmRate.Now[0]) / (a.InverseInertia + grip.InverseArmInertia);
+  return std::clamp(impulse[kAxisMotor] + change, -grip.MotorMost, grip.MotorMost) -
+         impulse[kAxisMotor];
+}
+
+/** How much an impulse of each axis of a grip changes its own speed, 1/kg. */
+template <typename NUMBER>
+NUMBER ComputeGripCompliance(const SIslandGrip<NUMBER>& grip, NUMBER inverseMasses,
+                             NUMBER inverseInertiaA, NUMBER inverseInertiaB, int axis) {
+  // the motor makes one body of A and its turret
+  const NUMBER both = inverseInertiaA + grip.InverseArmInertia;
+  const NUMBER inverseInertia =
+      grip.HasTurret() ? inverseInertiaA * grip.InverseArmInertia / both : inverseInertiaA;
+  const NUMBER lever = grip.BaseLever[axis] + grip.ArmLever[axis];
+  return inverseMasses + grip.Softness[axis] + inverseInertia * lever * lever +
+         inverseInertiaB * grip.HeldLever[axis] * grip.HeldLever[axis];
+}
+
+/** Applies a change of impulses: calls apply(body A or B, x, y, turn), N s, N m s. */
+template <typename NUMBER, typename APPLY>
+void ApplyGripChange(SIslandGrip<NUMBER>& grip, const SGripChange<NUMBER>& change, APPLY&& apply) {
+  NUMBER* const impulse = grip.Impulse.Now;
+  impulse[kAxisAlong] += change.Along;
+  impulse[kAxisAcross] += change.Across;
+  impulse[kAxisMotor] += change.Motor;
+  const NUMBER x = change.Along * grip.NX - change.Across * grip.NY;
+  const NUMBER y = change.Along * grip.NY + change.Across * grip.NX;
+  const auto turnOf = [&](const NUMBER* levers) {
+    return change.Along * levers[kAxisAlong] + change.Across * levers[kAxisAcross];
+  };
+  apply(grip.A, -x, -y, -turnOf(grip.BaseLever) - change.Motor);
+  apply(grip.B, x, y, turnOf(grip.HeldLever));
+  grip.ArmRate.Now[0] += grip.InverseArmInertia * (change.Motor - turnOf(grip.ArmLever));
+}
+
+template <typename NUMBER>
+SGripMotion<NUMBER> GetGripMotion(const SIslandBody<NUMBER>& body) {
+  const NUMBER* const velocity = body.Velocity.Now;
+  return {velocity[kAxisX], velocity[kAxisY], velocity[kAxisTurn], body.InverseMass,
+          body.InverseInertia};
+}
+
+/** Changes the impulses of a grip, and so the velocities of its bodies. */
+template <typename NUMBER>
+void ApplyGripChange(std::span<SIslandBody<NUMBER>> bodies, SIslandGrip<NUMBER>& grip,
+                     const SGripChange<NUMBER>& change) {
+  ApplyGripChange(grip, change, [&](UInt32 number, NUMBER x, NUMBER y, NUMBER turn) {
+    SIslandBody<NUMBER>& body = bodies[number];
+    body.Velocity.Now[kAxisX] += body.InverseMass * x;
+    body.Velocity.Now[kAxisY] += body.InverseMass * y;
+    body.Velocity.Now[kAxisTurn] += body.InverseInertia * turn;
+  });
+}
+
 /** Changes the impulses of a contact, and so the velocities of its bodies. */
 template <typename NUMBER>
 void ChangeImpulse(SIslandBody<NUMBER>& bodyA, SIslandBody<NUMBER>& bodyB,
@@ -91,8 +208,8 @@ template <typename NUMBER>
 class CIslandNewton;
 
 /**
- * Solves the contacts of bodies in a plane that press each other, whose masses may differ by orders
- * of magnitude.
+ * Solves the contacts of bodies in a plane that press each other, and grips, where masses may
+ * differ by orders of magnitude.
  *
  * Runs of a nonsmooth nonlinear conjugate gradient method, whose steps are sweeps of projected
  * Gauss-Seidel over drives and contacts (M. Silcowitz-Hansen, S. Niebe, K. Erleben, A Nonsmooth
@@ -105,8 +222,9 @@ class CIslandNewton;
 template <typename NUMBER>
 class CContactIsland {
  public:
-  CContactIsland(std::span<SIslandBody<NUMBER>> bodies, std::span<SIslandContact<NUMBER>> contacts)
-      : m_bodies(bodies), m_contacts(contacts) {}
+  CContactIsland(std::span<SIslandBody<NUMBER>> bodies, std::span<SIslandContact<NUMBER>> contacts,
+                 std::span<SIslandGrip<NUMBER>> grips = {})
+      : m_bodies(bodies), m_contacts(contacts), m_grips(grips) {}
   /**
    * Sweeps until the velocities change no more than a tolerance, m/s. The last thing is a sweep, so
    * that no impulse exceeds its bounds. @return the number of sweeps.
@@ -131,10 +249,13 @@ class CContactIsland {
   bool IsDone(NUMBER change) const { return change <= m_tolerance || m_sweeps >= m_mostSweeps; }
   void SweepDrives(SChange& change);
   void SweepContacts(SChange& change);
+  void SweepMotors(SChange& change);
+  void SweepGrips(SChange& change);
   void StepOn(NUMBER share);
 
   std::span<SIslandBody<NUMBER>> m_bodies;
   std::span<SIslandContact<NUMBER>> m_contacts;
+  std::span<SIslandGrip<NUMBER>> m_grips;
   NUMBER m_tolerance = NUMBER(0);  // m/s
   NUMBER m_change = NUMBER(0);  // m/s
   UInt32 m_sweeps = 0, m_mostSweeps = 0;

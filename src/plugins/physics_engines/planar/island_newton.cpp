@@ -8,11 +8,13 @@ namespace argos {
 template <typename NUMBER>
 bool CIslandNewton<NUMBER>::Step(NUMBER damping) {
   FindCompliances();
+  FindCompliancesOfTurrets();
   if (!ListUnknowns()) {
     return false;
   }
   PutAtBounds();
   FillMatrix(damping);
+  AddTurrets();
   if (!SolveEquations()) {
     return false;
   }
@@ -49,6 +51,26 @@ void CIslandNewton<NUMBER>::FindCompliances() {
   }
 }
 
+// A motor within its bounds makes one body of its turret and the robot; at its bound, each turns by
+// itself.
+template <typename NUMBER>
+void CIslandNewton<NUMBER>::FindCompliancesOfTurrets() {
+  constexpr auto kAmple = NUMBER(1.00001);
+  for (size_t i = 0; i < m_grips.size(); ++i) {
+    const SIslandGrip<NUMBER>& grip = m_grips[i];
+    SCompliance& compliance = m_compliances[grip.A];
+    const NUMBER late =
+        grip.MotorRate + m_bodies[grip.A].Velocity.Now[kAxisTurn] - grip.ArmRate.Now[0];
+    const NUMBER both = compliance.Turn + grip.InverseArmInertia;
+    m_turns[i] = grip.HasTurret() &&
+                 (grip.MotorMost == NUMBER(0) ||
+                  std::abs(grip.Impulse.Now[kAxisMotor] + late / both) > kAmple * grip.MotorMost);
+    if (grip.HasTurret() && !m_turns[i]) {
+      compliance.Turn *= grip.InverseArmInertia / both;
+    }
+  }
+}
+
 template <typename NUMBER>
 NUMBER CIslandNewton<NUMBER>::ComputeApproach(const SIslandContact<NUMBER>& contact) const {
   const NUMBER* const a = m_bodies[contact.A].Velocity.Now;
@@ -74,6 +96,13 @@ bool CIslandNewton<NUMBER>::ListUnknowns() {
     if (!AddUnknowns(i)) {
       return false;
     }
+  }
+  m_firstOfGrips = m_count;
+  if (m_count + 2 * m_grips.size() > kMaxUnknowns) {
+    return false;
+  }
+  for (UInt32 i = 0; i < m_grips.size(); ++i) {
+    AddGrip(i);
   }
   return m_count > 0;
 }
@@ -133,6 +162,33 @@ void CIslandNewton<NUMBER>::AddUnknown(const SIslandContact<NUMBER>& contact, bo
           contact.TangentLeverB);
   m_speeds[m_count] = speed;
   m_own[m_count++] = compliance;
+}
+
+// Two unknowns: what its point is to lose of its speed towards the arm's end.
+template <typename NUMBER>
+void CIslandNewton<NUMBER>::AddGrip(UInt32 number) {
+  const SIslandGrip<NUMBER>& grip = m_grips[number];
+  const SIslandBody<NUMBER>& a = m_bodies[grip.A];
+  const SIslandBody<NUMBER>& b = m_bodies[grip.B];
+  NUMBER speeds[2];
+  ComputeGripSpeeds(grip, GetGripMotion(a), GetGripMotion(b), speeds);
+  for (const int axis : {kAxisAlong, kAxisAcross}) {
+    const NUMBER x = axis == kAxisAlong ? grip.NX : -grip.NY;
+    const NUMBER y = axis == kAxisAlong ? grip.NY : grip.NX;
+    const auto addSide = [&](UInt32 side, UInt32 body, NUMBER sign, NUMBER lever) {
+      const SMotion motion = {sign * x, sign * y, sign * lever};
+      m_sides[side] = {body, m_firstSides[body], motion, motion};
+      m_firstSides[body] = side;
+    };
+    const auto side = static_cast<UInt32>(2 * m_count);
+    addSide(side, grip.A, NUMBER(1),
+            grip.BaseLever[axis] + (m_turns[number] ? NUMBER(0) : grip.ArmLever[axis]));
+    addSide(side + 1, grip.B, NUMBER(-1), grip.HeldLever[axis]);
+    m_speeds[m_count] =
+        -speeds[axis] - grip.Bias[axis] - grip.Softness[axis] * grip.Impulse.Now[axis];
+    m_own[m_count++] = ComputeGripCompliance(grip, a.InverseMass + b.InverseMass, a.InverseInertia,
+                                             b.InverseInertia, axis);
+  }
 }
 
 template <typename NUMBER>
@@ -210,6 +266,23 @@ void CIslandNewton<NUMBER>::FillMatrix(NUMBER damping) {
   }
 }
 
+// What springs and turrets that turn by themselves add.
+template <typename NUMBER>
+void CIslandNewton<NUMBER>::AddTurrets() {
+  for (size_t number = 0; number < m_grips.size(); ++number) {
+    const SIslandGrip<NUMBER>& grip = m_grips[number];
+    const size_t first = m_firstOfGrips + 2 * number;
+    for (const int i : {kAxisAlong, kAxisAcross}) {
+      m_matrix[first + i][first + i] += grip.Softness[i];
+      for (const int j : {kAxisAlong, kAxisAcross}) {
+        m_matrix[first + i][first + j] +=
+            m_turns[number] ? grip.InverseArmInertia * grip.ArmLever[i] * grip.ArmLever[j]
+                            : NUMBER(0);
+      }
+    }
+  }
+}
+
 // Gaussian elimination in the order of contacts: because of the damping, elements of the diagonal
 // are hardly ever too small.
 template <typename NUMBER>
@@ -268,6 +341,11 @@ void CIslandNewton<NUMBER>::TakeImpulses() {
       }
     }
     ChangeImpulse(m_bodies[contact.A], m_bodies[contact.B], contact, normal, tangent);
+  }
+  for (SIslandGrip<NUMBER>& grip : m_grips) {
+    const SGripChange<NUMBER> change = {m_changes[next], m_changes[next + 1], NUMBER(0)};
+    next += 2;
+    ApplyGripChange(m_bodies, grip, change);
   }
 }
 

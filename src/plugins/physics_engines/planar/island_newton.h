@@ -12,22 +12,27 @@
 namespace argos {
 
 /**
- * A step of Newton's method on the impulses of an island's contacts.
+ * A step of Newton's method on the impulses of an island's contacts and grips.
  *
  * Drives are eliminated: a body whose drive is within its bounds keeps its velocity, whatever
- * pushes it, and one whose drive is at its bound gives way. Of the others, contacts that press get
- * no approach, and those that do not slide no slip. Which are which is taken from where a sweep
- * would put them: if that is right, so is the step, and if not, it may lead astray.
+ * pushes it, and one whose drive is at its bound gives way; so are the motors of turrets. Contacts
+ * that press get no approach, those that do not slide no slip, and grips no error. Which are which
+ * is taken from where a sweep would put them: if that is right, so is the step, and if not, it may
+ * lead astray.
  *
  * @tparam NUMBER  float or double.
  */
 template <typename NUMBER>
 class CIslandNewton {
  public:
-  CIslandNewton(std::span<SIslandBody<NUMBER>> bodies, std::span<SIslandContact<NUMBER>> contacts)
-      : m_bodies(bodies), m_contacts(contacts) {}
-  /** @return true if the island has no more bodies and contacts than there is space for. */
-  bool Fits() const { return m_bodies.size() <= kMaxBodies && m_contacts.size() <= kMaxContacts; }
+  CIslandNewton(std::span<SIslandBody<NUMBER>> bodies, std::span<SIslandContact<NUMBER>> contacts,
+                std::span<SIslandGrip<NUMBER>> grips)
+      : m_bodies(bodies), m_contacts(contacts), m_grips(grips) {}
+  /** @return true if the island has no more bodies, contacts and grips than there is space for. */
+  bool Fits() const {
+    return m_bodies.size() <= kMaxBodies && m_contacts.size() <= kMaxContacts &&
+           2 * m_grips.size() <= kMaxUnknowns;
+  }
   /**
    * Changes the impulses of contacts, and velocities; drives are to be swept before and after that.
    * @param damping  share of each contact's own compliance that is added to its equation: more of
@@ -58,8 +63,10 @@ class CIslandNewton {
   };
 
   void FindCompliances();
+  void FindCompliancesOfTurrets();
   bool ListUnknowns();
   bool AddUnknowns(UInt32 number);
+  void AddGrip(UInt32 number);
   void AddUnknown(const SIslandContact<NUMBER>& contact, bool isNormal, NUMBER ratio, NUMBER speed,
                   NUMBER compliance);
   NUMBER ComputeApproach(const SIslandContact<NUMBER>& contact) const;
@@ -67,19 +74,23 @@ class CIslandNewton {
   void PutAtBounds();
   void Push(const SIslandContact<NUMBER>& contact, NUMBER normal, NUMBER tangent);
   void FillMatrix(NUMBER damping);
+  void AddTurrets();
   bool SolveEquations();
   void TakeImpulses();
 
   std::span<SIslandBody<NUMBER>> m_bodies;
   std::span<SIslandContact<NUMBER>> m_contacts;
+  std::span<SIslandGrip<NUMBER>> m_grips;
   size_t m_count = 0;  // of unknowns
+  size_t m_firstOfGrips = 0;  // unknown
   std::array<SCompliance, kMaxBodies> m_compliances;
   std::array<UInt32, kMaxBodies> m_firstSides;  // by body: the last side that was added
   std::array<SMotion, kMaxBodies> m_moved;
   std::array<EState, kMaxContacts> m_states;
+  std::array<bool, kMaxUnknowns / 2> m_turns;  // by grip: its turret turns by itself
   std::array<SSide, 2 * kMaxUnknowns> m_sides;  // A and B of each unknown
   std::array<NUMBER, kMaxUnknowns> m_speeds;  // to be stopped
-  std::array<NUMBER, kMaxUnknowns> m_own;  // compliance of the contact alone
+  std::array<NUMBER, kMaxUnknowns> m_own;  // compliance of the contact or grip alone
   // the right hand side is the column behind the last one
   std::array<std::array<NUMBER, kMaxUnknowns + kLanes>, kMaxUnknowns> m_matrix;
   std::array<NUMBER, kMaxUnknowns> m_changes;  // of impulses

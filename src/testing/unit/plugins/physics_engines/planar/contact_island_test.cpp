@@ -16,6 +16,18 @@ template <typename NUMBER>
 struct SIsland {
   std::vector<SIslandBody<NUMBER>> Bodies;
   std::vector<SIslandContact<NUMBER>> Contacts;
+  std::vector<SIslandGrip<NUMBER>> Grips;
+
+  SIslandBody<NUMBER>& AddBody(NUMBER mass, NUMBER inertia, NUMBER most, NUMBER angularMost) {
+    SIslandBody<NUMBER>& body = Bodies.emplace_back();
+    body.Most = most;
+    body.AngularMost = angularMost;
+    body.Mass = mass;
+    body.Inertia = inertia;
+    body.InverseMass = mass > 0 ? 1 / mass : 0;
+    body.InverseInertia = inertia > 0 ? 1 / inertia : 0;
+    return body;
+  }
 };
 
 // Two robots drive and turn against a cylinder of 0.2 kg from two sides, as in the benchmark's
@@ -25,14 +37,8 @@ SIsland<NUMBER> MakeRubbedCylinder() {
   SIsland<NUMBER> island;
   const auto addBody = [&](NUMBER x, NUMBER y, NUMBER turn, NUMBER mass, NUMBER inertia,
                            NUMBER most, NUMBER angularMost) -> SIslandBody<NUMBER>& {
-    SIslandBody<NUMBER>& body = island.Bodies.emplace_back();
+    SIslandBody<NUMBER>& body = island.AddBody(mass, inertia, most, angularMost);
     body.Velocity.Set({x, y, turn});
-    body.Most = most;
-    body.AngularMost = angularMost;
-    body.Mass = mass;
-    body.Inertia = inertia;
-    body.InverseMass = mass > 0 ? 1 / mass : 0;
-    body.InverseInertia = inertia > 0 ? 1 / inertia : 0;
     return body;
   };
   const NUMBER turning[3] = {NUMBER(0), NUMBER(0), NUMBER(0.857)};
@@ -128,12 +134,84 @@ void CheckRubbedCylinder() {
   }
 }
 
+// A robot that drives and turns, and a load that it holds ahead of it by its turret, in a substep
+// of 10 ms.
+template <typename NUMBER>
+SIsland<NUMBER> MakeTow(Real mass, Real torque, bool hasTurret) {
+  SIsland<NUMBER> island;
+  const auto load = static_cast<NUMBER>(mass);
+  SIslandBody<NUMBER>& robot =
+      island.AddBody(NUMBER(1.6), NUMBER(0.02314), NUMBER(0.15), NUMBER(0.01));
+  robot.Target[kAxisX] = NUMBER(-0.1);
+  robot.Target[kAxisTurn] = NUMBER(0.4);
+  island.AddBody(load, load * NUMBER(0.004), NUMBER(0.0149), NUMBER(0.0149));
+  island.AddBody(0, 0, 0, 0);
+  SIslandGrip<NUMBER>& grip = island.Grips.emplace_back();
+  grip.A = 0;
+  grip.B = 1;
+  grip.NX = NUMBER(0.8);
+  grip.NY = NUMBER(0.6);
+  NUMBER* const lever = hasTurret ? grip.ArmLever : grip.BaseLever;
+  lever[kAxisAcross] = NUMBER(0.09);
+  grip.HeldLever[kAxisAlong] = NUMBER(0.02);
+  grip.HeldLever[kAxisAcross] = NUMBER(-0.1);
+  grip.Softness[kAxisAlong] = NUMBER(0.3);
+  grip.Bias[kAxisAlong] = NUMBER(0.01);
+  if (hasTurret) {
+    grip.InverseArmInertia = NUMBER(1e4);
+    grip.MotorRate = NUMBER(0.7);
+    grip.MotorMost = static_cast<NUMBER>(0.01 * torque);
+  }
+  return island;
+}
+
+template <typename NUMBER>
+void CheckTow(Real mass, Real torque, bool hasTurret) {
+  CAPTURE(mass, torque, hasTurret);
+  const auto tolerance = NUMBER(1e-5);  // m/s
+  SIsland<NUMBER> island = MakeTow<NUMBER>(mass, torque, hasTurret);
+  const UInt32 sweeps =
+      CContactIsland<NUMBER>(island.Bodies, island.Contacts, island.Grips).Solve(tolerance, 150);
+  CHECK(sweeps <= 20);
+  const NUMBER accuracy = 4 * tolerance;
+  for (const SIslandBody<NUMBER>& body : island.Bodies) {
+    CheckDrive(body, accuracy);
+  }
+  const SIslandGrip<NUMBER>& grip = island.Grips.front();
+  NUMBER speeds[2];
+  ComputeGripSpeeds(grip, GetGripMotion(island.Bodies[0]), GetGripMotion(island.Bodies[1]), speeds);
+  for (const int axis : {kAxisAlong, kAxisAcross}) {
+    const NUMBER rest =
+        speeds[axis] + grip.Bias[axis] + grip.Softness[axis] * grip.Impulse.Now[axis];
+    CHECK(std::abs(rest) <= accuracy);
+  }
+  const NUMBER motor = grip.Impulse.Now[kAxisMotor];
+  const NUMBER late =
+      grip.MotorRate + island.Bodies[0].Velocity.Now[kAxisTurn] - grip.ArmRate.Now[0];
+  CHECK(std::abs(motor) <= grip.MotorMost * NUMBER(1.00001));
+  if (hasTurret && std::abs(motor) < grip.MotorMost * NUMBER(0.99999)) {
+    CHECK(std::abs(late) <= NUMBER(1e-3));
+  }
+  CHECK(late * motor >= -NUMBER(1e-3) * grip.MotorMost);
+}
+
 }  // namespace
 
 TEST_CASE("contact island: the forces are found on an object that two robots rub",
           "[unit][planar]") {
   CheckRubbedCylinder<double>();
   CheckRubbedCylinder<float>();
+}
+
+TEST_CASE("contact island: a grip, the motor of its turret and both bodies agree",
+          "[unit][planar][grip]") {
+  const Real mass = GENERATE(0.01, 0.3, 5.0, 100.0);  // kg
+  // N m: friction only, less than the load needs, as much as any
+  const Real torque = GENERATE(0.0, 1e-4, 0.05, 150.0);
+  CheckTow<double>(mass, torque, true);
+  CheckTow<float>(mass, torque, true);
+  CheckTow<double>(mass, torque, false);
+  CheckTow<float>(mass, torque, false);
 }
 
 }  // namespace argos::contact_island_test
