@@ -11,17 +11,21 @@ namespace argos {
 
 class CThreadPool;
 
+/** A robot in a grip that pressed another robot, or something else: kNone. */
+struct SGripTouch {
+  UInt32 Slot, Other;
+};
+
 /**
  * The bodies that may touch something in a tick, nearly all of them: robots and movable objects.
  *
- * They are solved by CCrowdSolver. The clusters in which there is a grip are excluded: Box2D solves
- * them. Bodies are items, see CCrowdSolids.
+ * They are solved by CCrowdSolver. Bodies are items, see CCrowdSolids.
  */
 class CCrowd {
  public:
   explicit CCrowd(CPlanarStore& store) : m_store(store) {}
 
-  void Reserve(size_t discs, size_t solids);
+  void Reserve(size_t discs, size_t solids, size_t grips);
   /** Forgets what is known of the robot in a slot, before another one gets it. */
   void Forget(UInt32 slot);
   /** Forgets the forces of solids, of which one was added or removed. */
@@ -42,10 +46,15 @@ class CCrowd {
    */
   void Start(CDiscPairs& discPairs, Real reach);
   CCrowdSolids& GetSolids() { return m_solids; }
-  /** Leaves the cluster of an item to Box2D. */
-  void Exclude(UInt32 item) { m_clusters.Exclude(item); }
-  bool IsExcluded(UInt32 item) { return m_clusters.IsExcluded(item); }
-  bool HasExcluded() const { return m_clusters.HasExcluded(); }
+  /** Adds a grip of this tick; the state of its last tick is part of it. */
+  void AddGrip(CDiscPairs& discPairs, const SCrowdGrip& grip);
+  /** After Advance(): the grips of the tick, in the order of AddGrip(). */
+  const std::vector<SCrowdGrip>& GetGrips() const { return m_grips; }
+  /**
+   * What pressed the robots in grips in the last substep; see SGripTouch. Forgotten when a robot is
+   * removed.
+   */
+  const std::vector<SGripTouch>& GetGripTouches() const { return m_gripTouches; }
   /** Adds a line that a disc does not cross. */
   void AddLine(CDiscPairs& discPairs, UInt32 place, const SCrowdLine& line);
   /**
@@ -58,7 +67,9 @@ class CCrowd {
   void FillIn(size_t begin, size_t end);
   void FillInDriven(UInt32 member, const SDrivenBody& body);
   void FillInSolid(UInt32 member, const CCrowdSolids::SSolid& solid);
+  void FindGripTouches();
   void TakeResults(size_t begin, size_t end);
+  void TakePull(UInt32 member, SDrivenBody& body);
   void TakeDriven(UInt32 member, SDrivenBody& body);
   void TakeSolid(UInt32 member, const CCrowdSolids::SSolid& solid);
 
@@ -68,6 +79,9 @@ class CCrowd {
   CCrowdSolids m_solids;
   SCrowdMemory m_memory;
   std::vector<SCrowdLine> m_lines;  // of this tick
+  std::vector<SCrowdGrip> m_grips;  // of this tick
+  Real m_longestGrip = 0.0;  // m, between the centres of bodies
+  std::vector<SGripTouch> m_gripTouches;
   Real m_allowance = 0.0;  // m
 };
 

@@ -3,6 +3,7 @@
 
 #include <argos3/core/simulator/geometry/periodicity.h>
 #include <argos3/core/utility/datatypes/datatypes.h>
+#include <argos3/core/utility/spatial/rectangle.h>
 
 #include <cmath>
 
@@ -47,6 +48,31 @@ struct SCrowdDrive {
 struct SCrowdPosition {
   Real X = 0.0, Y = 0.0;  // m
   Real Turn = 0.0;  // rad, since the start of the tick
+};
+
+/**
+ * A grip in a tick: which bodies, by item, and what connects them. Offsets are those at the start
+ * of the tick along the axes of the world, m.
+ */
+struct SCrowdGrip {
+  UInt32 Holder = 0, Held = 0;
+  SPlanarVector Pivot = {};  // from the holder's centre of mass to where its arm begins
+  SPlanarVector Arm = {};  // from there to the end of the arm
+  SPlanarVector Axis = {1.0, 0.0};  // along the arm, of unit length
+  SPlanarVector Point = {};  // from the held body's centre of mass to the point that is held
+  Real Stiffness = 0.0;  // N/m, along the arm
+  Real Damping = 0.0;  // kg/s
+  float NeededSubsteps = 1.0F;
+  // the turret that bears the arm
+  float InverseArmInertia = 0.0F;  // 1/(kg m^2); 0: there is none
+  float ArmRate = 0.0F;  // rad/s, in the world
+  Real Rotation = 0.0;  // rad, against the holder, since the start of the tick
+  Real MotorTarget = 0.0;  // rad, the same at the end of the tick
+  Real MotorRate = 0.0;  // rad/s, at which that changes in the tick
+  float MotorTorque = 0.0F;  // N m, at most
+  bool IsMotorOn = false;  // else its friction stops it
+  // forces of the last substep, N, and the torque of the motor, N m
+  float Along = 0.0F, Across = 0.0F, Motor = 0.0F;
 };
 
 /** A straight line that a disc does not cross: that half-way to a robot of another engine. */

@@ -17,7 +17,6 @@ constexpr Real kStripWidth = 6.0;
 
 void CCrowdClusters::Reserve(size_t items) {
   m_parent.reserve(items);
-  m_isExcluded.reserve(items);
   m_isAwake.reserve(items);
   m_clusterOf.reserve(items);
   m_patchOf.reserve(items);
@@ -39,8 +38,7 @@ void CCrowdClusters::Unite(const CDiscPairs& discPairs, const CCrowdSolids& soli
   m_solids = &solids;
   const size_t count = discPairs.GetDiscs().size() + solids.GetSolids().size();
   ResetForest(m_parent, count);
-  m_isExcluded.assign(count, 0);
-  m_hasExcluded = false;
+  m_grips = nullptr;
   for (const CDiscPairs::SPart& part : discPairs.GetParts()) {
     for (const CDiscPairs::SPair& pair : part.Pairs) {
       Unite(pair.A, pair.B);
@@ -53,6 +51,13 @@ void CCrowdClusters::Unite(const CDiscPairs& discPairs, const CCrowdSolids& soli
   }
 }
 
+void CCrowdClusters::Unite(const std::vector<SCrowdGrip>& grips) {
+  m_grips = &grips;
+  for (const SCrowdGrip& grip : grips) {
+    Unite(grip.Holder, grip.Held);
+  }
+}
+
 void CCrowdClusters::Build(Real pairReach, const SPeriodicity& period) {
   FindAwake();
   NumberClusters();
@@ -61,6 +66,7 @@ void CCrowdClusters::Build(Real pairReach, const SPeriodicity& period) {
   SortPairs();
   SortWalls();
   SortTouches();
+  SortGrips();
 }
 
 SPlanarVector CCrowdClusters::GetCentre(UInt32 item) const {
@@ -94,7 +100,7 @@ void CCrowdClusters::NumberClusters() {
       continue;
     }
     const UInt32 root = FindRoot(item);
-    if ((m_solids->IsSolid(item) && m_isAwake[root] == 0) || m_isExcluded[root] != 0) {
+    if (m_solids->IsSolid(item) && m_isAwake[root] == 0) {
       continue;
     }
     const SPlanarVector centre = GetCentre(item);
@@ -284,6 +290,29 @@ void CCrowdClusters::SortTouches() {
   for (UInt32 patch = 0; patch < m_patches.size(); ++patch) {
     m_patches[patch].Touches = {m_sort.Begin(2 * patch), m_sort.End(2 * patch)};
     m_patches[patch].BorderTouches = {m_sort.Begin(2 * patch + 1), m_sort.End(2 * patch + 1)};
+  }
+}
+
+// In the order of grips.
+void CCrowdClusters::SortGrips() {
+  m_sortedGrips.clear();
+  if (m_grips == nullptr || m_grips->empty()) {
+    return;
+  }
+  m_sort.Start(m_grips->size(), 2 * m_patches.size());
+  for (size_t i = 0; i < m_grips->size(); ++i) {
+    const UInt32 a = m_patchOf[(*m_grips)[i].Holder];
+    const UInt32 b = m_patchOf[(*m_grips)[i].Held];
+    m_sort.SetKey(i, 2 * std::min(a, b) + (a == b ? 0 : 1));
+  }
+  m_sortedGrips.resize(m_sort.Finish());
+  for (UInt32 i = 0; i < m_grips->size(); ++i) {
+    const SCrowdGrip& grip = (*m_grips)[i];
+    m_sortedGrips[m_sort.GetPlace(i)] = {m_memberOf[grip.Holder], m_memberOf[grip.Held], i};
+  }
+  for (UInt32 patch = 0; patch < m_patches.size(); ++patch) {
+    m_patches[patch].Grips = {m_sort.Begin(2 * patch), m_sort.End(2 * patch)};
+    m_patches[patch].BorderGrips = {m_sort.Begin(2 * patch + 1), m_sort.End(2 * patch + 1)};
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <argos3/core/simulator/geometry/periodicity.h>
 #include <argos3/core/utility/spatial/counting_sort.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics2d/crowd_bodies.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/crowd_solids.h>
 #include <argos3/plugins/simulator/physics_engines/planar/body_forest.h>
 #include <argos3/plugins/simulator/physics_engines/planar/disc_pairs.h>
@@ -29,6 +30,11 @@ struct SCrowdPatch {
   UInt32 FirstWall = 0, EndWall = 0;
   // pairs of bodies of which one is a solid, or a solid and an obstacle
   SCrowdRange Touches, BorderTouches;
+  SCrowdRange Grips, BorderGrips;
+
+  bool HasGrips() const { return Grips.GetSize() + BorderGrips.GetSize() > 0; }
+  /** Is there anything whose masses may differ by orders of magnitude? */
+  bool HasIslands() const { return Touches.GetSize() + BorderTouches.GetSize() > 0 || HasGrips(); }
 };
 
 /** A cluster: one patch, or several of which each has pairs with the next one only. */
@@ -64,20 +70,20 @@ class CCrowdClusters {
     UInt32 PartA, PartB;
   };
 
+  /** Two members, of which one grips the other, and the number of the grip. */
+  struct SGrip {
+    UInt32 Holder, Held, Number;
+  };
+
   void Reserve(size_t items);
   void ReserveTouches(size_t touches) { m_touches.reserve(touches); }
+  void ReserveGrips(size_t grips) { m_sortedGrips.reserve(grips); }
   /** Unites bodies that can meet; after Find() of both, which must stay valid. */
   void Unite(const CDiscPairs& discPairs, const CCrowdSolids& solids);
-  /** Leaves out the cluster of an item; between Unite() and Build(). */
-  void Exclude(UInt32 item) {
-    m_isExcluded[FindRoot(item)] = 1;
-    m_hasExcluded = true;
-  }
-  bool HasExcluded() const { return m_hasExcluded; }
-  /** Is the item in an excluded cluster? */
-  bool IsExcluded(UInt32 item) { return m_isExcluded[FindRoot(item)] != 0; }
+  /** Unites what grips connect; between Unite() and Build(), until which they must stay valid. */
+  void Unite(const std::vector<SCrowdGrip>& grips);
   /**
-   * Lists the clusters that are not excluded.
+   * Lists the clusters.
    * @param pairReach  of centres of pairs, m.
    * @param period     a cluster that may have pairs across a seam has one patch.
    */
@@ -87,6 +93,7 @@ class CCrowdClusters {
   const std::vector<SPair>& GetPairs() const { return m_pairs; }
   const std::vector<SWall>& GetWalls() const { return m_walls; }
   const std::vector<STouch>& GetTouches() const { return m_touches; }
+  const std::vector<SGrip>& GetGrips() const { return m_sortedGrips; }
   const std::vector<SCrowdPatch>& GetPatches() const { return m_patches; }
   /** Clusters of one patch: the first ones, in this order. */
   size_t GetNumSmall() const { return m_numSmall; }
@@ -117,13 +124,13 @@ class CCrowdClusters {
   void SortPairs();
   void SortWalls();
   void SortTouches();
+  void SortGrips();
 
   const CDiscPairs* m_discPairs = nullptr;
   const CCrowdSolids* m_solids = nullptr;
+  const std::vector<SCrowdGrip>* m_grips = nullptr;
   TBodyForest m_parent;  // by item
-  std::vector<UInt8> m_isExcluded;  // by item, of the root
   std::vector<UInt8> m_isAwake;  // by item, of the root
-  bool m_hasExcluded = false;
   std::vector<UInt32> m_clusterOf;  // by item; kNone: in no cluster
   std::vector<SExtent> m_clusters;
   std::vector<UInt32> m_patchOf;  // by item; kNone: in no cluster
@@ -134,6 +141,7 @@ class CCrowdClusters {
   std::vector<SPair> m_pairs;
   std::vector<SWall> m_walls;
   std::vector<STouch> m_touches;
+  std::vector<SGrip> m_sortedGrips;
   std::vector<SCrowdPatch> m_patches;
   std::vector<SCrowdCluster> m_large;
   size_t m_numSmall = 0;

@@ -8,19 +8,23 @@
 
 namespace argos {
 
-bool CCrowdSolver::HasTouches(const SCrowdCluster& cluster) const {
+bool CCrowdSolver::UsesIslands(const SCrowdCluster& cluster) const {
   const auto& patches = m_clusters->GetPatches();
   return std::any_of(patches.begin() + cluster.FirstPatch, patches.begin() + cluster.EndPatch,
-                     [](const SCrowdPatch& patch) {
-                       return patch.Touches.GetSize() + patch.BorderTouches.GetSize() > 0;
-                     });
+                     [](const SCrowdPatch& patch) { return patch.HasIslands(); });
+}
+
+bool CCrowdSolver::HasGrips(const SCrowdCluster& cluster) const {
+  const auto& patches = m_clusters->GetPatches();
+  return std::any_of(patches.begin() + cluster.FirstPatch, patches.begin() + cluster.EndPatch,
+                     [](const SCrowdPatch& patch) { return patch.HasGrips(); });
 }
 
 /****************************************/
 // islands
 /****************************************/
 
-// Calls visit(range of contacts, range of touches, range of walls) for those of each patch.
+// Calls visit(ranges of contacts, touches, walls and grips) for those of each patch.
 template <typename VISIT>
 void CCrowdSolver::ForRanges(const SCrowdCluster& cluster, VISIT&& visit) const {
   for (UInt32 number = cluster.FirstPatch; number < cluster.EndPatch; ++number) {
@@ -31,15 +35,16 @@ void CCrowdSolver::ForRanges(const SCrowdCluster& cluster, VISIT&& visit) const 
     };
     visit(rangeOf(patch.FirstPair, state.NumContacts),
           rangeOf(2 * patch.Touches.First, state.NumTouches),
-          rangeOf(patch.FirstWall, state.NumWalls));
+          rangeOf(patch.FirstWall, state.NumWalls), patch.Grips);
     visit(rangeOf(patch.FirstBorder, state.NumBorder),
-          rangeOf(2 * patch.BorderTouches.First, state.NumBorderTouches), SCrowdRange());
+          rangeOf(2 * patch.BorderTouches.First, state.NumBorderTouches), SCrowdRange(),
+          patch.BorderGrips);
   }
 }
 
-// Bodies are in one island if contacts with a force connect them. The contacts of an island are
-// those between its bodies, and with what does not move. @return the number of islands, which begin
-// at the number of the first member.
+// Bodies are in one island if grips or contacts with a force connect them. The contacts of an
+// island are those between its bodies, and with what does not move. @return the number of islands,
+// which begin at the number of the first member.
 UInt32 CCrowdSolver::BuildIslands(const SCrowdCluster& cluster) {
   const auto& patches = m_clusters->GetPatches();
   const UInt32 first = patches[cluster.FirstPatch].FirstDisc;
@@ -47,19 +52,22 @@ UInt32 CCrowdSolver::BuildIslands(const SCrowdCluster& cluster) {
   for (UInt32 member = first; member < end; ++member) {
     m_islandParent[member] = member;
   }
-  ForRanges(cluster,
-            [this](const SCrowdRange& contacts, const SCrowdRange& touches, const SCrowdRange&) {
-              for (UInt32 i = contacts.First; i < contacts.End; ++i) {
-                if (m_contacts[i].Normal > 0.0F) {
-                  Connect(m_islandParent, m_contacts[i].A, m_contacts[i].B);
-                }
-              }
-              for (UInt32 i = touches.First; i < touches.End; ++i) {
-                if (m_touches[i].Normal > 0.0F && m_touches[i].B != CCrowdSolids::kNone) {
-                  Connect(m_islandParent, m_touches[i].A, m_touches[i].B);
-                }
-              }
-            });
+  ForRanges(cluster, [this](const SCrowdRange& contacts, const SCrowdRange& touches,
+                            const SCrowdRange&, const SCrowdRange& grips) {
+    for (UInt32 i = grips.First; i < grips.End; ++i) {
+      Connect(m_islandParent, m_grips[i].A, m_grips[i].B);
+    }
+    for (UInt32 i = contacts.First; i < contacts.End; ++i) {
+      if (m_contacts[i].Normal > 0.0F) {
+        Connect(m_islandParent, m_contacts[i].A, m_contacts[i].B);
+      }
+    }
+    for (UInt32 i = touches.First; i < touches.End; ++i) {
+      if (m_touches[i].Normal > 0.0F && m_touches[i].B != CCrowdSolids::kNone) {
+        Connect(m_islandParent, m_touches[i].A, m_touches[i].B);
+      }
+    }
+  });
   UInt32 next = first;
   for (UInt32 member = first; member < end; ++member) {
     const UInt32 root = FindRootOf(m_islandParent, member);
@@ -84,7 +92,7 @@ void CCrowdSolver::SortIntoIslands(const SCrowdCluster& cluster, UInt32 first, U
       visit(m_islands[m_islandOf[i]].Members, m_memberOrder, i);
     }
     ForRanges(cluster, [&](const SCrowdRange& contacts, const SCrowdRange& touches,
-                           const SCrowdRange& walls) {
+                           const SCrowdRange& walls, const SCrowdRange& grips) {
       for (UInt32 i = contacts.First; i < contacts.End; ++i) {
         if (SIsland* const island = islandOf(m_contacts[i].A, m_contacts[i].B)) {
           visit(island->Contacts, m_contactOrder, i);
@@ -98,16 +106,20 @@ void CCrowdSolver::SortIntoIslands(const SCrowdCluster& cluster, UInt32 first, U
       for (UInt32 i = walls.First; i < walls.End; ++i) {
         visit(m_islands[m_islandOf[m_wallContacts[i].Disc]].Walls, m_wallOrder, i);
       }
+      for (UInt32 i = grips.First; i < grips.End; ++i) {
+        visit(m_islands[m_islandOf[m_grips[i].A]].Grips, m_gripOrder, i);
+      }
     });
   };
   forAll([](SCrowdRange& list, const std::vector<UInt32>&, UInt32) { ++list.End; });
   SIsland next = {{patches[cluster.FirstPatch].FirstDisc, 0},
                   {patches[cluster.FirstPatch].FirstPair, 0},
                   {2 * patches[cluster.FirstPatch].Touches.First, 0},
-                  {patches[cluster.FirstPatch].FirstWall, 0}};
+                  {patches[cluster.FirstPatch].FirstWall, 0},
+                  patches[cluster.FirstPatch].Grips};
   for (UInt32 i = first; i < end; ++i) {
-    for (SCrowdRange SIsland::*const list :
-         {&SIsland::Members, &SIsland::Contacts, &SIsland::Touches, &SIsland::Walls}) {
+    for (SCrowdRange SIsland::*const list : {&SIsland::Members, &SIsland::Contacts,
+                                             &SIsland::Touches, &SIsland::Walls, &SIsland::Grips}) {
       SCrowdRange& range = m_islands[i].*list;
       const UInt32 count = range.End;
       range.First = range.End = (next.*list).First;
@@ -201,7 +213,9 @@ void CCrowdSolver::CopyContact(const SWallContact& contact, SCopy& copy) const {
 
 void CCrowdSolver::SolveIsland(UInt32 number, float tolerance) {
   const SIsland& island = m_islands[number];
-  if (island.Contacts.GetSize() + island.Touches.GetSize() + island.Walls.GetSize() == 0) {
+  const UInt32 numGrips = island.Grips.GetSize();
+  if (island.Contacts.GetSize() + island.Touches.GetSize() + island.Walls.GetSize() + numGrips ==
+      0) {
     return;
   }
   const std::span<SBody> bodies = CopyBodies(number);
@@ -216,7 +230,19 @@ void CCrowdSolver::SolveIsland(UInt32 number, float tolerance) {
     copy.InverseTangentMass = 1.0F / copy.TangentMass;
     copy.Impulse.Set({contact.Normal, contact.Tangent});
   });
-  CContactIsland(bodies, contacts).Solve(tolerance, kMaxTouchSweeps);
+  const std::span<SGrip> grips(m_islandGrips.data() + island.Grips.First, numGrips);
+  for (UInt32 i = 0; i < numGrips; ++i) {
+    grips[i] = m_grips[m_gripOrder[island.Grips.First + i]];
+    grips[i].A = m_islandPlace[grips[i].A];
+    grips[i].B = m_islandPlace[grips[i].B];
+  }
+  CContactIsland(bodies, contacts, grips)
+      .Solve(numGrips > 0 ? kGripTolerance * tolerance : tolerance, kMaxTouchSweeps);
+  for (UInt32 i = 0; i < numGrips; ++i) {
+    SGrip& grip = m_grips[m_gripOrder[island.Grips.First + i]];
+    grip.Impulse = grips[i].Impulse;
+    grip.ArmRate = grips[i].ArmRate;
+  }
   for (UInt32 i = 0; i < island.Members.GetSize(); ++i) {
     const UInt32 member = m_memberOrder[island.Members.First + i];
     SCrowdDisc& disc = m_discs[member];
@@ -236,9 +262,15 @@ void CCrowdSolver::SolveIsland(UInt32 number, float tolerance) {
   });
 }
 
-// Sweeps over everything find which contacts have a force, and that nothing is left to solve.
+// Sweeps over everything find which contacts have a force, and that nothing is left to solve. Grips
+// have a tolerance of their own, so that their islands are solved in any case.
 void CCrowdSolver::IterateSmall(UInt32 number, float tolerance) {
-  for (UInt32 round = 0; round < kMaxIslandRounds && SweepPatch(number, 0) > tolerance; ++round) {
+  const bool hasGrips = m_clusters->GetPatches()[number].HasGrips();
+  for (UInt32 round = 0; round < kMaxIslandRounds; ++round) {
+    const bool isSolved = SweepPatch(number, 0) <= tolerance;
+    if (isSolved && (round > 0 || !hasGrips)) {
+      break;
+    }
     const UInt32 first = m_clusters->GetPatches()[number].FirstDisc;
     const UInt32 count = BuildIslands({number, number + 1});
     for (UInt32 i = first; i < first + count; ++i) {
@@ -249,8 +281,12 @@ void CCrowdSolver::IterateSmall(UInt32 number, float tolerance) {
 
 void CCrowdSolver::IterateLarge(CThreadPool& pool, const SCrowdCluster& cluster, float tolerance) {
   const UInt32 first = m_clusters->GetPatches()[cluster.FirstPatch].FirstDisc;
-  for (UInt32 round = 0; round < kMaxIslandRounds && SweepLarge(pool, cluster, 0, tolerance);
-       ++round) {
+  const bool hasGrips = HasGrips(cluster);
+  for (UInt32 round = 0; round < kMaxIslandRounds; ++round) {
+    const bool isSolved = !SweepLarge(pool, cluster, 0, tolerance);
+    if (isSolved && (round > 0 || !hasGrips)) {
+      break;
+    }
     const UInt32 count = BuildIslands(cluster);
     pool.ParallelFor(count, kIslandGrain, [&](size_t begin, size_t end, UInt32) {
       for (size_t i = first + begin; i < first + end; ++i) {

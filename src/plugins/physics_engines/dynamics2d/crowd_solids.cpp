@@ -50,6 +50,7 @@ void CCrowdSolids::List(const CPlanarStore& store) {
   m_solids.clear();
   m_parts.clear();
   m_solidOf.clear();
+  m_numPassive = store.GetPassive().size();
   for (UInt32 slot = 0; slot < store.GetPassive().size(); ++slot) {
     const SPassiveBody& body = store.GetPassive()[slot];
     const bool isAwake =
@@ -60,6 +61,16 @@ void CCrowdSolids::List(const CPlanarStore& store) {
     const SDrivenBody& body = store.GetDriven()[slot];
     Add(EPlanarKind::Driven, slot, *body.Solid, body.Pose, true);
   }
+}
+
+UInt32 CCrowdSolids::GetItem(EPlanarKind kind, UInt32 slot) const {
+  if (kind == EPlanarKind::Passive) {
+    return m_numDiscs + slot;
+  }
+  const auto found = std::lower_bound(
+      m_solids.begin() + static_cast<std::ptrdiff_t>(m_numPassive), m_solids.end(), slot,
+      [](const SSolid& solid, UInt32 wanted) { return solid.Slot < wanted; });
+  return m_numDiscs + static_cast<UInt32>(found - m_solids.begin());
 }
 
 void CCrowdSolids::Add(EPlanarKind kind, UInt32 slot, const SPlanarSolid& shape,

@@ -50,6 +50,8 @@ class CCrowdSolids {
   bool IsSolid(UInt32 item) const { return item >= m_numDiscs; }
   const std::vector<SSolid>& GetSolids() const { return m_solids; }
   const SSolid& GetSolid(UInt32 item) const { return m_solids[item - m_numDiscs]; }
+  /** The item of a passive body, or of a robot that is no disc, by its slot. */
+  UInt32 GetItem(EPlanarKind kind, UInt32 slot) const;
   const std::vector<SPair>& GetPairs() const { return m_pairs; }
   /** The parts of all solids at the start of the tick, world frame. */
   const std::vector<SFootprint>& GetParts() const { return m_parts; }
@@ -59,7 +61,7 @@ class CCrowdSolids {
   /** Calls visit(item) for every solid in a circle, perhaps for others. */
   template <typename VISIT>
   void ForNear(Real x, Real y, Real radius, VISIT&& visit) {
-    m_cells.Find(m_grid, x, y, radius, m_found);
+    FindPartsNear(x, y, radius);
     UInt32 last = kNone;
     for (const UInt32 part : m_found) {
       if (m_solidOf[part] != last) {
@@ -79,7 +81,8 @@ class CCrowdSolids {
   void PairWithObstacles(UInt32 solid, const CDiscPairs& discPairs, Real solidReach);
 
   UInt32 m_numDiscs = 0;
-  std::vector<SSolid> m_solids;
+  std::vector<SSolid> m_solids;  // passive bodies, then robots; both by slot
+  size_t m_numPassive = 0;
   std::vector<SFootprint> m_parts;
   std::vector<UInt32> m_solidOf;  // by part
   std::vector<SPair> m_pairs;  // with obstacles last

@@ -86,7 +86,10 @@ void CCrowdSolver::LookUpForces(CThreadPool& pool, const SCrowdMemory& memory) {
     m_wallForces[i] = memory.Walls.Find(members[walls[i].Disc].Number, walls[i].Obstacle);
   }
   LookUpTouchForces(pool, memory.Touches);
-  if (!m_solids->GetSolids().empty()) {
+  m_grips.resize(m_clusters->GetGrips().size());
+  if (!m_solids->GetSolids().empty() || !m_grips.empty()) {
+    m_gripOrder.resize(m_grips.size());
+    m_islandGrips.resize(m_grips.size());
     m_islandContacts.resize(pairs.size() + walls.size() + m_touches.size());
     m_islandBodies.resize(2 * members.size());
     m_islandPlace.resize(members.size());
@@ -103,11 +106,13 @@ void CCrowdSolver::LookUpForces(CThreadPool& pool, const SCrowdMemory& memory) {
 
 void CCrowdSolver::Solve(CThreadPool& pool, const CCrowdClusters& clusters,
                          const CDiscPairs& discPairs, const CCrowdSolids& solids,
-                         const std::vector<SCrowdLine>& lines, const SCrowdMemory& memory) {
+                         const std::vector<SCrowdLine>& lines, const SCrowdMemory& memory,
+                         std::vector<SCrowdGrip>& grips) {
   m_clusters = &clusters;
   m_discPairs = &discPairs;
   m_solids = &solids;
   m_lines = &lines;
+  m_gripStates = &grips;
   LookUpForces(pool, memory);
   m_parts = solids.GetParts();
   m_states.assign(clusters.GetPatches().size(), SPatchState());
@@ -152,6 +157,9 @@ UInt32 CCrowdSolver::CountSubsteps(const SCrowdPatch& patch) const {
     }
     needed = std::max(needed, greatest * tick / (kDrivesOfSubstep * weakest));
   }
+  for (UInt32 i = patch.Grips.First; i < patch.BorderGrips.End; ++i) {
+    needed = std::max(needed, (*m_gripStates)[m_clusters->GetGrips()[i].Number].NeededSubsteps);
+  }
   const auto most = static_cast<float>(std::max(kMaxSubsteps, m_tick.LeastSubsteps));
   return static_cast<UInt32>(std::ceil(std::min(needed, most)));
 }
@@ -162,13 +170,15 @@ void CCrowdSolver::SolveSmall(UInt32 number) {
   SSubstep substep = {static_cast<float>(m_tick.Duration / count), 0, count};
   for (; substep.Number < count; ++substep.Number) {
     FindContacts(number, substep);
+    FindGrips(patch.Grips, substep);
     StartDrives(number, substep);
     SPatchState& state = m_states[number];
+    WarmStartGrips(patch.Grips);
     WarmStart(patch.FirstPair, state.NumContacts);
     WarmStartTouches(2 * patch.Touches.First, state.NumTouches);
     WarmStartWalls(patch.FirstWall, state.NumWalls);
     const float tolerance = m_tolerance / substep.Duration;
-    if (patch.Touches.GetSize() > 0) {
+    if (patch.HasIslands()) {
       IterateSmall(number, kTouchTolerance * tolerance);
     } else {
       for (UInt32 sweep = 0; sweep < kMaxCrowdSweeps && SweepPatch(number, sweep) > tolerance;
@@ -176,6 +186,7 @@ void CCrowdSolver::SolveSmall(UInt32 number) {
       }
     }
     TakeForces(number, substep);
+    TakeGrips(number, substep);
     Move(number, substep);
   }
   for (UInt32 push = 0; push < kMaxPushes; ++push) {
@@ -191,12 +202,12 @@ void CCrowdSolver::SolveLarge(CThreadPool& pool, const SCrowdCluster& cluster) {
   for (UInt32 number = cluster.FirstPatch; number < cluster.EndPatch; ++number) {
     count = std::max(count, CountSubsteps(m_clusters->GetPatches()[number]));
   }
-  const bool hasTouches = HasTouches(cluster);
+  const bool usesIslands = UsesIslands(cluster);
   SSubstep substep = {static_cast<float>(m_tick.Duration / count), 0, count};
   for (; substep.Number < count; ++substep.Number) {
     StartSubstep(pool, cluster, substep);
     const float tolerance = m_tolerance / substep.Duration;
-    if (hasTouches) {
+    if (usesIslands) {
       IterateLarge(pool, cluster, kTouchTolerance * tolerance);
     } else {
       bool isDue = true;
@@ -205,6 +216,9 @@ void CCrowdSolver::SolveLarge(CThreadPool& pool, const SCrowdCluster& cluster) {
       }
     }
     ForPatches(pool, cluster, [&](UInt32 number) { TakeForces(number, substep); });
+    for (UInt32 number = cluster.FirstPatch; number < cluster.EndPatch; ++number) {
+      TakeGrips(number, substep);
+    }
     ForPatches(pool, cluster, [&](UInt32 number) { Move(number, substep); });
   }
   bool isDeep = true;
@@ -216,9 +230,14 @@ void CCrowdSolver::SolveLarge(CThreadPool& pool, const SCrowdCluster& cluster) {
 void CCrowdSolver::StartSubstep(CThreadPool& pool, const SCrowdCluster& cluster,
                                 const SSubstep& substep) {
   const auto& patches = m_clusters->GetPatches();
-  ForPatches(pool, cluster, [&](UInt32 number) { FindContacts(number, substep); });
+  ForPatches(pool, cluster, [&](UInt32 number) {
+    FindContacts(number, substep);
+    FindGrips(patches[number].Grips, substep);
+    FindGrips(patches[number].BorderGrips, substep);
+  });
   ForPatches(pool, cluster, [&](UInt32 number) {
     StartDrives(number, substep);
+    WarmStartGrips(patches[number].Grips);
     WarmStart(patches[number].FirstPair, m_states[number].NumContacts);
     WarmStartTouches(2 * patches[number].Touches.First, m_states[number].NumTouches);
     WarmStartWalls(patches[number].FirstWall, m_states[number].NumWalls);
@@ -227,6 +246,7 @@ void CCrowdSolver::StartSubstep(CThreadPool& pool, const SCrowdCluster& cluster,
   ForBorders(pool, cluster, [&](UInt32 number) {
     WarmStart(patches[number].FirstBorder, m_states[number].NumBorder);
     WarmStartTouches(2 * patches[number].BorderTouches.First, m_states[number].NumBorderTouches);
+    WarmStartGrips(patches[number].BorderGrips);
   });
 }
 
@@ -246,6 +266,7 @@ bool CCrowdSolver::SweepLarge(CThreadPool& pool, const SCrowdCluster& cluster, U
       state.BorderChange =
           std::max(SweepContacts(patch.FirstBorder, state.NumBorder, backwards),
                    SweepTouches(2 * patch.BorderTouches.First, state.NumBorderTouches, backwards));
+      state.BorderChange = std::max(state.BorderChange, SweepGrips(patch.BorderGrips));
     }
   });
   bool isDue = false;
@@ -293,6 +314,9 @@ float CCrowdSolver::SweepPatch(UInt32 number, UInt32 sweep) {
   const bool backwards = sweep % 2 != 0;
   change = std::max(change, SweepContacts(patch.FirstPair, state.NumContacts, backwards));
   change = std::max(change, SweepTouches(2 * patch.Touches.First, state.NumTouches, backwards));
+  if (patch.Grips.GetSize() > 0) {
+    change = std::max(change, SweepGrips(patch.Grips));
+  }
   change = std::max(change, SweepWalls(patch.FirstWall, state.NumWalls));
   state.Change = change;
   return change;

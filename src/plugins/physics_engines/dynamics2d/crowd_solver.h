@@ -41,6 +41,11 @@ class CCrowdSolver {
  public:
   void Reserve(size_t discs);
   void ReserveForSolids(size_t discs, size_t solids, size_t touches);
+  void ReserveGrips(size_t grips) {
+    m_grips.reserve(grips);
+    m_islandGrips.reserve(grips);
+    m_gripOrder.reserve(grips);
+  }
   /** Sets the number of discs, all of which are to be filled in. */
   void Start(const SCrowdTick& tick, size_t discs);
   SCrowdDisc& GetDisc(UInt32 member) { return m_discs[member]; }
@@ -49,14 +54,18 @@ class CCrowdSolver {
   /**
    * Moves all discs by one tick.
    * @param lines  what obstacles from kFirstLine on are.
+   * @param grips  what CCrowdClusters united; their state is changed.
    */
   void Solve(CThreadPool& pool, const CCrowdClusters& clusters, const CDiscPairs& discPairs,
              const CCrowdSolids& solids, const std::vector<SCrowdLine>& lines,
-             const SCrowdMemory& memory);
+             const SCrowdMemory& memory, std::vector<SCrowdGrip>& grips);
   /** After Solve(): has anything pushed the body? */
   bool IsPushed(UInt32 member) const { return m_isPushed[member] != 0; }
   /** After Solve(): stores the forces of the last substep. @param slots  of robots. */
   void Remember(size_t slots, SCrowdMemory& memory) const;
+  /** After Solve(): calls visit(A, B) for the members that pressed each other; B may be kNone. */
+  template <typename VISIT>
+  void ForForces(VISIT&& visit) const;
   /** After Solve(): the deepest overlap that is left, m. */
   Real GetDeepest() const { return m_deepest; }
 
@@ -71,6 +80,7 @@ class CCrowdSolver {
   // as an island has them
   using SBody = SIslandBody<float>;
   using SCopy = SIslandContact<float>;
+  using SGrip = SIslandGrip<float>;
   /** A contact of two discs in a substep. */
   struct SContact {
     UInt32 A, B, Pair;
@@ -100,7 +110,7 @@ class CCrowdSolver {
   };
   /** Bodies that press each other, and their contacts: ranges of the lists in their order. */
   struct SIsland {
-    SCrowdRange Members, Contacts, Touches, Walls;
+    SCrowdRange Members, Contacts, Touches, Walls, Grips;
   };
   /** The contacts of a patch in a substep, and how far it is solved. */
   struct SPatchState {
@@ -172,8 +182,20 @@ class CCrowdSolver {
   float PushTouchesApart(const SCrowdRange& range);
   void PushPoint(const CCrowdClusters::STouch& pair, const SSeparation& point, Real share);
 
+  // grips: crowd_grips.cpp
+  void FindGrips(const SCrowdRange& range, const SSubstep& substep);
+  void FindGrip(UInt32 number, const SSubstep& substep);
+  static SGripMotion<float> MotionOf(const SCrowdDisc& disc) {
+    return {disc.VX, disc.VY, disc.W, disc.InverseMass, disc.InverseInertia};
+  }
+  void ApplyImpulse(SGrip& grip, const SGripChange<float>& change);
+  void WarmStartGrips(const SCrowdRange& range);
+  float SweepGrips(const SCrowdRange& range);
+  void TakeGrips(UInt32 patch, const SSubstep& substep);
+
   // islands: crowd_islands.cpp
-  bool HasTouches(const SCrowdCluster& cluster) const;
+  bool UsesIslands(const SCrowdCluster& cluster) const;
+  bool HasGrips(const SCrowdCluster& cluster) const;
   template <typename VISIT>
   void ForRanges(const SCrowdCluster& cluster, VISIT&& visit) const;
   UInt32 BuildIslands(const SCrowdCluster& cluster);
@@ -196,6 +218,7 @@ class CCrowdSolver {
   const CDiscPairs* m_discPairs = nullptr;
   const CCrowdSolids* m_solids = nullptr;
   const std::vector<SCrowdLine>* m_lines = nullptr;
+  std::vector<SCrowdGrip>* m_gripStates = nullptr;
   // by member
   std::vector<SCrowdDisc> m_discs;
   std::vector<SCrowdDrive> m_drives;
@@ -219,12 +242,33 @@ class CCrowdSolver {
   std::vector<SContact> m_contacts;
   std::vector<SWallContact> m_wallContacts;
   std::vector<STouch> m_touches;  // from twice the number of the first touch
+  std::vector<SGrip> m_grips;  // as the clusters have them
   // in the order of islands
-  std::vector<UInt32> m_contactOrder, m_wallOrder, m_touchOrder;
+  std::vector<UInt32> m_contactOrder, m_wallOrder, m_touchOrder, m_gripOrder;
   std::vector<SCopy> m_islandContacts;
+  std::vector<SGrip> m_islandGrips;
   std::vector<SPatchState> m_states;  // by patch
   Real m_deepest = 0.0;  // m
 };
+
+template <typename VISIT>
+void CCrowdSolver::ForForces(VISIT&& visit) const {
+  for (size_t i = 0; i < m_pairForces.size(); ++i) {
+    if (m_pairForces[i].Normal > 0.0F) {
+      visit(m_clusters->GetPairs()[i].A, m_clusters->GetPairs()[i].B);
+    }
+  }
+  for (size_t i = 0; i < m_wallForces.size(); ++i) {
+    if (m_wallForces[i].Normal > 0.0F) {
+      visit(m_clusters->GetWalls()[i].Disc, CCrowdSolids::kNone);
+    }
+  }
+  for (size_t i = 0; i < m_touchForces.size(); ++i) {
+    if (m_touchForces[i].Normal > 0.0F) {
+      visit(m_clusters->GetTouches()[i / 2].A, m_clusters->GetTouches()[i / 2].B);
+    }
+  }
+}
 
 // Calls visit(patch) for the patches of a cluster, on all threads.
 template <typename VISIT>

@@ -158,7 +158,7 @@ void CDynamics2DEngine::UpdateManipulator(CPlanarModel& model) {
 
 void CDynamics2DEngine::Build() {
   const std::vector<CDescribedBodyModel*> models = ListModelsForWorld();
-  m_settings->UnitsPerMetre = ChooseScale();
+  m_settings->SmallestRadius = ComputeSmallestRadius();
   m_settings->Period = GetPeriod();
   m_isPeriodic = m_settings->Period.IsOn();
   m_world = std::make_unique<CPlanarWorld>(*m_settings);
@@ -189,8 +189,7 @@ Real CDynamics2DEngine::GetGhostReach() const {
   return m_world != nullptr ? m_world->ComputeGhostReach() : CPhysicsEngine::GetGhostReach();
 }
 
-// Box2D is tuned for bodies of about its unit of length.
-Real CDynamics2DEngine::ChooseScale() const {
+Real CDynamics2DEngine::ComputeSmallestRadius() const {
   Real smallest = 0.0;
   for (const auto& model : GetModels()) {
     if (model->GetEmbodiedEntity().IsMovable()) {
@@ -198,7 +197,7 @@ Real CDynamics2DEngine::ChooseScale() const {
       smallest = smallest > 0.0 ? std::min(smallest, half) : half;
     }
   }
-  return smallest > 0.0 ? kMinRadiusInUnits / smallest : kDefaultUnitsPerMetre;
+  return smallest > 0.0 ? smallest : SPlanarSettings().SmallestRadius;
 }
 
 void CDynamics2DEngine::AddToWorld(CDynamics2DBody& model) {

@@ -107,7 +107,7 @@ class CDynamics2DEngine : public CPlanarEngine {
   void RestoreGrip(const SGripTransfer& grip) override;
   CDynamics2DBody& GetModel(const CEmbodiedEntity& body) const;
   void Build();
-  Real ChooseScale() const;
+  Real ComputeSmallestRadius() const;
   void AddToWorld(CDynamics2DBody& model);
   bool WriteBack(CDynamics2DBody& model, const SPlanarPose& pose, Real radius);
   void WriteBackDriven(CThreadPool& pool);

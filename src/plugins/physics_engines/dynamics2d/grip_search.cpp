@@ -1,80 +1,90 @@
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/grip_search.h>
 
 #include <argos3/core/simulator/entity/embodied_entity.h>
-#include <argos3/plugins/simulator/physics_engines/dynamics2d/overlap_solver.h>
-#include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_shapes.h>
+#include <argos3/core/simulator/geometry/convex_polygon.h>
 
-#include <box2d/b2_distance.h>
+#include <algorithm>
+#include <cmath>
 
 namespace argos {
 
 namespace {
 
-// the point of the described solid of a fixture that is nearest to a point
-b2Vec2 ComputeNearestPoint(const b2Fixture& fixture, const b2Vec2& point) {
-  const b2Transform& frame = fixture.GetBody()->GetTransform();
-  if (fixture.GetType() == b2Shape::e_circle) {
-    const auto& disc = static_cast<const b2CircleShape&>(*fixture.GetShape());
-    b2Vec2 outward = point - b2Mul(frame, disc.m_p);
-    const float outside = outward.Normalize() - (disc.m_radius - kShapeMargin);
-    return outside > 0.0F ? point - outside * outward : point;
+SPlanarVector FindNearestPoint(const SFootprint& footprint, const SPlanarVector& point) {
+  const Real x = point.X - footprint.X;
+  const Real y = point.Y - footprint.Y;
+  if (footprint.Radius > 0.0) {
+    const Real distance = std::hypot(x, y);
+    const Real share = distance > footprint.Radius ? footprint.Radius / distance : 1.0;
+    return {footprint.X + share * x, footprint.Y + share * y};
   }
-  b2DistanceInput input;
-  input.proxyA.Set(fixture.GetShape(), 0);
-  input.proxyB.Set(&point, 1, 0.0F);
-  input.transformA = frame;
-  input.transformB.SetIdentity();
-  input.useRadii = false;
-  b2SimplexCache cache;
-  cache.count = 0;
-  b2DistanceOutput output;
-  b2Distance(&output, &cache, &input);
-  return output.pointA;
+  SPlanarVector inFrame = RotateIntoFrame(footprint, x, y);
+  if (footprint.Polygon != nullptr) {
+    const SPolygonNearest nearest = FindNearest(*footprint.Polygon, CVector2(inFrame.X, inFrame.Y));
+    if (nearest.Distance > 0.0) {
+      inFrame = {nearest.Point.GetX(), nearest.Point.GetY()};
+    }
+  } else {
+    inFrame.X = std::clamp(inFrame.X, -footprint.HalfX, footprint.HalfX);
+    inFrame.Y = std::clamp(inFrame.Y, -footprint.HalfY, footprint.HalfY);
+  }
+  const SPlanarVector offset = RotateOutOfFrame(footprint, inFrame.X, inFrame.Y);
+  return {footprint.X + offset.X, footprint.Y + offset.Y};
 }
 
-class CGripSearch : public b2QueryCallback {
+class CGripSearch {
  public:
-  CGripSearch(const b2Vec2& centre, float radius, const std::vector<SPlanarOwner>& grippable,
-              const b2Body& own)
-      : m_centre(centre), m_nearest(radius), m_grippable(grippable), m_own(own) {}
+  CGripSearch(const SPlanarVector& centre, Real radius) : m_centre(centre), m_nearest(radius) {}
 
-  const SGripPlace& GetPlace() const { return m_place; }
+  const std::optional<SGripPlace>& GetPlace() const { return m_place; }
 
-  bool ReportFixture(b2Fixture* fixture) override {
-    b2Body& body = *fixture->GetBody();
-    if (&body == &m_own || m_grippable[GetBodyNumber(body)].Body == nullptr) {
-      return true;
-    }
-    const b2Vec2 point = ComputeNearestPoint(*fixture, m_centre);
-    const float distance = b2Distance(point, m_centre);
-    const bool isFirst = m_place.Body == nullptr && distance <= m_nearest;
+  void Visit(const SPlanarOwner& owner, const SFootprint& part) {
+    const SPlanarVector point = FindNearestPoint(part, m_centre);
+    const Real distance = std::hypot(point.X - m_centre.X, point.Y - m_centre.Y);
+    const bool isFirst = !m_place && distance <= m_nearest;
     if (isFirst || distance < m_nearest ||
-        (distance == m_nearest && GetIndex(body) < GetIndex(*m_place.Body))) {
+        (m_place && distance == m_nearest &&
+         owner.Body->GetIndex() < m_place->Owner.Body->GetIndex())) {
       m_nearest = distance;
-      m_place = {&body, point};
+      m_place = {owner, point};
     }
-    return true;
   }
 
  private:
-  ssize_t GetIndex(b2Body& body) const { return m_grippable[GetBodyNumber(body)].Body->GetIndex(); }
-
-  b2Vec2 m_centre;
-  float m_nearest;
-  const std::vector<SPlanarOwner>& m_grippable;
-  const b2Body& m_own;
-  SGripPlace m_place;
+  SPlanarVector m_centre;
+  Real m_nearest;
+  std::optional<SGripPlace> m_place;
 };
 
 }  // namespace
 
-SGripPlace FindGripPlace(const b2World& world, const b2Vec2& centre, float radius,
-                         const std::vector<SPlanarOwner>& grippable, const b2Body& own) {
-  CGripSearch search(centre, radius, grippable, own);
-  b2AABB box;
-  box.lowerBound = centre - b2Vec2(radius, radius);
-  box.upperBound = centre + b2Vec2(radius, radius);
-  world.QueryAABB(&search, box);
+std::optional<SGripPlace> FindGripPlace(const CPlanarStore& store, const CDiscPairs& discPairs,
+                                        CCrowdSolids& solids, const SPlanarVector& centre,
+                                        Real radius, const SPlanarHandle& own) {
+  CGripSearch search(centre, radius);
+  const SPeriodicity& period = store.GetSettings().Period;
+  discPairs.ForNear(centre.X, centre.Y, radius, [&](UInt32 place) {
+    const CDiscPairs::SDisc& disc = discPairs.GetDiscs()[place];
+    const SDrivenBody& body = store.GetDriven()[disc.Number];
+    if (body.IsGrippable && *body.Owner.Handle != own) {
+      const SPlanarVector image = FindNearestImage(period, disc.X, disc.Y, centre.X, centre.Y);
+      search.Visit(body.Owner,
+                   {disc.X + image.X, disc.Y + image.Y, 1.0, 0.0, 0.0, 0.0, disc.Radius});
+    }
+  });
+  solids.ForNear(centre.X, centre.Y, radius, [&](UInt32 item) {
+    const CCrowdSolids::SSolid& solid = solids.GetSolid(item);
+    const SPlanarOwner& owner = solid.Kind == EPlanarKind::Driven
+                                    ? store.GetDriven()[solid.Slot].Owner
+                                    : store.GetPassive()[solid.Slot].Owner;
+    if (!store.IsGrippable(*owner.Handle) || *owner.Handle == own) {
+      return;
+    }
+    const SPlanarVector image = FindNearestImage(period, solid.X, solid.Y, centre.X, centre.Y);
+    for (size_t part = 0; part < solid.Shape->Parts.size(); ++part) {
+      search.Visit(owner, Displace(solids.GetParts()[solid.FirstPart + part], image.X, image.Y));
+    }
+  });
   return search.GetPlace();
 }
 

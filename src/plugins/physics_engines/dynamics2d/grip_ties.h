@@ -1,6 +1,7 @@
 #ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_GRIP_TIES_H
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_GRIP_TIES_H
 
+#include <argos3/plugins/simulator/physics_engines/dynamics2d/crowd.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_grips.h>
 #include <argos3/plugins/simulator/physics_engines/planar/body_forest.h>
 
@@ -20,26 +21,27 @@ namespace argos {
  */
 class CGripTies {
  public:
-  /** Allocates for so many active robots. */
-  void Reserve(size_t active);
+  /** Allocates for so many robots in grips. */
+  void Reserve(size_t robots);
   /**
-   * After CActiveSet::StartTick(): changes the velocities of groups that balanced in the last tick.
-   * A group that holds an object or touches another body is left alone: it is not balanced by its
+   * After the robots were planned: changes the velocities of groups that balanced in the last tick.
+   * A group that holds an object or pressed another body is left alone: it is not balanced by its
    * drives only.
    */
-  void Settle(CPlanarStore& store, const CActiveSet& active, const CPlanarGrips& grips);
+  void Settle(CPlanarStore& store, const CPlanarGrips& grips,
+              const std::vector<SGripTouch>& touches);
 
  private:
-  void FindGroups(CPlanarStore& store, const CActiveSet& active, const CPlanarGrips& grips);
-  b2Vec2 ComputeChange(const CPlanarStore& store, const CActiveSet& active, size_t begin,
-                       size_t end) const;
-  bool TouchesOthers(const CActiveSet& active, size_t begin, size_t end) const;
+  void FindGroups(const CPlanarGrips& grips);
+  void FindLoaded(const CPlanarGrips& grips, const std::vector<SGripTouch>& touches);
+  UInt32 NumberOf(UInt32 slot) const;
+  SPlanarVector ComputeChange(const CPlanarStore& store, size_t begin, size_t end) const;
 
-  // by number in the active set
+  std::vector<UInt32> m_slots;  // of the robots in grips with each other, ascending
+  // by number in m_slots
   TBodyForest m_parents;
-  std::vector<UInt8> m_holdsObject;
-  std::vector<b2Vec2> m_changes;  // of the roots, Box2D units / s
-  std::vector<UInt32> m_members;  // robots in grips, by group
+  std::vector<UInt8> m_isLoaded;  // by the group's root
+  std::vector<UInt32> m_members;  // by group
 };
 
 }  // namespace argos

@@ -7,36 +7,27 @@
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_solid.h>
 #include <argos3/plugins/simulator/physics_engines/planar/footprints.h>
 
-#include <limits>
 #include <memory>
 #include <vector>
-
-class b2Body;
 
 namespace argos {
 
 /** A wall or another object that never moves by itself. */
 struct SImmovableBody {
   SPlanarOwner Owner;
-  b2Body* Body = nullptr;
   std::vector<SFootprint> Obstacles;  // its solids, for the proximity filter
 };
 
-/**
- * A movable object without a drive. Its Box2D body is enabled while Box2D solves its cluster: see
- * CActiveSet.
- */
+/** A movable object without a drive. */
 struct SPassiveBody {
   SPlanarPose Pose;
   SPlanarVelocity Velocity;
   SPlanarOwner Owner;
-  b2Body* Body = nullptr;
   SPlanarSolid Solid;
-  float X = 0.0F, Y = 0.0F, Angle = 0.0F;  // of Body when Pose was written, Box2D units, rad
-  float Extent = 0.0F;  // half of its narrowest side, Box2D units
   Real BoundingRadius = 0.0;  // around the origin, m
   bool IsFresh = true;  // it may overlap others, although nothing moves: it was added
   bool Moved = false;  // in this tick
+  bool IsGrippable = false;
   bool WasReleased = false;  // by a gripper, in this tick
   UInt8 NumGrips = 0;  // that hold it
 };
@@ -54,19 +45,14 @@ struct SDrivenKind {
 };
 
 /**
- * A robot with a drive.
- *
- * A disc that cannot touch anything in a tick has no Box2D body: it moves exactly as planned. The
- * others are active: see CActiveSet.
+ * A robot with a drive. A disc that cannot touch anything in a tick moves exactly as planned.
  */
 struct SDrivenBody {
-  static constexpr UInt32 kInactive = std::numeric_limits<UInt32>::max();
-
   // state at the end of the last tick
   SPlanarPose Pose;
   SPlanarVelocity Velocity;
   SDriveCommand Command;  // of the last tick
-  // state at the end of this tick: as planned, then corrected by Box2D if the body is active
+  // state at the end of this tick: as planned, then corrected by the crowd
   SPlanarPose NextPose;
   SPlanarVelocity NextVelocity;
   SDriveCommand NextCommand;
@@ -82,10 +68,9 @@ struct SDrivenBody {
   bool HasManipulator = false;
   UInt8 NumGrips = 0;  // in which it is the holder or is held
 
-  UInt32 ActiveNumber = kInactive;  // in the active set
+  // in a grip: impulse of the drive in the last substep, as a share of the greatest one
+  float PullX = 0.0F, PullY = 0.0F;
   SPlanarOwner Owner;
-
-  bool IsActive() const { return ActiveNumber != kInactive; }
 };
 
 }  // namespace argos

@@ -5,7 +5,6 @@
 #include <argos3/plugins/simulator/entities/gripper_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/turret_entity.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/grip_search.h>
-#include <argos3/plugins/simulator/physics_engines/dynamics2d/overlap_solver.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_limits.h>
 
 #include <algorithm>
@@ -20,17 +19,15 @@ constexpr Real kServoSlack = 0.01;
 // most grips in which one body takes part
 constexpr UInt8 kMaxGrips = 255;
 
-// kg/s, the critical damping of two masses (kg) on a spring (N/m)
-Real ComputeCriticalDamping(Real stiffness, Real a, Real b) {
-  return 2.0 * std::sqrt(stiffness * a * b / (a + b));
+// kg, the mass of two that a spring between them moves
+Real ComputeReducedMass(Real a, Real b) {
+  return a * b / (a + b);
 }
 
-// keeps the centre of mass and the moment of inertia
-void ChangeMass(b2Body& body, float change) {
-  b2MassData mass;
-  body.GetMassData(&mass);
-  mass.mass += change;
-  body.SetMassData(&mass);
+SPlanarVector Rotate(const SPlanarVector& vector, Real angle) {
+  const Real cosine = std::cos(angle);
+  const Real sine = std::sin(angle);
+  return {cosine * vector.X - sine * vector.Y, sine * vector.X + cosine * vector.Y};
 }
 
 }  // namespace
@@ -104,21 +101,6 @@ bool CPlanarGrips::IsInGrip(const SPlanarHandle& handle) const {
   return handle.Kind != EPlanarKind::Immovable && m_store.GetNumGrips(handle) > 0;
 }
 
-void CPlanarGrips::CreateSpares(std::vector<b2Body*>& spares) {
-  b2BodyDef body;
-  body.type = b2_dynamicBody;
-  for (size_t i = 0; i < m_manipulators.size(); ++i) {
-    b2RevoluteJointDef pivot;
-    b2WheelJointDef hold;
-    pivot.bodyA = hold.bodyA = &m_store.GetGround();
-    pivot.bodyB = hold.bodyB = m_store.GetWorld().CreateBody(&body);
-    hold.localAxisA.Set(1.0F, 0.0F);
-    m_store.GetWorld().CreateJoint(&pivot);
-    m_store.GetWorld().CreateJoint(&hold);
-    spares.push_back(pivot.bodyB);
-  }
-}
-
 void CPlanarGrips::StartTick() {
   const Real maxRate = kMaxSubsteps * kMaxStepTurn / m_store.GetSettings().Tick;
   for (SManipulator& each : m_manipulators) {
@@ -144,122 +126,126 @@ void CPlanarGrips::StartTick() {
   }
 }
 
-bool CPlanarGrips::IsHoldingAny() const {
-  return std::any_of(m_manipulators.begin(), m_manipulators.end(),
-                     [](const SManipulator& each) { return each.IsHolding(); });
-}
-
 bool CPlanarGrips::IsSeeking(const SManipulator& manipulator) const {
   return manipulator.Gripper != nullptr && !manipulator.IsHolding() &&
          manipulator.Gripper->IsLocked() && m_store.GetSettings().GrippingRigidity > 0.0;
 }
 
-// how far the sensing disc reaches out of the circle around the robot, m
-Real CPlanarGrips::ComputeSeekReach(const SManipulator& manipulator) const {
-  const CVector3& offset = manipulator.Gripper->GetOffset();
-  return std::max(0.0, std::hypot(offset.GetX(), offset.GetY()) + manipulator.Limits.SensorRadius -
-                           m_store.GetDriven(*manipulator.Owner.Handle).BoundingRadius);
-}
-
-void CPlanarGrips::MakeGrips() {
+void CPlanarGrips::MakeGrips(const CDiscPairs& discPairs, CCrowdSolids& solids) {
   for (SManipulator& each : m_manipulators) {
-    const SDrivenBody& body = m_store.GetDriven(*each.Owner.Handle);
-    if (IsSeeking(each) && body.IsActive() && body.NumGrips < kMaxGrips) {
-      MakeGrip(each);
+    if (IsSeeking(each) && m_store.GetDriven(*each.Owner.Handle).NumGrips < kMaxGrips) {
+      MakeGrip(each, discPairs, solids);
     }
   }
 }
 
-void CPlanarGrips::MakeGrip(SManipulator& manipulator) {
-  b2Body& base = m_active.GetBox2DBody(*manipulator.Owner.Handle);
-  const b2Rot turn(base.GetAngle() + static_cast<float>(manipulator.Rotation));
+void CPlanarGrips::MakeGrip(SManipulator& manipulator, const CDiscPairs& discPairs,
+                            CCrowdSolids& solids) {
+  const SPlanarPose& pose = m_store.GetDriven(*manipulator.Owner.Handle).Pose;
   const CVector3& offset = manipulator.Gripper->GetOffset();
-  const b2Vec2 arm(m_store.ToUnits(offset.GetX()), m_store.ToUnits(offset.GetY()));
-  const SGripPlace place =
-      FindGripPlace(m_store.GetWorld(), base.GetPosition() + b2Mul(turn, arm),
-                    m_store.ToUnits(manipulator.Limits.SensorRadius), m_store.GetGrippable(), base);
-  if (place.Body == nullptr) {
+  const Real angle = pose.ComputeYaw() + manipulator.Rotation;
+  const SPlanarVector arm = Rotate({offset.GetX(), offset.GetY()}, angle);
+  const std::optional<SGripPlace> place =
+      FindGripPlace(m_store, discPairs, solids, {pose.X + arm.X, pose.Y + arm.Y},
+                    manipulator.Limits.SensorRadius, *manipulator.Owner.Handle);
+  if (!place || m_store.GetNumGrips(*place->Owner.Handle) == kMaxGrips) {
     return;
   }
-  // a copy, because the list may change
-  const SPlanarOwner held = m_store.GetGrippable()[GetBodyNumber(*place.Body)];
-  if (m_store.GetNumGrips(*held.Handle) == kMaxGrips) {
-    return;
-  }
-  const b2Vec2 onTurret = b2MulT(turn, place.Point - base.GetPosition());
-  const b2Vec2 onHeld = place.Body->GetLocalPoint(place.Point);
-  Attach(manipulator, held,
-         {m_store.ToMetres(onTurret.x), m_store.ToMetres(onTurret.y), m_store.ToMetres(onHeld.x),
-          m_store.ToMetres(onHeld.y)});
+  const SPlanarHandle& held = *place->Owner.Handle;
+  const SPlanarPose& heldPose = held.Kind == EPlanarKind::Driven ? m_store.GetDriven(held).Pose
+                                                                 : m_store.GetPassive(held).Pose;
+  const SPeriodicity& period = m_store.GetSettings().Period;
+  const SPlanarVector onTurret = Rotate({place->Point.X - pose.X, place->Point.Y - pose.Y}, -angle);
+  const SPlanarVector onHeld = Rotate({period.X.Shorten(place->Point.X - heldPose.X),
+                                       period.Y.Shorten(place->Point.Y - heldPose.Y)},
+                                      -heldPose.ComputeYaw());
+  Attach(manipulator, place->Owner, {onTurret.X, onTurret.Y, onHeld.X, onHeld.Y});
 }
 
 void CPlanarGrips::Attach(SManipulator& manipulator, const SPlanarOwner& held,
                           const SGripPoints& points) {
-  manipulator.Base = &m_active.GetBox2DBody(*manipulator.Owner.Handle);
+  SDrivenBody& holder = m_store.GetDriven(*manipulator.Owner.Handle);
   manipulator.Held = held;
   manipulator.Points = points;
-  if (manipulator.TurretLimits) {
-    CreateTurretBody(manipulator);
+  manipulator.ArmRate = static_cast<float>(holder.Velocity.W + manipulator.Rate);
+  manipulator.Along = manipulator.Across = manipulator.Torque = 0.0F;
+  for (const SPlanarHandle* end : {manipulator.Owner.Handle, held.Handle}) {
+    ++m_store.GetNumGrips(*end);
+    if (end->Kind == EPlanarKind::Driven) {
+      m_store.GetDriven(*end).PullX = m_store.GetDriven(*end).PullY = 0.0F;
+    }
   }
-  b2WheelJointDef definition;
-  definition.bodyA = &manipulator.GetCarrier();
-  definition.bodyB = &m_active.GetBox2DBody(*held.Handle);
-  definition.collideConnected = true;
-  definition.localAnchorA.Set(m_store.ToUnits(points.ArmX), m_store.ToUnits(points.ArmY));
-  definition.localAnchorB.Set(m_store.ToUnits(points.HeldX), m_store.ToUnits(points.HeldY));
-  definition.localAxisA = definition.localAnchorA;
-  if (definition.localAxisA.Normalize() < b2_epsilon) {
-    definition.localAxisA.Set(1.0F, 0.0F);
-  }
-  definition.stiffness = static_cast<float>(m_store.GetSettings().GrippingRigidity);
-  definition.damping = static_cast<float>(ComputeCriticalDamping(
-      m_store.GetSettings().GrippingRigidity,
-      m_store.GetDriven(*manipulator.Owner.Handle).Kind->Mass, definition.bodyB->GetMass()));
-  manipulator.Hold = static_cast<b2WheelJoint*>(m_store.GetWorld().CreateJoint(&definition));
-  definition.bodyB->SetAwake(true);
-  ++m_store.GetNumGrips(*manipulator.Owner.Handle);
-  ++m_store.GetNumGrips(*held.Handle);
+  ++m_numHolds;
   manipulator.Gripper->SetGrippedEntity(*held.Body);
 }
 
-void CPlanarGrips::CreateTurretBody(SManipulator& manipulator) {
-  b2Body& base = *manipulator.Base;
-  b2BodyDef body;
-  body.type = b2_dynamicBody;
-  body.position = base.GetPosition();
-  body.angle = base.GetAngle() + static_cast<float>(manipulator.Rotation);
-  body.linearVelocity = base.GetLinearVelocityFromLocalPoint(b2Vec2_zero);
-  body.angularVelocity = base.GetAngularVelocity() + static_cast<float>(manipulator.Rate);
-  body.allowSleep = false;
-  manipulator.TurretBody = m_store.GetWorld().CreateBody(&body);
+// A disc's place, or a solid's number.
+UInt32 CPlanarGrips::FindItem(const CDiscPairs& discPairs, const CCrowdSolids& solids,
+                              const SPlanarHandle& handle) const {
+  return handle.Kind == EPlanarKind::Driven && m_store.GetDriven(handle).IsDisc
+             ? discPairs.GetPlace(handle.Slot)
+             : solids.GetItem(handle.Kind, handle.Slot);
+}
 
-  const STurretDescription& limits = *manipulator.TurretLimits;
-  const bool isDisc = m_store.GetDriven(*manipulator.Owner.Handle).IsDisc;
-  b2MassData mass;
-  mass.mass = isDisc ? 0.5F * base.GetMass() : static_cast<float>(limits.Mass);
-  mass.center.SetZero();
-  mass.I = m_store.ToUnits(limits.PlanarInertia * m_store.GetSettings().UnitsPerMetre);
-  manipulator.TurretBody->SetMassData(&mass);
-  ChangeMass(base, -mass.mass);
+void CPlanarGrips::AddTo(CDiscPairs& discPairs, CCrowd& crowd) const {
+  ForEachHold([&](const SManipulator& each) {
+    SCrowdGrip grip = Describe(each);
+    grip.Holder = FindItem(discPairs, crowd.GetSolids(), *each.Owner.Handle);
+    grip.Held = FindItem(discPairs, crowd.GetSolids(), *each.Held.Handle);
+    crowd.AddGrip(discPairs, grip);
+  });
+}
 
-  b2RevoluteJointDef pivot;
-  pivot.bodyA = &base;
-  pivot.bodyB = manipulator.TurretBody;
-  pivot.enableMotor = true;
-  manipulator.Pivot = static_cast<b2RevoluteJoint*>(m_store.GetWorld().CreateJoint(&pivot));
+SCrowdGrip CPlanarGrips::Describe(const SManipulator& manipulator) const {
+  const SPlanarSettings& settings = m_store.GetSettings();
+  const SGripPoints& points = manipulator.Points;
+  const SDrivenBody& holder = m_store.GetDriven(*manipulator.Owner.Handle);
+  const SPlanarHandle& heldHandle = *manipulator.Held.Handle;
+  const bool isDriven = heldHandle.Kind == EPlanarKind::Driven;
+  const SPlanarPose& heldPose =
+      isDriven ? m_store.GetDriven(heldHandle).Pose : m_store.GetPassive(heldHandle).Pose;
+  const SPlanarSolid* const heldSolid =
+      isDriven ? m_store.GetDriven(heldHandle).Solid.get() : &m_store.GetPassive(heldHandle).Solid;
+  const Real heldMass =
+      heldSolid != nullptr ? heldSolid->Mass : m_store.GetDriven(heldHandle).Kind->Mass;
+  const Real yaw = holder.Pose.ComputeYaw();
+  SCrowdGrip grip;
+  if (holder.Solid != nullptr) {
+    grip.Pivot = Rotate({-holder.Solid->CentreX, -holder.Solid->CentreY}, yaw);
+  }
+  const Real length = std::hypot(points.ArmX, points.ArmY);
+  const Real armYaw = yaw + manipulator.Rotation;
+  grip.Arm = Rotate({points.ArmX, points.ArmY}, armYaw);
+  grip.Axis = length > 0.0 ? SPlanarVector{grip.Arm.X / length, grip.Arm.Y / length}
+                           : Rotate({1.0, 0.0}, armYaw);
+  grip.Point = {points.HeldX, points.HeldY};
+  if (heldSolid != nullptr) {
+    grip.Point = {points.HeldX - heldSolid->CentreX, points.HeldY - heldSolid->CentreY};
+  }
+  grip.Point = Rotate(grip.Point, heldPose.ComputeYaw());
+  grip.Stiffness = settings.GrippingRigidity;
+  const Real mass = ComputeReducedMass(holder.Kind->Mass, heldMass);
+  grip.Damping = 2.0 * std::sqrt(settings.GrippingRigidity * mass);  // critical
+  const Real rate = std::sqrt(settings.GrippingRigidity / mass);
+  grip.NeededSubsteps = static_cast<float>(ComputeNeededSubsteps(manipulator, rate));
+  if (manipulator.TurretLimits) {
+    const STurretDescription& limits = *manipulator.TurretLimits;
+    grip.InverseArmInertia = static_cast<float>(1.0 / limits.PlanarInertia);
+    grip.ArmRate = manipulator.ArmRate;
+    grip.MotorTarget = manipulator.Target - manipulator.Rotation;
+    grip.MotorRate = manipulator.Rate;
+    grip.IsMotorOn = manipulator.IsMotorOn;
+    grip.MotorTorque =
+        static_cast<float>(manipulator.IsMotorOn ? limits.MaxTorque : limits.FreeTorque);
+  }
+  grip.Along = manipulator.Along;
+  grip.Across = manipulator.Across;
+  grip.Motor = manipulator.Torque;
+  return grip;
 }
 
 void CPlanarGrips::Release(SManipulator& manipulator) {
   ARGOS_ASSERT(manipulator.IsHolding(), "a grip is released twice");
-  m_store.GetWorld().DestroyJoint(manipulator.Hold);  // wakes both bodies
-  manipulator.Hold = nullptr;
-  if (manipulator.TurretBody != nullptr) {
-    const float mass = manipulator.TurretBody->GetMass();
-    m_store.GetWorld().DestroyBody(manipulator.TurretBody);  // and its pivot
-    ChangeMass(*manipulator.Base, mass);
-    manipulator.TurretBody = nullptr;
-    manipulator.Pivot = nullptr;
-  }
   --m_store.GetNumGrips(*manipulator.Owner.Handle);
   const SPlanarHandle& held = *manipulator.Held.Handle;
   --m_store.GetNumGrips(held);
@@ -267,97 +253,72 @@ void CPlanarGrips::Release(SManipulator& manipulator) {
     m_store.GetPassive(held).WasReleased = true;
   }
   manipulator.Held = SPlanarOwner();
-  manipulator.Base = nullptr;
+  --m_numHolds;
   manipulator.Gripper->ClearGrippedEntity();
 }
 
-// The longest path of the held body in the tick due to the turret's motor, m.
-Real CPlanarGrips::ComputeSwing(const SManipulator& manipulator) const {
-  if (!manipulator.IsHolding() || !manipulator.IsMotorOn) {
-    return 0.0;
-  }
-  const Real radius = m_store.GetBoundingRadius(*manipulator.Held.Handle);
-  const Real reach = std::hypot(manipulator.Points.ArmX, manipulator.Points.ArmY) + 2.0 * radius;
-  return std::abs(manipulator.Rate) * m_store.GetSettings().Tick * reach;
+// How far from the robot's centre the held body reaches, m.
+Real CPlanarGrips::ComputeReach(const SManipulator& manipulator) const {
+  return std::hypot(manipulator.Points.ArmX, manipulator.Points.ArmY) +
+         2.0 * m_store.GetBoundingRadius(*manipulator.Held.Handle);
 }
 
-Real CPlanarGrips::ComputeLongestSwing() const {
-  Real longest = 0.0;
-  for (const SManipulator& each : m_manipulators) {
-    longest = std::max(longest, ComputeSwing(each));
-  }
-  return longest;
+Real CPlanarGrips::ComputeLongestPath() const {
+  Real fastest = 0.0;
+  ForEachHold([&](const SManipulator& each) {
+    const SDrivenBody& holder = m_store.GetDriven(*each.Owner.Handle);
+    const SDriveCommand& command = holder.NextCommand;
+    const Real turn = std::max(std::abs(command.YawRate), std::abs(holder.Velocity.W)) +
+                      (each.IsMotorOn ? std::abs(each.Rate) : 0.0);
+    const SPlanarVelocity held = m_store.GetVelocity(*each.Held.Handle);
+    const Real heldSpeed = std::hypot(held.X, held.Y) +
+                           std::abs(held.W) * m_store.GetBoundingRadius(*each.Held.Handle);
+    const Real speed = std::hypot(holder.Velocity.X, holder.Velocity.Y);
+    fastest =
+        std::max({fastest, std::max(command.ComputeSpeed(), speed) + turn * ComputeReach(each),
+                  kMaxGripGrowth * std::max(speed, heldSpeed)});
+  });
+  return fastest * m_store.GetSettings().Tick;
 }
 
-float CPlanarGrips::ComputeNeededSubsteps() const {
-  Real needed = 0.0;
-  for (const SManipulator& each : m_manipulators) {
-    const Real swing = ComputeSwing(each);
-    if (swing > 0.0) {
-      const Real half = m_store.GetNarrowestHalf(*each.Held.Handle);
-      needed = std::max({needed, swing / (kMaxStepShare * half),
-                         std::abs(each.Rate) * m_store.GetSettings().Tick / kMaxStepTurn});
-    }
+// Substeps of a tick in which the held body does not move too far in one, nor the turret turns too
+// far, and that resolve the swing of a soft spring. @param rate  of the spring, rad/s.
+Real CPlanarGrips::ComputeNeededSubsteps(const SManipulator& manipulator, Real rate) const {
+  const SPlanarSettings& settings = m_store.GetSettings();
+  // the tolerance keeps a rounding error from adding a substep
+  const bool isSoft = rate * settings.Tick < kSoftGrip * settings.Substeps;
+  Real needed =
+      settings.RefineInCrowds && isSoft ? std::ceil(settings.Tick / kMaxGripSubstep - 1e-6) : 1.0;
+  if (manipulator.IsMotorOn) {
+    const Real turn = std::abs(manipulator.Rate) * settings.Tick;
+    const Real half = m_store.GetNarrowestHalf(*manipulator.Held.Handle);
+    needed = std::max(
+        {needed, turn * ComputeReach(manipulator) / (kMaxStepShare * half), turn / kMaxStepTurn});
   }
-  return static_cast<float>(needed);
+  return needed;
 }
 
-// The target of a substep is absolute, so that an error of the solver is corrected in the next one.
-void CPlanarGrips::SetTurretMotors(UInt32 substep, UInt32 substeps) {
-  const Real duration = m_store.GetSettings().Tick / substeps;
+void CPlanarGrips::FinishTick(const std::vector<SCrowdGrip>& grips) {
+  auto next = grips.begin();
   for (SManipulator& each : m_manipulators) {
-    if (each.Pivot == nullptr) {
-      continue;
-    }
-    const STurretDescription& limits = *each.TurretLimits;
-    Real speed = 0.0;  // rad/s
-    if (each.IsMotorOn) {
-      const Real target = each.Target - each.Rate * duration * (substeps - 1 - substep);
-      speed = std::remainder(target - each.Pivot->GetJointAngle(), 2.0 * ARGOS_PI) / duration;
-    }
-    each.Pivot->SetMotorSpeed(static_cast<float>(speed));
-    const Real torque = each.IsMotorOn ? limits.MaxTorque : limits.FreeTorque;
-    each.Pivot->SetMaxMotorTorque(m_store.ToUnits(torque * m_store.GetSettings().UnitsPerMetre));
-  }
-}
-
-// The overlap solver moves robots without their turrets.
-void CPlanarGrips::AlignTurrets() {
-  for (SManipulator& each : m_manipulators) {
-    if (each.TurretBody != nullptr) {
-      each.TurretBody->SetTransform(each.Base->GetPosition(), each.TurretBody->GetAngle());
-    }
-  }
-}
-
-float CPlanarGrips::ComputeGreatestImpulse() const {
-  float greatest = 0.0F;
-  for (const SManipulator& each : m_manipulators) {
     if (each.IsHolding()) {
-      greatest = std::max(greatest, each.Hold->GetReactionForce(1.0F).Length());
-    }
-  }
-  return greatest;
-}
-
-void CPlanarGrips::FinishTick(float substepDuration) {
-  for (SManipulator& each : m_manipulators) {
-    if (each.TurretBody == nullptr) {
-      each.Rotation += each.Rate * m_store.GetSettings().Tick;
-    } else {
-      const Real turretAngle = each.TurretBody->GetAngle();
-      each.Rotation = std::remainder(each.Pivot->GetJointAngle(), 2.0 * ARGOS_PI);
-      if (std::abs(turretAngle) > kMaxAngle) {
-        each.TurretBody->SetTransform(
-            each.TurretBody->GetPosition(),
-            static_cast<float>(std::remainder(turretAngle, 2.0 * ARGOS_PI)));
+      const SCrowdGrip& grip = *next++;
+      each.Along = grip.Along;
+      each.Across = grip.Across;
+      each.Torque = grip.Motor;
+      each.ArmRate = grip.ArmRate;
+      if (each.TurretLimits) {
+        each.Rotation = std::remainder(each.Rotation + grip.Rotation, 2.0 * ARGOS_PI);
       }
+    }
+    if (!each.IsHolding() || !each.TurretLimits) {
+      each.Rotation += each.Rate * m_store.GetSettings().Tick;
     }
     if (each.Turret != nullptr) {
       each.Turret->SetRotation(CRadians(each.Rotation));
     }
-    if (each.IsHolding() && each.Hold->GetReactionForce(1.0F / substepDuration).Length() >
-                                m_store.ToUnits(each.Limits.MaxForce)) {
+    if (each.IsHolding() && std::hypot(static_cast<Real>(each.Along),
+                                       static_cast<Real>(each.Across)) > each.Limits.MaxForce) {
       Release(each);
     }
   }
@@ -402,13 +363,6 @@ void CPlanarGrips::CopyGrips(const std::vector<CEmbodiedEntity*>& cluster,
 
 void CPlanarGrips::RestoreGrip(const SGripTransfer& grip, const SPlanarHandle& holder,
                                const SPlanarHandle& held) {
-  for (const SPlanarHandle* end : {&holder, &held}) {
-    if (end->Kind == EPlanarKind::Passive) {
-      m_active.Activate(m_store.GetPassive(*end));
-    } else if (!m_store.GetDriven(*end).IsActive()) {
-      m_active.Activate(end->Slot);
-    }
-  }
   SManipulator* const found = Find(holder);
   ARGOS_ASSERT(found != nullptr && !found->IsHolding(),
                "a grip is restored of a robot without a free gripper, in slot " << holder.Slot);

@@ -3,7 +3,8 @@
 
 #include <argos3/core/simulator/geometry/body_description.h>
 #include <argos3/core/simulator/physics_engine/described_body_engine.h>
-#include <argos3/plugins/simulator/physics_engines/dynamics2d/active_set.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics2d/crowd.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_store.h>
 
 #include <optional>
 #include <vector>
@@ -35,30 +36,26 @@ struct SManipulator {
   bool IsMotorOn = false;  // in this tick
   Real Target = 0.0;  // rad: target rotation of the motor in this tick
 
-  // while it holds a body; not owned
+  // while it holds a body
   SPlanarOwner Held;
   SGripPoints Points = {};
-  b2Body* Base = nullptr;
-  b2Body* TurretBody = nullptr;  // null without a turret
-  b2RevoluteJoint* Pivot = nullptr;  // null without a turret
-  b2WheelJoint* Hold = nullptr;  // null: it holds nothing
+  float ArmRate = 0.0F;  // rad/s, of the turret, in the world
+  float Along = 0.0F, Across = 0.0F, Torque = 0.0F;  // see SCrowdGrip
 
-  bool IsHolding() const { return Hold != nullptr; }
-  b2Body& GetCarrier() const { return TurretBody != nullptr ? *TurretBody : *Base; }
+  bool IsHolding() const { return Held.Body != nullptr; }
 };
 
 /**
  * The grippers and turrets of the robots of a planar world.
  *
  * While a robot holds nothing, its turret is only an angle. A held body is attached to the turret
- * by a joint: a spring along the arm, of the engine's rigidity, rigid across it, and free to
- * rotate. The turret then has a Box2D body of its own, on a pivot with a motor, and gets half of
- * the mass of its robot: both have their centre on the pivot, so the division of the mass affects
- * only how fast the solver converges.
+ * by a grip of the crowd (SCrowdGrip): a spring along the arm, of the engine's rigidity, rigid
+ * across it, and free to rotate. The turret then turns with an inertia of its own; its mass is
+ * always part of its robot's.
  */
 class CPlanarGrips {
  public:
-  CPlanarGrips(CPlanarStore& store, CActiveSet& active) : m_store(store), m_active(active) {}
+  explicit CPlanarGrips(CPlanarStore& store) : m_store(store) {}
 
   /**
    * Gives a robot a gripper and a turret, or removes them (null), as far as the description has
@@ -69,8 +66,7 @@ class CPlanarGrips {
   /** Releases every grip of a body, and removes its gripper and turret. */
   void Remove(const SPlanarHandle& handle);
   bool HasManipulators() const { return !m_manipulators.empty(); }
-  /** Creates the bodies and joints that all grips need, for CPlanarWorld::ReserveForTick(). */
-  void CreateSpares(std::vector<b2Body*>& spares);
+  size_t GetNumManipulators() const { return m_manipulators.size(); }
 
   /** @return true if the body takes part in a grip. */
   bool IsInGrip(const SPlanarHandle& handle) const;
@@ -86,57 +82,50 @@ class CPlanarGrips {
   /** Reads the commands of grippers and turrets for this tick, and releases grips. */
   void StartTick();
   /** @return true if a gripper holds a body. */
-  bool IsHoldingAny() const;
-  /** Calls visit(slot, reach in m) for every robot whose gripper seeks a body. */
-  template <typename VISIT>
-  void ForEachSeeking(VISIT&& visit) const {
-    for (const SManipulator& each : m_manipulators) {
-      if (IsSeeking(each)) {
-        visit(each.Owner.Handle->Slot, ComputeSeekReach(each));
-      }
-    }
-  }
+  bool IsHoldingAny() const { return m_numHolds > 0; }
   /** Calls visit(const SManipulator&) for every grip. */
   template <typename VISIT>
   void ForEachHold(VISIT&& visit) const {
+    if (!IsHoldingAny()) {
+      return;
+    }
     for (const SManipulator& each : m_manipulators) {
       if (each.IsHolding()) {
         visit(each);
       }
     }
   }
-  /** Makes grips: locked grippers that hold nothing grip the bodies that they reach. */
-  void MakeGrips();
+  /**
+   * Makes grips: locked grippers that hold nothing grip the bodies that they reach.
+   * @param solids  of this tick.
+   */
+  void MakeGrips(const CDiscPairs& discPairs, CCrowdSolids& solids);
+  /** Adds all grips to the crowd of this tick. */
+  void AddTo(CDiscPairs& discPairs, CCrowd& crowd) const;
 
-  /** Longest path of a held body in this tick due to a turret's motor, m. */
-  Real ComputeLongestSwing() const;
-  /** Substeps of a tick in which no held body moves, and no turret turns, too far in one. */
-  float ComputeNeededSubsteps() const;
-  /** Sets the speed of each turret's motor for a substep. */
-  void SetTurretMotors(UInt32 substep, UInt32 substeps);
-  /** After positions were corrected: puts each turret at the position of its robot. */
-  void AlignTurrets();
-  /** Greatest impulse of a grip in the last substep, kg Box2D units / s. */
-  float ComputeGreatestImpulse() const;
+  /** Longest path of a body in this tick due to a grip, m. */
+  Real ComputeLongestPath() const;
   /**
    * Writes the rotations of turrets, and breaks the grips whose force in the last substep exceeds
-   * the gripper's limit. @param substepDuration s.
+   * the gripper's limit. @param grips  those of AddTo(), after the tick.
    */
-  void FinishTick(float substepDuration);
+  void FinishTick(const std::vector<SCrowdGrip>& grips);
 
  private:
   SManipulator* Find(const SPlanarHandle& handle);
   bool IsSeeking(const SManipulator& manipulator) const;
-  Real ComputeSeekReach(const SManipulator& manipulator) const;
-  Real ComputeSwing(const SManipulator& manipulator) const;
-  void MakeGrip(SManipulator& manipulator);
+  Real ComputeReach(const SManipulator& manipulator) const;
+  Real ComputeNeededSubsteps(const SManipulator& manipulator, Real rate) const;
+  void MakeGrip(SManipulator& manipulator, const CDiscPairs& discPairs, CCrowdSolids& solids);
+  UInt32 FindItem(const CDiscPairs& discPairs, const CCrowdSolids& solids,
+                  const SPlanarHandle& handle) const;
+  SCrowdGrip Describe(const SManipulator& manipulator) const;
   void Attach(SManipulator& manipulator, const SPlanarOwner& held, const SGripPoints& points);
-  void CreateTurretBody(SManipulator& manipulator);
   void Release(SManipulator& manipulator);
   void RemoveManipulator(SManipulator& manipulator);
 
   CPlanarStore& m_store;
-  CActiveSet& m_active;
+  UInt32 m_numHolds = 0;
   std::vector<SManipulator> m_manipulators;  // in the order of SetManipulator()
 };
 

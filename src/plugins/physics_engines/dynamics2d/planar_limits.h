@@ -8,11 +8,6 @@ namespace argos {
 
 // The README of this engine gives the reasons and measurements.
 
-/** Radius of the smallest movable body, Box2D units; determines the length scale. */
-constexpr Real kMinRadiusInUnits = 1.0;
-/** Box2D units per metre in a world without movable bodies. */
-constexpr Real kDefaultUnitsPerMetre = 10.0;
-
 /**
  * Coefficients of contact friction; the coefficient of a contact is the product of both. Source:
  * the values of ARGoS 3's dynamics2d.
@@ -23,49 +18,27 @@ constexpr Real kImmovableFriction = 0.1;
 /** Substeps of a tick unless the user sets their number. */
 constexpr UInt32 kDefaultSubsteps = 2;
 /**
- * In a crowd so dense that overlaps remain, a tick gets more substeps: one more after each tick
- * with an overlap deeper than kTooDeep (Box2D units), up to kMaxExtraSubsteps, and one less after
- * kCalmTicks ticks with no overlap deeper than kShallow.
- */
-constexpr float kTooDeep = 0.01F;
-constexpr float kShallow = 0.002F;
-constexpr UInt32 kMaxExtraSubsteps = 8;
-constexpr UInt32 kCalmTicks = 20;
-/**
- * In a crowd the forces of drives add up along chains of robots, and the solver propagates them by
- * about one contact per iteration. If the greatest contact force of the last tick was that of n
- * drives, a tick gets this times n substeps per sqrt(radius * mass / force of one drive).
- */
-constexpr float kSubstepsPerDrive = 0.5F;
-/** Iterations of Box2D's velocity solver in a substep; and in a tick with substeps for a crowd. */
-constexpr int kVelocityIterations = 8;
-constexpr int kCrowdVelocityIterations = 4;
-/** A tick with more substeps than this has them for a crowd. */
-constexpr UInt32 kFewSubsteps = 4;
-/** Iterations of Box2D's position solver in a substep; COverlapSolver does its work. */
-constexpr int kPositionIterations = 1;
-
-/**
- * Two bodies may meet in a tick if their distance may fall below kProximitySlack in it. A disc that
- * has a body in Box2D keeps it while the distance to what Box2D must solve may fall below
- * kProximitySlack + kGuardMargin. Both in radii of the smallest movable body. The slack covers
- * rounding errors, and the corrections of other robots' overlaps.
+ * Two bodies may meet in a tick if their distance may fall below this in it, in radii of the
+ * smallest movable body. It covers rounding errors, and the corrections of other robots' overlaps.
  */
 constexpr Real kProximitySlack = 0.02;
-constexpr Real kGuardMargin = 0.3;
 
 /**
- * While a body is held, a substep takes at most kMaxGripSubstep, s, unless the user sets their
- * number, and the velocity solver makes kGripIterationsPerSecond iterations per second of a
- * substep, between kVelocityIterations and kMaxGripIterations. A sequential solver converges
- * slowest for a heavy load on a light robot; its remaining error is an oscillation of the spring.
+ * While a body is held by a spring whose rate, rad/s, times a substep is less than kSoftGrip, a
+ * substep of its cluster takes at most kMaxGripSubstep, s, unless the user sets their number: its
+ * swing is then resolved. A stiffer spring has no swing, because it settles within the substep.
  */
+constexpr Real kSoftGrip = 2.0;
 constexpr Real kMaxGripSubstep = 0.01;
-constexpr float kGripIterationsPerSecond = 800.0F;
-constexpr int kMaxGripIterations = 40;
-
-/** Angles in Box2D lose digits as they grow: beyond this they are wrapped, rad. */
-constexpr Real kMaxAngle = 4.0 * ARGOS_PI;
+/** Tolerance of an island with grips, as a share of that without. */
+constexpr float kGripTolerance = 0.01F;
+/** Share of an error across the arm of a grip that is corrected in a substep. */
+constexpr Real kGripCorrection = 0.2;
+/**
+ * A body in a grip may be so many times as fast at the end of a tick as at its start, or as its
+ * drive and turret make it.
+ */
+constexpr Real kMaxGripGrowth = 1.5;
 
 /**
  * A body moves by at most this share of half its narrowest side in a substep, so that none passes

@@ -12,7 +12,7 @@ struct SPlanarSettings {
   Real VelocityLag = 0.0;  // of drives, as a share of a tick
   UInt32 Substeps = 1;  // least number in a tick; more if a body is very fast
   bool RefineInCrowds = true;  // more substeps also while overlaps remain
-  Real UnitsPerMetre = 10.0;  // Box2D's unit of length
+  Real SmallestRadius = 0.1;  // of a movable body, or half of a narrowest side, m
   SGroundFriction BoxFriction;
   SGroundFriction CylinderFriction;
   SPeriodicity Period;  // of the arena, in the frame of the engine

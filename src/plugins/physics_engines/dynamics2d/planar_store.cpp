@@ -1,9 +1,7 @@
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_store.h>
 
 #include <argos3/core/simulator/geometry/body_description.h>
-#include <argos3/plugins/simulator/physics_engines/dynamics2d/overlap_solver.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_limits.h>
-#include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_shapes.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,38 +9,7 @@
 
 namespace argos {
 
-namespace {
-
-// Box2D fills a static table of contact types on the first contact of the process. As several
-// worlds are stepped in parallel, this must have happened before.
-bool MakeFirstContact() {
-  b2World world(b2Vec2(0.0F, 0.0F));
-  b2CircleShape disc;
-  disc.m_radius = 1.0F;
-  b2BodyDef definition;
-  definition.type = b2_dynamicBody;
-  for (int i = 0; i < 2; ++i) {
-    world.CreateBody(&definition)->CreateFixture(&disc, 1.0F);
-  }
-  world.Step(0.0F, 1, 1);
-  return true;
-}
-
-}  // namespace
-
-CPlanarStore::CPlanarStore(const SPlanarSettings& settings)
-    : m_settings(settings),
-      m_metresPerUnit(1.0 / settings.UnitsPerMetre),
-      m_world(b2Vec2(0.0F, 0.0F)) {
-  static const bool kHadFirstContact = MakeFirstContact();
-  static_cast<void>(kHadFirstContact);
-  m_world.SetContinuousPhysics(false);
-  m_world.SetAutoClearForces(false);  // there are none
-  m_world.SetContactListener(nullptr);
-  m_world.SetContactFilter(nullptr);
-  const b2BodyDef definition;
-  m_ground = m_world.CreateBody(&definition);
-}
+CPlanarStore::CPlanarStore(const SPlanarSettings& settings) : m_settings(settings) {}
 
 void CPlanarStore::Reserve(size_t immovable, size_t passive, size_t driven) {
   m_immovable.reserve(immovable);
@@ -52,43 +19,6 @@ void CPlanarStore::Reserve(size_t immovable, size_t passive, size_t driven) {
   for (size_t kind = 0; kind < counts.size(); ++kind) {
     m_generations[kind].Reserve(counts[kind]);
   }
-}
-
-void CPlanarStore::ReserveNumbers(size_t additional) {
-  m_freeNumbers.reserve(additional);
-  m_grippable.reserve(m_numNumbers + additional);
-  m_users.reserve(m_numNumbers + additional);
-}
-
-b2Body& CPlanarStore::CreateBody(const SPlanarPose& pose, EPlanarKind kind,
-                                 const SPlanarOwner& owner, bool grippable) {
-  UInt32 number = m_numNumbers;
-  if (m_freeNumbers.empty()) {
-    ++m_numNumbers;
-    m_grippable.emplace_back();
-    m_users.emplace_back();
-  } else {
-    number = m_freeNumbers.back();
-    m_freeNumbers.pop_back();
-  }
-  m_grippable[number] = grippable ? owner : SPlanarOwner();
-  m_users[number] = kind == EPlanarKind::Driven ? EUser::Robot : EUser::Other;
-  b2BodyDef definition;
-  definition.type = kind == EPlanarKind::Immovable ? b2_staticBody : b2_dynamicBody;
-  definition.position.Set(ToUnits(pose.X), ToUnits(pose.Y));
-  definition.angle = static_cast<float>(pose.ComputeYaw());
-  definition.userData.pointer = number;
-  // a robot may start at any tick, so it never sleeps
-  definition.allowSleep = kind != EPlanarKind::Driven;
-  return *m_world.CreateBody(&definition);
-}
-
-void CPlanarStore::DestroyBody(b2Body& body) {
-  const UInt32 number = GetBodyNumber(body);
-  CheckNumber(number);
-  m_users[number] = EUser::None;
-  m_freeNumbers.push_back(number);
-  m_world.DestroyBody(&body);
 }
 
 // of a body that is about to get the last slot
@@ -101,8 +31,6 @@ void CPlanarStore::AddImmovable(const SPlanarOwner& owner, const SBodyDescriptio
   *owner.Handle = MakeHandle(EPlanarKind::Immovable, m_immovable.size());
   SImmovableBody& body = m_immovable.emplace_back();
   body.Owner = owner;
-  body.Body = &CreateBody(pose, EPlanarKind::Immovable, owner, false);
-  AddFixtures(*body.Body, description, m_settings.UnitsPerMetre, kImmovableFriction);
   body.Obstacles = DescribeFootprints(description, pose);
   m_obstaclesChanged = true;
 }
@@ -122,32 +50,11 @@ void CPlanarStore::AddPassive(const SPlanarOwner& owner, const SBodyDescription&
   SPassiveBody& body = m_passive.emplace_back();
   body.Owner = owner;
   body.Pose = pose;
-  body.Body = &CreateBody(pose, EPlanarKind::Passive, owner, description.Grippable);
-  AddFixtures(*body.Body, description, m_settings.UnitsPerMetre, kMovableFriction);
-  SetMass(*body.Body, description, m_settings.UnitsPerMetre);
-  body.X = body.Body->GetPosition().x;
-  body.Y = body.Body->GetPosition().y;
-  body.Angle = body.Body->GetAngle();
-  body.Extent = ToUnits(ComputeNarrowestHalf(description));
+  body.IsGrippable = description.Grippable;
   body.BoundingRadius = description.ComputeBoundingRadius();
   body.Solid = DescribeSolid(description, ChooseGroundFriction(description, m_settings.BoxFriction,
                                                                m_settings.CylinderFriction));
   m_widestMovable = std::max(m_widestMovable, body.BoundingRadius);
-  AddGroundFriction(*body.Body, body.Solid.Friction);
-  body.Body->SetEnabled(false);
-}
-
-void CPlanarStore::AddGroundFriction(b2Body& body, const SGroundFriction& friction) {
-  // Box2D would freeze a slow body even if no friction stops it
-  body.SetSleepingAllowed(friction.Force > 0.0 && friction.Torque > 0.0);
-  if (friction.Force > 0.0 || friction.Torque > 0.0) {
-    b2FrictionJointDef definition;
-    definition.Initialize(m_ground, &body, body.GetWorldCenter());
-    definition.maxForce = ToUnits(friction.Force);
-    definition.maxTorque = ToUnits(friction.Torque * m_settings.UnitsPerMetre);
-    definition.collideConnected = true;
-    m_world.CreateJoint(&definition);
-  }
 }
 
 const SDrivenKind& CPlanarStore::GetOrAddKind(const SDrivenKind& kind) {
@@ -210,16 +117,13 @@ void CPlanarStore::Remove(const SPlanarHandle& handle) {
   const UInt32 slot = handle.Slot;
   switch (handle.Kind) {
     case EPlanarKind::Immovable:
-      DestroyBody(*m_immovable[slot].Body);
       FillSlot(m_immovable, EPlanarKind::Immovable, slot);
       m_obstaclesChanged = true;
       break;
     case EPlanarKind::Passive:
-      DestroyBody(*m_passive[slot].Body);
       FillSlot(m_passive, EPlanarKind::Passive, slot);
       break;
     case EPlanarKind::Driven:
-      ARGOS_ASSERT(!m_driven[slot].IsActive(), "an active robot is removed from slot " << slot);
       ForgetDrivenSolid(slot);
       FillSlot(m_driven, EPlanarKind::Driven, slot);
       break;
@@ -238,7 +142,7 @@ Real CPlanarStore::GetBoundingRadius(const SPlanarHandle& handle) const {
 
 Real CPlanarStore::GetNarrowestHalf(const SPlanarHandle& handle) const {
   return handle.Kind == EPlanarKind::Driven ? GetDriven(handle).Kind->NarrowestHalf
-                                            : ToMetres(GetPassive(handle).Extent);
+                                            : GetPassive(handle).Solid.NarrowestHalf;
 }
 
 const SPlanarOwner& CPlanarStore::GetOwner(const SPlanarHandle& handle) const {
@@ -262,6 +166,19 @@ SPlanarVelocity CPlanarStore::GetVelocity(const SPlanarHandle& handle) const {
       GenerationsOf(handle.Kind).Check(handle);
       return SPlanarVelocity();
   }
+}
+
+void CPlanarStore::SetVelocity(const SPlanarHandle& handle, const SPlanarVelocity& velocity) {
+  if (handle.Kind == EPlanarKind::Passive) {
+    GetPassive(handle).Velocity = velocity;
+  } else if (handle.Kind == EPlanarKind::Driven) {
+    GetDriven(handle).Velocity = velocity;
+  }
+}
+
+bool CPlanarStore::IsGrippable(const SPlanarHandle& handle) const {
+  return handle.Kind == EPlanarKind::Driven ? GetDriven(handle).IsGrippable
+                                            : GetPassive(handle).IsGrippable;
 }
 
 bool CPlanarStore::IsAt(const SPlanarHandle& handle, const SPlanarPose& pose,

@@ -5,8 +5,6 @@
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_settings.h>
 #include <argos3/plugins/simulator/physics_engines/robot_bodies/slot_generations.h>
 
-#include <box2d/box2d.h>
-
 #include <array>
 #include <deque>
 #include <vector>
@@ -16,10 +14,7 @@ namespace argos {
 struct SBodyDescription;
 
 /**
- * The bodies of a planar world in dense arrays, one for each kind, and the Box2D world.
- *
- * Lengths are in metres unless a comment says Box2D units. Each Box2D body with a shape carries a
- * number, which is unique among the present ones and dense.
+ * The bodies of a planar world in dense arrays, one for each kind.
  */
 class CPlanarStore {
  public:
@@ -29,18 +24,16 @@ class CPlanarStore {
 
   /** Allocates the arrays for so many bodies. */
   void Reserve(size_t immovable, size_t passive, size_t driven);
-  /** Allocates what so many Box2D bodies need in addition to the present ones. */
-  void ReserveNumbers(size_t additional);
 
   /** Adds a body that is at rest. */
   void AddImmovable(const SPlanarOwner& owner, const SBodyDescription& description,
                     const SPlanarPose& pose);
   void AddPassive(const SPlanarOwner& owner, const SBodyDescription& description,
                   const SPlanarPose& pose);
-  /** Adds a robot without a Box2D body. */
+  /** Adds a robot. */
   void AddDriven(const SPlanarOwner& owner, const SBodyDescription& description,
                  const SPlanarPose& pose, const CDriveSource& drive);
-  /** Removes a body, which is not active; the last body of its kind gets its slot. */
+  /** Removes a body; the last body of its kind gets its slot. */
   void Remove(const SPlanarHandle& handle);
 
   std::vector<SImmovableBody>& GetImmovable() { return m_immovable; }
@@ -82,6 +75,9 @@ class CPlanarStore {
 
   /** At the end of the last tick; 0 for an immovable body. */
   SPlanarVelocity GetVelocity(const SPlanarHandle& handle) const;
+  /** Sets the velocity of a movable body. */
+  void SetVelocity(const SPlanarHandle& handle, const SPlanarVelocity& velocity);
+  bool IsGrippable(const SPlanarHandle& handle) const;
   /**
    * @return true if the body ended the last tick at that pose (within 1e-12); false for immovable
    * bodies.
@@ -98,31 +94,10 @@ class CPlanarStore {
   bool HaveObstaclesChanged() const { return m_obstaclesChanged; }
   std::vector<SFootprint> ListObstacles();
 
-  /** Creates a Box2D body without a shape. @param grippable  can grippers hold it? */
-  b2Body& CreateBody(const SPlanarPose& pose, EPlanarKind kind, const SPlanarOwner& owner,
-                     bool grippable);
-  void DestroyBody(b2Body& body);
-  /** Owners of Box2D bodies, by number; empty for bodies that cannot be gripped. */
-  const std::vector<SPlanarOwner>& GetGrippable() const { return m_grippable; }
-  /** @return true if the Box2D body with that number is a robot's. */
-  bool IsDriven(UInt32 number) const {
-    CheckNumber(number);
-    return m_users[number] == EUser::Robot;
-  }
-
-  b2World& GetWorld() { return m_world; }
-  /** The static body to which motors and ground friction are attached. */
-  b2Body& GetGround() { return *m_ground; }
-
   const SPlanarSettings& GetSettings() const { return m_settings; }
-  Real GetMetresPerUnit() const { return m_metresPerUnit; }
-  float ToUnits(Real metres) const { return static_cast<float>(metres * m_settings.UnitsPerMetre); }
-  Real ToMetres(float units) const { return static_cast<Real>(units) * m_metresPerUnit; }
 
  private:
   const SDrivenKind& GetOrAddKind(const SDrivenKind& kind);
-  /** What has the number of a Box2D body. */
-  enum class EUser : UInt8 { None, Robot, Other };
 
   const CSlotGenerations& GenerationsOf(EPlanarKind kind) const {
     return m_generations[static_cast<size_t>(kind)];
@@ -132,20 +107,12 @@ class CPlanarStore {
     GenerationsOf(handle.Kind).Check(handle);
     return handle.Slot;
   }
-  void CheckNumber([[maybe_unused]] UInt32 number) const {
-    ARGOS_ASSERT(number < m_numNumbers && m_users[number] != EUser::None,
-                 "no Box2D body has the number " << number);
-  }
   SPlanarHandle MakeHandle(EPlanarKind kind, size_t slot);
-  void AddGroundFriction(b2Body& body, const SGroundFriction& friction);
   void ForgetDrivenSolid(UInt32 slot);
   template <typename BODY>
   void FillSlot(std::vector<BODY>& bodies, EPlanarKind kind, UInt32 slot);
 
   SPlanarSettings m_settings;
-  Real m_metresPerUnit;
-  b2World m_world;
-  b2Body* m_ground;
   std::vector<SImmovableBody> m_immovable;
   std::vector<SPassiveBody> m_passive;
   std::vector<SDrivenBody> m_driven;
@@ -154,11 +121,6 @@ class CPlanarStore {
   std::array<CSlotGenerations, 3> m_generations;  // by kind
   bool m_obstaclesChanged = false;
   Real m_widestMovable = 0.0;  // m
-  // numbers of Box2D bodies: all below m_numNumbers are in use, except those in m_freeNumbers
-  UInt32 m_numNumbers = 0;
-  std::vector<UInt32> m_freeNumbers;
-  std::vector<SPlanarOwner> m_grippable;  // by number
-  std::vector<EUser> m_users;  // by number
 };
 
 }  // namespace argos

@@ -19,16 +19,13 @@ namespace {
 constexpr size_t kPlanGrain = 512;
 // robots between prefetching and reading what is elsewhere in memory
 constexpr size_t kPlanAhead = 8;
+// slacks by which a ghost that matters may be farther than it can be met: of both bodies, and more
+constexpr Real kGhostSlacks = 2.3;
 
 }  // namespace
 
 CPlanarWorld::CPlanarWorld(const SPlanarSettings& settings)
-    : m_store(settings),
-      m_active(m_store),
-      m_grips(m_store, m_active),
-      m_ghosts(m_store, m_active),
-      m_substepPolicy(settings),
-      m_crowd(m_store) {
+    : m_store(settings), m_grips(m_store), m_ghosts(m_store), m_crowd(m_store) {
   m_discPairs.SetPeriod(settings.Period);
 }
 
@@ -40,90 +37,33 @@ void CPlanarWorld::AddDriven(const SPlanarOwner& owner, const SBodyDescription& 
 
 void CPlanarWorld::Remove(const SPlanarHandle& handle) {
   m_grips.Remove(handle);
-  const UInt32 slot = handle.Slot;
-  if (handle.Kind != EPlanarKind::Driven) {
-    m_store.Remove(handle);
+  if (handle.Kind == EPlanarKind::Driven) {
+    m_crowd.Forget(handle.Slot);
+    m_crowd.Forget(static_cast<UInt32>(m_store.GetDriven().size() - 1));
+  } else {
     m_crowd.ForgetSolids();
-    return;
   }
-  if (m_store.GetDriven(handle).IsActive()) {
-    m_active.Deactivate(slot);
-  }
-  m_crowd.Forget(slot);
-  m_crowd.Forget(static_cast<UInt32>(m_store.GetDriven().size() - 1));
   m_store.Remove(handle);
-  m_active.UpdateSlot(slot);
 }
 
-// Box2D allocates bodies, contacts and joints in blocks that it keeps. Creating as many as a swarm
-// of this size is likely to need, and destroying them, leaves the blocks for the ticks; so do the
-// vectors here.
 void CPlanarWorld::ReserveForTick() {
-  constexpr size_t kClusterSize = 4;  // discs, of which each touches each
-  // Where there are no grippers, Box2D gets no robot. Else memory for an eighth of them is
-  // allocated here; more robots allocate more in a tick.
-  const bool mayBeActive = m_grips.HasManipulators();
-  const size_t numActive = mayBeActive ? m_store.GetDriven().size() / 8 + 64 : 0;
-  const size_t numDiscs = numActive / kClusterSize * kClusterSize;
-
-  b2World& world = m_store.GetWorld();
-  b2AABB everything;
-  everything.lowerBound.SetZero();
-  everything.upperBound.SetZero();
-  for (b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext()) {
-    for (b2Fixture* fixture = body->GetFixtureList(); fixture != nullptr;
-         fixture = fixture->GetNext()) {
-      if (!body->IsEnabled()) {
-        continue;
-      }
-      everything.Combine(fixture->GetAABB(0));
-    }
-  }
-  b2CircleShape disc;
-  disc.m_radius = 1.0F;
-  b2BodyDef definition;
-  definition.type = b2_dynamicBody;
-  std::vector<b2Body*> spares;
-  for (size_t i = 0; i < numDiscs; ++i) {
-    // outside of all bodies, and each cluster apart from the others
-    const size_t numClustersBefore = i / kClusterSize;
-    const auto cluster = static_cast<float>(numClustersBefore);
-    definition.position.Set(everything.upperBound.x + 10.0F,
-                            everything.lowerBound.y + 10.0F * cluster);
-    b2Body* spare = world.CreateBody(&definition);
-    spare->CreateFixture(&disc, 1.0F);
-    b2MotorJointDef motor;
-    motor.bodyA = &m_store.GetGround();
-    motor.bodyB = spare;
-    world.CreateJoint(&motor);
-    spares.push_back(spare);
-  }
-  m_grips.CreateSpares(spares);
-  world.Step(0.0F, 0, 0);  // finds contacts, moves nothing
-  for (b2Body* spare : spares) {
-    world.DestroyBody(spare);
-  }
-  m_overlaps.Reserve(2 * (numActive + m_store.GetPassive().capacity()) +
-                     m_store.GetImmovable().size());
-  m_active.Reserve(numActive, m_store.GetDriven().capacity());
-  m_ties.Reserve(numActive);
-  m_store.ReserveNumbers(numActive);
-  m_ghosts.Reserve(m_store.GetGrippable().capacity());
-  m_discPairs.Reserve(m_store.GetDriven().capacity());
+  const size_t robots = m_store.GetDriven().capacity();
   const size_t solids = m_store.GetPassive().capacity() + m_store.GetDrivenSolids().size();
-  m_crowd.Reserve(m_store.GetDriven().capacity(), m_store.HasSolids() ? solids : 0);
-  m_longestOfRun.reserve(m_store.GetDriven().capacity() / kPlanGrain + 1);
+  m_ties.Reserve(2 * m_grips.GetNumManipulators());
+  m_ghosts.Reserve(robots + m_store.GetPassive().capacity());
+  m_discPairs.Reserve(robots);
+  m_crowd.Reserve(robots, m_store.HasSolids() ? solids : 0, m_grips.GetNumManipulators());
+  m_longestOfRun.reserve(robots / kPlanGrain + 1);
 }
 
 // the slack of the proximity filter, m
 Real CPlanarWorld::GetSlack() const {
-  return kProximitySlack * m_store.GetMetresPerUnit();
+  return kProximitySlack * m_store.GetSettings().SmallestRadius;
 }
 
 Real CPlanarWorld::ComputeGhostReach() const {
   // a robot and the robot that approaches it may both move by the longest path
-  return m_store.GetWidestMovable() +
-         (2.0 + kGuardMargin) * kProximitySlack * m_store.GetMetresPerUnit() +
+  return m_store.GetWidestMovable() + kGhostSlacks * GetSlack() +
          std::max(2.0 * m_longestPath, kStartSpeed * GetTick());
 }
 
@@ -134,22 +74,9 @@ void CPlanarWorld::Advance(CThreadPool& pool) {
   m_grips.StartTick();
   PlanDriven(pool);
   FindMeetings(pool);
-  m_active.Select(m_discPairs, m_crowd);
-  m_grips.MakeGrips();
   m_ghosts.Place(m_discPairs, m_crowd, GetReach(), m_longestPath);
   m_crowd.Advance(pool, m_discPairs, m_longestPath, GetReach());
-  UInt32 substeps = 1;
-  if (IsAnyAwake()) {
-    m_active.StartTick();
-    if (m_grips.IsHoldingAny()) {
-      m_ties.Settle(m_store, m_active, m_grips);
-    }
-    substeps = ChooseSubsteps();
-    StepBox2D(substeps);
-    m_active.FinishTick(substeps);
-  }
-  m_grips.FinishTick(static_cast<float>(GetTick() / substeps));
-  m_ghosts.Remove();
+  m_grips.FinishTick(m_crowd.GetGrips());
   FinishPassive();
 }
 
@@ -228,8 +155,7 @@ Real CPlanarWorld::Plan(SDrivenBody& body, UInt32 slot) {
   return std::max(path, speed * tick);
 }
 
-// Finds the bodies that may touch something. Those that are connected with a grip, or with what a
-// gripper may grip, are left to Box2D.
+// Finds the bodies that may touch something, and makes grips.
 void CPlanarWorld::FindMeetings(CThreadPool& pool) {
   if (m_store.HaveObstaclesChanged()) {
     m_discPairs.SetObstacles(m_store.ListObstacles());
@@ -242,7 +168,11 @@ void CPlanarWorld::FindMeetings(CThreadPool& pool) {
   m_discPairs.Find(pool, GetReach());
   m_crowd.Start(m_discPairs, GetReach());
   if (m_grips.HasManipulators()) {
-    ExcludeGrips();
+    m_grips.MakeGrips(m_discPairs, m_crowd.GetSolids());
+    if (m_grips.IsHoldingAny()) {
+      m_ties.Settle(m_store, m_grips, m_crowd.GetGripTouches());
+      m_grips.AddTo(m_discPairs, m_crowd);
+    }
   }
 }
 
@@ -260,137 +190,22 @@ void CPlanarWorld::CheckPeriod() const {
   }
 }
 
-void CPlanarWorld::ExcludeGrips() {
-  for (const SActiveBody& active : m_active.GetBodies()) {
-    const SDrivenBody& body = m_active.GetRobot(active);
-    if (body.NumGrips > 0) {
-      ExcludeNear(body.Pose, 0.0);
-    }
-  }
-  for (const SPassiveBody& body : m_store.GetPassive()) {
-    if (body.NumGrips > 0) {
-      ExcludeNear(body.Pose, 0.0);
-    }
-  }
-  // a robot whose gripper seeks a body reaches as far as the gripper
-  m_grips.ForEachSeeking([&](UInt32 slot, Real seek) {
-    const SDrivenBody& body = m_store.GetDriven(slot);
-    ExcludeNear(body.Pose, body.BoundingRadius + GetReach() + seek);
-  });
-}
-
-// Excludes all bodies in a circle that may be nearer than its radius. A robot that has a body in
-// Box2D keeps it a little longer.
-void CPlanarWorld::ExcludeNear(const SPlanarPose& pose, Real radius) {
-  const Real margin = kGuardMargin * m_store.GetMetresPerUnit();
-  m_discPairs.ForNear(pose.X, pose.Y, radius + margin, [&](UInt32 place) {
-    const CDiscPairs::SDisc& disc = m_discPairs.GetDiscs()[place];
-    const Real dx = disc.X - pose.X;
-    const Real dy = disc.Y - pose.Y;
-    const Real near = radius + disc.Radius + GetReach();
-    if (dx * dx + dy * dy <= near * near || m_store.GetDriven(disc.Number).IsActive()) {
-      m_crowd.Exclude(place);
-    }
-  });
-  CCrowdSolids& solids = m_crowd.GetSolids();
-  solids.ForNear(pose.X, pose.Y, radius, [&](UInt32 item) { m_crowd.Exclude(item); });
-}
-
-// by the present speeds of bodies that turn or have no drive, and by what turrets move
+// by the present speeds of bodies that have no drive, and by what grips move
 void CPlanarWorld::ExtendLongestPath() {
-  for (const SActiveBody& active : m_active.GetBodies()) {
-    const SDrivenBody& body = m_active.GetRobot(active);
-    const Real speed = std::hypot(body.Velocity.X, body.Velocity.Y) +
-                       (body.IsDisc ? 0.0 : std::abs(body.Velocity.W) * body.BoundingRadius);
-    m_longestPath = std::max(m_longestPath, speed * GetTick());
-  }
   for (const SPassiveBody& body : m_store.GetPassive()) {
     const Real speed = std::hypot(body.Velocity.X, body.Velocity.Y) +
                        std::abs(body.Velocity.W) * body.BoundingRadius;
     m_longestPath = std::max(m_longestPath, speed * GetTick());
   }
-  m_longestPath = std::max(m_longestPath, m_grips.ComputeLongestSwing());
+  m_longestPath = std::max(m_longestPath, m_grips.ComputeLongestPath());
 }
 
-bool CPlanarWorld::IsAnyAwake() const {
-  const std::vector<SPassiveBody>& passive = m_store.GetPassive();
-  return !m_active.GetBodies().empty() ||
-         std::any_of(passive.begin(), passive.end(), [](const SPassiveBody& body) {
-           return body.Body->IsEnabled() && body.Body->IsAwake();
-         });
-}
-
-UInt32 CPlanarWorld::ChooseSubsteps() const {
-  SSubstepNeeds needs;
-  needs.ForMotion = std::max({m_active.ComputeNeededSubsteps(), ComputeSubstepsOfPassive(),
-                              m_grips.ComputeNeededSubsteps()});
-  needs.IsHolding = m_grips.IsHoldingAny();
-  if (m_substepPolicy.UsesWeakestDrive()) {
-    needs.WeakestDrive = m_active.ComputeWeakestDrive();
-  }
-  return m_substepPolicy.ChooseSubsteps(needs);
-}
-
-// Substeps of a tick in which no passive body moves or turns too far in one.
-float CPlanarWorld::ComputeSubstepsOfPassive() const {
-  const float tick = static_cast<float>(GetTick());
-  float needed = 0.0F;
-  for (const SPassiveBody& body : m_store.GetPassive()) {
-    if (body.Body->IsEnabled() && body.Body->IsAwake()) {
-      const float distance = body.Body->GetLinearVelocity().Length() * tick;
-      const float turn = std::abs(body.Body->GetAngularVelocity()) * tick;
-      needed = std::max({needed, distance / (static_cast<float>(kMaxStepShare) * body.Extent),
-                         turn / static_cast<float>(kMaxStepTurn)});
-    }
-  }
-  return needed;
-}
-
-void CPlanarWorld::StepBox2D(UInt32 substeps) {
-  const float duration = static_cast<float>(GetTick() / substeps);
-  const int iterations = m_substepPolicy.ChooseIterations(substeps, m_grips.IsHoldingAny());
-  b2World& world = m_store.GetWorld();
-  float deepestOverlap = 0.0F;
-  float greatestImpulse = 0.0F;
-  for (UInt32 substep = 0; substep < substeps; ++substep) {
-    m_active.SetMotors(substep, substeps);
-    m_grips.SetTurretMotors(substep, substeps);
-    world.Step(duration, iterations, kPositionIterations);
-    deepestOverlap = std::max(deepestOverlap, m_overlaps.Resolve(world));
-    m_active.AccountMotors();
-    m_grips.AlignTurrets();
-    greatestImpulse = std::max(
-        {greatestImpulse, m_overlaps.GetGreatestImpulse(), m_grips.ComputeGreatestImpulse()});
-  }
-  m_substepPolicy.FinishTick(deepestOverlap, greatestImpulse / duration);
-}
-
+// A released body may be in another engine's region.
 void CPlanarWorld::FinishPassive() {
   for (SPassiveBody& body : m_store.GetPassive()) {
-    if (!body.Body->IsEnabled()) {
-      body.Moved = body.Moved || body.WasReleased;
-      body.WasReleased = false;
-      Wrap(body.Pose);
-      continue;
-    }
-    const b2Vec2 position = body.Body->GetPosition();
-    const float angle = body.Body->GetAngle();
-    const bool moved = position.x != body.X || position.y != body.Y || angle != body.Angle;
-    // a released body may be in another engine's region
-    body.Moved = moved || body.WasReleased;
+    body.Moved = body.Moved || body.WasReleased;
     body.WasReleased = false;
-    if (moved) {
-      body.X = position.x;
-      body.Y = position.y;
-      body.Angle = angle;
-      body.Pose.X = m_store.ToMetres(position.x);
-      body.Pose.Y = m_store.ToMetres(position.y);
-      body.Pose.SetYaw(angle);
-    }
-    // also of a body that friction has stopped before it moved
-    const b2Vec2 velocity = body.Body->GetLinearVelocityFromLocalPoint(b2Vec2_zero);
-    body.Velocity = {m_store.ToMetres(velocity.x), m_store.ToMetres(velocity.y),
-                     static_cast<Real>(body.Body->GetAngularVelocity())};
+    Wrap(body.Pose);
   }
 }
 

@@ -1,15 +1,12 @@
 #ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_PLANAR_WORLD_H
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_PLANAR_WORLD_H
 
-#include <argos3/plugins/simulator/physics_engines/dynamics2d/active_set.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/crowd.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/grip_ties.h>
-#include <argos3/plugins/simulator/physics_engines/dynamics2d/overlap_solver.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_ghosts.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_grips.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_store.h>
 #include <argos3/plugins/simulator/physics_engines/planar/disc_pairs.h>
-#include <argos3/plugins/simulator/physics_engines/dynamics2d/substep_policy.h>
 
 #include <vector>
 
@@ -22,8 +19,7 @@ class CThreadPool;
  *
  * A robot that cannot touch anything during a tick needs no solver: its exact arc is computed in
  * double precision. Each tick finds what discs (CDiscPairs) and other bodies (CCrowdSolids) can
- * meet. What can meet is solved together (CCrowd); only where robots grip something, Box2D solves
- * it (CActiveSet).
+ * meet. What can meet, or is connected by grips (CPlanarGrips), is solved together (CCrowd).
  *
  * Everything is a function of the order of adding, removing and Advance(), and of no thread.
  */
@@ -57,7 +53,7 @@ class CPlanarWorld {
   }
   /** Sets the velocity of a movable body. */
   void SetVelocity(const SPlanarHandle& handle, const SPlanarVelocity& velocity) {
-    m_active.SetVelocity(handle, velocity);
+    m_store.SetVelocity(handle, velocity);
   }
   /** What a robot was told in the last tick; at rest if the body has no drive. */
   SDriveCommand GetLastCommand(const SPlanarHandle& handle) const {
@@ -120,13 +116,7 @@ class CPlanarWorld {
   Real PlanRun(size_t begin, size_t end);
   Real Plan(SDrivenBody& body, UInt32 slot);
   void FindMeetings(CThreadPool& pool);
-  void ExcludeGrips();
-  void ExcludeNear(const SPlanarPose& pose, Real radius);
   void ExtendLongestPath();
-  bool IsAnyAwake() const;
-  UInt32 ChooseSubsteps() const;
-  float ComputeSubstepsOfPassive() const;
-  void StepBox2D(UInt32 substeps);
   void FinishPassive();
   void CheckPeriod() const;
 
@@ -142,15 +132,12 @@ class CPlanarWorld {
   Real GetTick() const { return m_store.GetSettings().Tick; }
 
   CPlanarStore m_store;
-  CActiveSet m_active;
   CPlanarGrips m_grips;
   CGripTies m_ties;
   CPlanarGhosts m_ghosts;
-  CSubstepPolicy m_substepPolicy;
   CDiscPairs m_discPairs;
   CCrowd m_crowd;
   std::vector<Real> m_longestOfRun;  // m; scratch of PlanDriven()
-  COverlapSolver m_overlaps;
   Real m_longestPath = 0.0;  // m, of any movable body in this tick, at most
 };
 

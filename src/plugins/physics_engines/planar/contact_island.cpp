@@ -139,7 +139,9 @@ NUMBER CContactIsland<NUMBER>::Run(UInt32 end) {
     SChange change;
     SweepDrives(change);
     SweepContacts(change);
-    SweepGrips(change);
+    if (!m_grips.empty()) {
+      SweepGrips(change);
+    }
     ++m_sweeps;
     if (IsDone(change.Velocity) || m_sweeps >= end) {
       return change.Velocity;
@@ -165,7 +167,9 @@ NUMBER CContactIsland<NUMBER>::StepByNewton(CIslandNewton<NUMBER>& newton, NUMBE
     SweepMotors(next);
     next = SChange();
     SweepContacts(next);
-    SweepGrips(next);
+    if (!m_grips.empty()) {
+      SweepGrips(next);
+    }
     ++m_sweeps;
     if (next.Velocity <= NUMBER(kWorse) * change) {
       change = next.Velocity;

@@ -156,6 +156,18 @@ void CDiscPairs::Sort(CThreadPool& pool) {
   }
 }
 
+// The discs of a cell are in the order of their numbers: threads leave them in any other one.
+UInt32 CDiscPairs::GetPlace(UInt32 number) const {
+  CheckNumber(number);
+  const UInt32 cell = m_grid.CellAt(m_discs[number].X, m_discs[number].Y);
+  const auto end = m_sorted.begin() + m_sort.End(cell);
+  const auto found =
+      std::lower_bound(m_sorted.begin() + m_sort.Begin(cell), end, number,
+                       [](const SDisc& disc, UInt32 wanted) { return disc.Number < wanted; });
+  ARGOS_ASSERT(found != end && found->Number == number, "the disc " << number << " is left out");
+  return static_cast<UInt32>(found - m_sorted.begin());
+}
+
 // Gives each part cells with about as many discs.
 void CDiscPairs::Divide() {
   const size_t count = CountParts(m_discs.size());

@@ -74,6 +74,8 @@ class CDiscPairs {
 
   /** After Find(): the discs, by place. */
   const std::vector<SDisc>& GetDiscs() const { return m_sorted; }
+  /** After Find(): the place of a number that is not left out. */
+  UInt32 GetPlace(UInt32 number) const;
   const std::vector<SPart>& GetParts() const { return m_parts; }
   /** After Find(): adds an obstacle that a disc can meet. One thread. */
   void AddObstaclePair(UInt32 place, UInt32 obstacle) {

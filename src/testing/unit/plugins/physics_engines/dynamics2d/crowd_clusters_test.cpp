@@ -162,25 +162,39 @@ TEST_CASE("crowd clusters: strips of a large cluster have pairs with adjoining s
   CHECK(numPairs == numFound);
 }
 
-TEST_CASE("crowd clusters: an excluded disc takes its cluster with it, and no other",
+TEST_CASE("crowd clusters: grips unite clusters, and are in the patch of their bodies",
           "[dynamics2d][crowd]") {
-  // 0 - 1 - 2 in a row; 3 - 4; 5 at an obstacle
+  // 0 - 1 - 2 in a row; 3 - 4; 5 at an obstacle; 6 alone
   SScene scene;
   scene.Pairs.SetObstacles({{3.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.05}});
-  scene.Find({{0.0, 0.0}, {0.08, 0.0}, {0.16, 0.0}, {1.0, 0.0}, {1.08, 0.0}, {3.09, 0.0}});
-  scene.Pairs.ForNear(0.16, 0.0, -kRadius, [&](UInt32 place) { scene.Clusters.Exclude(place); });
-  for (UInt32 place = 0; place < 6; ++place) {
-    CHECK(scene.Clusters.IsExcluded(place) == (scene.Pairs.GetDiscs()[place].Number < 3));
-  }
+  scene.Find(
+      {{0.0, 0.0}, {0.08, 0.0}, {0.16, 0.0}, {1.0, 0.0}, {1.08, 0.0}, {3.09, 0.0}, {2.0, 0.0}});
+  std::vector<SCrowdGrip> grips(2);
+  const auto connect = [&](SCrowdGrip& grip, UInt32 holder, UInt32 held) {
+    grip.Holder = scene.Pairs.GetPlace(holder);
+    grip.Held = scene.Pairs.GetPlace(held);
+  };
+  connect(grips[0], 5, 6);
+  connect(grips[1], 4, 2);
+  scene.Pairs.SetNear(grips[0].Held);
+  scene.Clusters.Unite(grips);
   scene.Build();
-  std::set<UInt32> members;
-  for (const auto& member : scene.Clusters.GetMembers()) {
-    members.insert(member.Number);
+  const auto& members = scene.Clusters.GetMembers();
+  REQUIRE(scene.Clusters.GetNumSmall() == 2);
+  REQUIRE(scene.Clusters.GetGrips().size() == 2);
+  std::set<UInt32> sizes;
+  for (const SCrowdPatch& patch : scene.Clusters.GetPatches()) {
+    sizes.insert(patch.EndDisc - patch.FirstDisc);
+    REQUIRE(patch.Grips.GetSize() == 1);
+    CHECK(patch.BorderGrips.GetSize() == 0);
+    const auto& grip = scene.Clusters.GetGrips()[patch.Grips.First];
+    CHECK(members[grip.Holder].Item == grips[grip.Number].Holder);
+    CHECK(members[grip.Held].Item == grips[grip.Number].Held);
+    for (const UInt32 member : {grip.Holder, grip.Held}) {
+      CHECK((patch.FirstDisc <= member && member < patch.EndDisc));
+    }
   }
-  CHECK(members == std::set<UInt32>{3, 4, 5});
-  CHECK(scene.Clusters.GetNumSmall() == 2);
-  REQUIRE(scene.Clusters.GetWalls().size() == 1);
-  CHECK(scene.Clusters.GetMembers()[scene.Clusters.GetWalls()[0].Disc].Number == 5);
+  CHECK(sizes == std::set<UInt32>{2, 5});
 }
 
 TEST_CASE("crowd clusters: their order does not depend on threads", "[dynamics2d][crowd]") {

@@ -17,7 +17,7 @@ namespace {
 
 /** Robots with grippers that reach 1 cm out of their circle, ahead. */
 struct SGripScene : CPlanarScene {
-  CPlanarGrips Grips{Store, Active};
+  CPlanarGrips Grips{Store};
   std::deque<CGripperEquippedEntity> Grippers;
   std::deque<SAnchor> Anchors;
   std::deque<CTurretEntity> Turrets;
@@ -27,7 +27,6 @@ struct SGripScene : CPlanarScene {
     CGripperEquippedEntity& gripper = Grippers.emplace_back(nullptr);
     gripper.SetOffset(CVector3(kRadius, 0.0, 0.0));
     Grips.SetManipulator(body.GetOwner(), description, &gripper, nullptr);
-    Active.Activate(body.Handle.Slot);
     return body;
   }
   /** A robot with a gripper and a turret of a speed, rad/s, which no gripper can grip. */
@@ -51,7 +50,11 @@ struct SGripScene : CPlanarScene {
       gripper.SetLockState(1.0);
     }
     Grips.StartTick();
-    Grips.MakeGrips();
+    MakeGrips();
+  }
+  void MakeGrips() {
+    StartCrowd(0.01);
+    Grips.MakeGrips(Pairs, Crowd.GetSolids());
   }
 };
 
@@ -64,15 +67,12 @@ TEST_CASE("planar grips: a locked gripper grips the body in its reach", "[dynami
   const auto& far = scene.AddBox(0.0, 0.3, true);
 
   scene.Grips.StartTick();
-  scene.Grips.MakeGrips();
+  scene.MakeGrips();
   CHECK_FALSE(scene.Grips.IsHoldingAny());  // not locked
 
   scene.Grippers[0].SetLockState(1.0);
   scene.Grips.StartTick();
-  Real reach = 0.0;
-  scene.Grips.ForEachSeeking([&reach](UInt32, Real seek) { reach = seek; });
-  CHECK(reach == Approx(SGripperDescription().SensorRadius));
-  scene.Grips.MakeGrips();
+  scene.MakeGrips();
   REQUIRE(scene.Grips.IsHoldingAny());
   CHECK(&scene.Grippers[0].GetGrippedEntity() == &near.Entity);
   CHECK(scene.Grips.IsInGrip(robot.Handle));
@@ -106,27 +106,44 @@ TEST_CASE("planar grips: unlocking releases the body", "[dynamics2d][grip]") {
 
 TEST_CASE("planar grips: the held body follows, and an overloaded grip breaks",
           "[dynamics2d][grip]") {
-  for (const bool isWeak : {false, true}) {
-    CAPTURE(isWeak);
-    SGripScene scene;
-    SBodyDescription description = CPlanarScene::DescribeRobot();
-    // the friction of the box on the ground is 1.49 N
-    description.Gripper->MaxForce = isWeak ? 0.1 : 100.0;
-    auto& robot = scene.AddGripper(0.0, 0.0, description);
-    const auto& box = scene.AddBox(0.105, 0.0, true);
-    scene.Lock();
-    REQUIRE(scene.Grips.IsHoldingAny());
-    b2Body& carrier = scene.Active.GetBox2DBody(robot.Handle);
-    b2Body& held = scene.Active.GetBox2DBody(box.Handle);
-    const float before = held.GetPosition().x;
-    for (int i = 0; i < 10; ++i) {
-      carrier.SetLinearVelocity(b2Vec2(-4.0F, 0.0F));
-      scene.Store.GetWorld().Step(0.01F, 40, 1);
-      scene.Grips.FinishTick(0.01F);
-    }
-    CHECK(scene.Grips.IsHoldingAny() == !isWeak);
-    CHECK((held.GetPosition().x < before - 0.1F) == !isWeak);
+  const bool isWeak = GENERATE(false, true);
+  CAPTURE(isWeak);
+  CPlanarScene scene;  // owns the bodies only
+  CPlanarWorld world(CPlanarScene::MakeSettings());
+  SBodyDescription description = CPlanarScene::DescribeRobot();
+  description.Drive->MaxForce = 5.0;
+  description.Gripper->MaxForce = isWeak ? 0.1 : 100.0;
+  // its friction on the ground is 1.49 N
+  SBodyDescription load;
+  load.Shapes.push_back(SShapeDescription::Box(CVector3(0.1, 0.1, 0.1)));
+  load.Mass = 0.5;
+  load.GroundFriction = SGroundFrictionDescription();
+  load.Grippable = true;
+  const std::array<Real, 2> wheels{-0.1, -0.1};
+  auto& robot = scene.Bodies.emplace_back("robot");
+  auto& box = scene.Bodies.emplace_back("box");
+  world.AddDriven(robot.GetOwner(), description, CPlanarScene::PoseAt(0.0, 0.0),
+                  CDriveSource(wheels.data(), 0.08));
+  world.AddPassive(box.GetOwner(), load, CPlanarScene::PoseAt(0.105, 0.0));
+  CGripperEquippedEntity gripper(nullptr);
+  gripper.SetOffset(CVector3(CPlanarScene::kRadius, 0.0, 0.0));
+  gripper.SetLockState(1.0);
+  world.GetGrips().SetManipulator(robot.GetOwner(), description, &gripper, nullptr);
+  CThreadPool pool(0, std::make_unique<CBalanceQuantitySchedule>());
+  world.Advance(pool);
+  world.CommitDriven(0, 1, [](const SDrivenBody&, size_t) {});
+  CHECK(world.GetGrips().IsHoldingAny() == !isWeak);
+  if (isWeak) {
+    gripper.SetLockState(0.0);
   }
+  for (int i = 0; i < 9; ++i) {
+    world.Advance(pool);
+    world.CommitDriven(0, 1, [](const SDrivenBody&, size_t) {});
+  }
+  // 1 cm a tick, as long as it is held
+  const Real expected = 0.105 - (isWeak ? 0.01 : 0.1);
+  world.ForEachPassive(
+      [&](const SPassiveBody& body) { CHECK(body.Pose.X == Approx(expected).margin(2e-3)); });
 }
 
 TEST_CASE("planar grips: removing a body ends its grips only", "[dynamics2d][grip]") {
@@ -171,12 +188,10 @@ TEST_CASE("planar grips: a cluster is transferred with its grips", "[dynamics2d]
   SGripScene next;
   auto& robot = next.AddGripper(0.105, 0.0);
   auto& load = next.AddBox(0.21, 0.0, true);
-  next.Active.Deactivate(robot.Handle.Slot);
   SGripTransfer grip = grips[1];
   grip.Holder = &robot.Entity;
   grip.Held = &load.Entity;
   next.Grips.RestoreGrip(grip, robot.Handle, load.Handle);
-  CHECK(next.GetDriven(robot).IsActive());
   REQUIRE(next.Grips.IsHoldingAny());
   next.Grips.CopyGrips({&robot.Entity}, grips);
   REQUIRE(grips.size() == 1);
@@ -201,7 +216,7 @@ TEST_CASE("planar grips: 255 grippers hold a body, and no more", "[dynamics2d][g
   scene.Grippers.front().SetLockState(0.0);
   scene.Grips.StartTick();
   CHECK(scene.GetPassive(box).NumGrips == 254);
-  scene.Grips.MakeGrips();
+  scene.MakeGrips();
   CHECK(scene.GetPassive(box).NumGrips == 255);
 }
 
@@ -233,9 +248,12 @@ TEST_CASE("planar grips: the rate of a turret with a load is bounded by that of 
   const Real rate = std::min(std::abs(speed), kMaxSubsteps * kMaxStepTurn / CPlanarScene::kTick);
   // the box is held 5.5 cm ahead; half of its diagonal is its bounding radius
   const Real reach = 0.055 + 2.0 * 0.05 * std::sqrt(2.0);
-  CHECK(scene.Grips.ComputeLongestSwing() ==
+  CHECK(scene.Grips.ComputeLongestPath() ==
         Approx(rate * CPlanarScene::kTick * reach).epsilon(1e-4));
-  CHECK(scene.Grips.ComputeNeededSubsteps() ==
+  scene.StartCrowd(0.01);
+  scene.Grips.AddTo(scene.Pairs, scene.Crowd);
+  REQUIRE(scene.Crowd.GetGrips().size() == 1);
+  CHECK(scene.Crowd.GetGrips()[0].NeededSubsteps ==
         Approx(rate * CPlanarScene::kTick *
                std::max(reach / (kMaxStepShare * 0.05), 1.0 / kMaxStepTurn))
             .epsilon(1e-4));

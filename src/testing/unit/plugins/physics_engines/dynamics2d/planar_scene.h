@@ -4,7 +4,6 @@
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/geometry/body_description.h>
 #include <argos3/core/utility/threads/thread_pool.h>
-#include <argos3/plugins/simulator/physics_engines/dynamics2d/active_set.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/crowd.h>
 #include <argos3/plugins/simulator/physics_engines/planar/disc_pairs.h>
 
@@ -31,13 +30,13 @@ class CPlanarScene {
     SPlanarOwner GetOwner() { return {nullptr, &Entity, &Handle}; }
   };
 
-  CPlanarScene() : Store(MakeSettings()), Active(Store) {}
+  CPlanarScene() : Store(MakeSettings()) {}
 
   static SPlanarSettings MakeSettings() {
     SPlanarSettings settings;
     settings.Tick = kTick;
     settings.Substeps = 2;
-    settings.UnitsPerMetre = 1.0 / kRadius;
+    settings.SmallestRadius = kRadius;
     return settings;
   }
 
@@ -68,7 +67,7 @@ class CPlanarScene {
     return body;
   }
 
-  /** A cube with an edge of 10 cm; if it is movable, Box2D moves it. */
+  /** A cube with an edge of 10 cm. */
   SBody& AddBox(Real x, Real y, bool movable) {
     SBodyDescription description;
     description.Shapes.push_back(SShapeDescription::Box(CVector3(0.1, 0.1, 0.1)));
@@ -78,7 +77,6 @@ class CPlanarScene {
     SBody& body = Bodies.emplace_back("box");
     if (movable) {
       Store.AddPassive(body.GetOwner(), description, PoseAt(x, y));
-      Active.Activate(GetPassive(body));
     } else {
       Store.AddImmovable(body.GetOwner(), description, PoseAt(x, y));
     }
@@ -107,26 +105,9 @@ class CPlanarScene {
     body.NextVelocity = {arc.DX / kTick, arc.DY / kTick, body.NextCommand.YawRate};
   }
 
-  /** Plans the arcs of active robots, and steps the Box2D world. */
-  void Drive(UInt32 substeps) {
-    for (const SActiveBody& active : Active.GetBodies()) {
-      SDrivenBody& body = Store.GetDriven()[active.Slot];
-      Plan(body);
-      body.Command = body.NextCommand;
-    }
-    Active.StartTick();
-    for (UInt32 substep = 0; substep < substeps; ++substep) {
-      Active.SetMotors(substep, substeps);
-      Store.GetWorld().Step(static_cast<float>(kTick / substeps), 8, 1);
-      Active.AccountMotors();
-    }
-    Active.FinishTick(substeps);
-  }
-
   std::deque<SBody> Bodies;
   CThreadPool Pool{0, std::make_unique<CBalanceQuantitySchedule>()};
   CPlanarStore Store;
-  CActiveSet Active;
   CDiscPairs Pairs;
   CCrowd Crowd{Store};
 };

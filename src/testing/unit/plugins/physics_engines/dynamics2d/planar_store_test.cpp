@@ -1,11 +1,8 @@
 #include "planar_scene.h"
 
-#include <argos3/plugins/simulator/physics_engines/dynamics2d/overlap_solver.h>
-
 #include <catch2/catch.hpp>
 
 #include <cmath>
-#include <set>
 
 namespace argos::planar_store_test {
 
@@ -29,27 +26,21 @@ TEST_CASE("planar store: handles follow the bodies", "[dynamics2d]") {
   CHECK(scene.GetPassive(scene.Bodies[7]).Pose.X == 2.0);
 }
 
-TEST_CASE("planar store: numbers of Box2D bodies are unique and dense", "[dynamics2d]") {
-  CPlanarScene scene;
-  std::deque<b2Body*> bodies;
-  const auto create = [&](EPlanarKind kind) {
-    bodies.push_back(&scene.Store.CreateBody(SPlanarPose(), kind, SPlanarOwner(), false));
-  };
-  for (int i = 0; i < 4; ++i) {
-    create(EPlanarKind::Driven);
-  }
-  scene.Store.DestroyBody(*bodies[1]);
-  scene.Store.DestroyBody(*bodies[2]);
-  bodies.erase(bodies.begin() + 1, bodies.begin() + 3);
-  create(EPlanarKind::Immovable);
-  create(EPlanarKind::Passive);
-  std::set<UInt32> numbers;
-  for (b2Body* body : bodies) {
-    numbers.insert(GetBodyNumber(*body));
-  }
-  CHECK(numbers == std::set<UInt32>{0, 1, 2, 3});
-  CHECK(scene.Store.IsDriven(GetBodyNumber(*bodies[0])));
-  CHECK_FALSE(scene.Store.IsDriven(GetBodyNumber(*bodies[2])));
+TEST_CASE("planar store: masses and moments of solids are those of the description",
+          "[engine][dynamics2d]") {
+  SBodyDescription description;
+  description.Shapes.push_back(
+      SShapeDescription::Box(CVector3(0.4, 0.2, 0.6), CVector3(0.3, -0.1, 0.0)));
+  description.Mass = 2.0;
+  const SPlanarSolid solid = DescribeSolid(description, {0.0, 0.0});
+  CHECK(solid.Mass == 2.0);
+  CHECK(solid.CentreX == Approx(0.3));
+  CHECK(solid.CentreY == Approx(-0.1));
+  CHECK(solid.Inertia == Approx(2.0 * (0.16 + 0.04) / 12.0));
+  CHECK(solid.NarrowestHalf == Approx(0.1));
+  // less than the offset of the centre of mass needs
+  description.PlanarInertia = 0.1;
+  CHECK(DescribeSolid(description, {0.0, 0.0}).Inertia == Approx(0.2 * 0.001));
 }
 
 TEST_CASE("planar store: obstacles are listed when they have changed", "[dynamics2d]") {

@@ -3,7 +3,6 @@
 #include "planar_scene.h"
 
 #include <argos3/plugins/simulator/entities/gripper_equipped_entity.h>
-#include <argos3/plugins/simulator/physics_engines/dynamics2d/overlap_solver.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_grips.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_world.h>
 #include <argos3/testing/support/invariants.h>
@@ -55,8 +54,8 @@ TEST_CASE("planar store: the handle of a removed body is stale, also after its s
       CheckCaught([&] { scene.Store.GetNumGrips(stale); }, kStale);
       CheckCaught([&] { scene.Store.GetBoundingRadius(stale); }, kStale);
       CheckCaught([&] { scene.Store.GetNarrowestHalf(stale); }, kStale);
-      CheckCaught([&] { scene.Active.GetBox2DBody(stale); }, kStale);
-      CheckCaught([&] { scene.Active.SetVelocity(stale, SPlanarVelocity()); }, kStale);
+      CheckCaught([&] { static_cast<void>(scene.Store.IsGrippable(stale)); }, kStale);
+      CheckCaught([&] { scene.Store.SetVelocity(stale, SPlanarVelocity()); }, kStale);
     }
   }
   CheckCaught([&] { scene.Store.Remove(first.Handle); }, kStale);
@@ -68,16 +67,6 @@ TEST_CASE("planar store: a handle is of one kind of body", "[dynamics2d][invaria
   const auto& box = scene.AddBox(1.0, 0.0, true);
   CheckCaught([&] { scene.Store.GetPassive(robot.Handle); }, "another kind");
   CheckCaught([&] { scene.Store.GetDriven(box.Handle); }, "another kind");
-}
-
-TEST_CASE("planar store: the number of a destroyed Box2D body is noticed",
-          "[dynamics2d][invariants]") {
-  CPlanarScene scene;
-  b2Body& body = scene.Store.CreateBody(SPlanarPose(), EPlanarKind::Driven, SPlanarOwner(), false);
-  const UInt32 number = GetBodyNumber(body);
-  CHECK(scene.Store.IsDriven(number));
-  scene.Store.DestroyBody(body);
-  CheckCaught([&] { scene.Store.IsDriven(number); }, "no Box2D body has the number");
 }
 
 TEST_CASE("planar world: a stale handle is noticed", "[dynamics2d][invariants]") {
@@ -101,41 +90,20 @@ TEST_CASE("planar world: a stale handle is noticed", "[dynamics2d][invariants]")
   world.Advance(pool);
 }
 
-TEST_CASE("active set: a robot that has left its slot is noticed", "[dynamics2d][invariants]") {
-  CPlanarScene scene;
-  for (int i = 0; i < 3; ++i) {
-    scene.AddRobot(0.5 * i, 0.0);
-  }
-  scene.Active.Activate(2);
-  CheckCaught([&] { scene.Active.Activate(2); }, "active already");
-  CheckCaught([&] { scene.Active.Deactivate(1); }, "no active robot");
-  CheckCaught([&] { scene.Active.GetBox2DBody(scene.Bodies[1].Handle); }, "no active robot");
-  CheckCaught([&] { scene.Store.Remove(scene.Bodies[2].Handle); }, "an active robot is removed");
-
-  // the active robot moves to slot 0 without a call of the set
-  scene.Store.Remove(scene.Bodies[0].Handle);
-  CheckCaught([&] { scene.Active.StartTick(); }, "no robot in slot 2");
-  scene.AddRobot(3.0, 0.0);
-  CheckCaught([&] { scene.Active.StartTick(); }, "not the one that was active there");
-  CheckCaught([&] { scene.Active.Deactivate(0); }, "not the active one");
-  scene.Active.UpdateSlot(0);
-  CHECK_NOTHROW(scene.Active.StartTick());
-}
-
 TEST_CASE("planar grips: a holder and a held body that have left are noticed",
           "[dynamics2d][grip][invariants]") {
   CPlanarScene scene;
-  CPlanarGrips grips(scene.Store, scene.Active);
+  CPlanarGrips grips(scene.Store);
   CGripperEquippedEntity gripper(nullptr);
   gripper.SetOffset(CVector3(CPlanarScene::kRadius, 0.0, 0.0));
   auto& robot = scene.AddRobot(0.0, 0.0);
   grips.SetManipulator(robot.GetOwner(), CPlanarScene::DescribeRobot(), &gripper, nullptr);
-  scene.Active.Activate(robot.Handle.Slot);
   const auto& box = scene.AddBox(0.105, 0.0, true);
   const SPlanarHandle held = box.Handle;
   gripper.SetLockState(1.0);
   grips.StartTick();
-  grips.MakeGrips();
+  scene.StartCrowd(0.01);
+  grips.MakeGrips(scene.Pairs, scene.Crowd.GetSolids());
   REQUIRE(grips.IsInGrip(held));
 
   // a copy of the holder's handle is as good as the original
@@ -150,9 +118,8 @@ TEST_CASE("planar grips: a holder and a held body that have left are noticed",
   CheckCaught([&] { grips.Remove(held); }, kStale);
 
   // the robot leaves without its gripper
-  scene.Active.Deactivate(robot.Handle.Slot);
   scene.Store.Remove(robot.Handle);
-  CheckCaught([&] { grips.MakeGrips(); }, "handle of a body");
+  CheckCaught([&] { grips.MakeGrips(scene.Pairs, scene.Crowd.GetSolids()); }, "handle of a body");
 }
 
 TEST_CASE("proximity filter: the numbers of a former tick are noticed",
