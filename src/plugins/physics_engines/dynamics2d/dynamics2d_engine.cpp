@@ -7,7 +7,6 @@
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/utility/memory/load_ahead.h>
 #include <argos3/core/utility/threads/thread_pool.h>
-#include <argos3/plugins/simulator/entities/gripper_equipped_entity.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/dynamics2d_body.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/dynamics2d_model.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_limits.h>
@@ -222,9 +221,6 @@ void CDynamics2DEngine::UpdateWorld() {
     Build();
   }
   RepositionDisplaced();
-  if (m_isPeriodic) {
-    CheckGrippersOpen();
-  }
   if (SeesGhosts()) {
     m_world->SetGhosts(ListGhosts());
   }
@@ -242,19 +238,6 @@ void CDynamics2DEngine::UpdateWorld() {
     }
   });
   FinishRecordedBodies();
-}
-
-// Box2D, which solves grips, does not know of joined sides.
-void CDynamics2DEngine::CheckGrippersOpen() const {
-  for (const auto& model : GetModels()) {
-    const auto& robot = static_cast<const CDynamics2DBody&>(*model);
-    if (robot.m_gripper != nullptr && robot.m_gripper->IsLocked()) {
-      THROW_ARGOSEXCEPTION("robot \"" << robot.m_root.GetId()
-                                      << "\" has locked its gripper, but in an <arena "
-                                         "periodic=...> <dynamics2d id=\""
-                                      << GetId() << "\"> cannot hold anything");
-    }
-  }
 }
 
 // Several engines share the threads better than the parts of each do.

@@ -91,7 +91,6 @@ class CDynamics2DEngine : public CPlanarEngine {
 
  private:
   void UpdateWorld() override;
-  void CheckGrippersOpen() const;
   void DropWorld() override;
   bool HasWorld() const override { return m_world != nullptr; }
   std::unique_ptr<CDescribedBodyModel> CreateModel(CEmbodiedEntity& body,

@@ -408,18 +408,46 @@ TEST_CASE("torus: a robot that is no disc pushes and is stopped across a seam",
   }
 }
 
-TEST_CASE("torus: a gripper that is locked is an error", "[physics][torus]") {
-  SExperiment experiment = Torus("<dynamics2d id='d'/>",
-                                 "<foot-bot id='f'><body position='1,1,0'/><controller "
-                                 "config='driver'/></foot-bot>");
-  experiment.Controllers =
-      "<contract_driver id='driver'><actuators><differential_steering implementation='default'/>"
-      "<footbot_gripper implementation='default'/></actuators><sensors/></contract_driver>";
-  CDriveWorld world(experiment);
-  world.Step(2);
-  world.Driver("f").GetActuator<CCI_FootBotGripperActuator>("footbot_gripper")->LockPositive();
-  CHECK_THROWS_WITH(world.Step(3),
-                    Contains("\"f\" has locked its gripper") && Contains("<arena periodic=...>"));
+TEST_CASE("torus: a gripper holds and drags what is across a seam", "[physics][torus]") {
+  const auto withGrippers = [](SExperiment experiment) {
+    experiment.Controllers =
+        "<contract_driver id='driver'><actuators><differential_steering implementation='default'/>"
+        "<footbot_gripper implementation='default'/></actuators><sensors/></contract_driver>";
+    return experiment;
+  };
+  const auto scene = [](const CVector3& middle) {
+    return DriverXml("foot-bot", "a", middle.GetX() - 0.088, middle.GetY(), 0.0, 0.0, 0.0) +
+           DriverXml("foot-bot", "b", middle.GetX() + 0.255, middle.GetY() + 0.01, 180.0, 0.0,
+                     0.0) +
+           BoxXml("box", middle.GetX() + 0.08, middle.GetY(), 0.0, "0.16,0.1,0.1");
+  };
+  // both grip the box, and one drags it and the other one on an arc
+  const auto drive = [](CDriveWorld& world) {
+    world.Step(2);
+    for (const std::string id : {"a", "b"}) {
+      world.Driver(id).GetActuator<CCI_FootBotGripperActuator>("footbot_gripper")->LockPositive();
+    }
+    world.Step(5);
+    world.Driver("a").Left = -7.0;
+    world.Driver("a").Right = -8.0;
+    world.Driver("b").Left = 7.0;
+    world.Driver("b").Right = 7.5;
+    world.Step(100);
+  };
+  const CVector3 middle(1.25, 1.0, 0.0);
+  CDriveWorld plain(withGrippers(CDriveWorld::Describe("<dynamics2d id='d'/>", scene(middle))));
+  drive(plain);
+  CHECK(Way(middle, plain.Position("box")).Length() > 0.5);
+  for (const CVector3& moved : {CVector3(1.25, 0.0, 0.0), CVector3(1.24, 1.03, 0.0)}) {
+    CAPTURE(moved);
+    CDriveWorld torus(withGrippers(Torus("<dynamics2d id='d'/>", scene(middle + moved))));
+    drive(torus);
+    for (const std::string id : {"a", "box", "b"}) {
+      CAPTURE(id);
+      CHECK_THAT(Way(plain.Position(id) + moved, torus.Position(id)).Length(),
+                 WithinAbs(0.0, 5e-5));
+    }
+  }
 }
 
 TEST_CASE("torus: an arena that is too small for its bodies is an error", "[physics][torus]") {
