@@ -5,7 +5,7 @@
 //
 //   argos3_benchmark [--scene rooms] [--robots 100,1000,10000,100000] [--threads 0] [--ticks 600]
 //                    [--side M] [--engine dynamics2d] [--engine-attributes 'iterations="4"']
-//                    [--bare-up-to 100000] [--records 10]
+//                    [--bare-up-to 100000] [--gripping 1] [--records 10]
 
 #include <argos3/testing/benchmark/bare_box2d.h>
 #include <argos3/testing/benchmark/in_child.h>
@@ -24,6 +24,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
@@ -53,6 +54,7 @@ struct SOptions {
   std::string EngineAttributes;
   // robots; the bare world of Box2D of a larger swarm takes minutes
   UInt32 BareUpTo = 100000;
+  UInt32 Gripping = 0;  // robots of the scene "shove" with a locked gripper
   UInt32 Records = 10;  // calls of a robot in a tick, in the scene "records"
 };
 
@@ -133,7 +135,8 @@ std::string MakeWorld(const SOptions& options, UInt32 robots, UInt32 threads) {
     return MakeRecorders(options, robots, threads);
   }
   if (options.Scene == "shove") {
-    return argos::testing::MakeShove(robots, threads, options.Engine, options.EngineAttributes);
+    return argos::testing::MakeShove(robots, std::min(options.Gripping, robots), threads,
+                                     options.Engine, options.EngineAttributes);
   }
   const auto make = options.Scene == "towers"  ? &argos::testing::MakeTowers
                     : options.Scene == "stack" ? &argos::testing::MakeStack
@@ -226,6 +229,8 @@ int main(int argc, char** argv) {
   app.add_option("--engine-attributes", options.EngineAttributes, "its XML attributes");
   app.add_option("--bare-up-to", options.BareUpTo,
                  "most robots that are compared with a bare world of Box2D; 0: none");
+  app.add_option("--gripping", options.Gripping,
+                 "robots that drag about what they touch first, in the scene shove");
   app.add_option("--records", options.Records,
                  "calls of CMetrics::Record() of a robot in a tick, in the scene records");
   CLI11_PARSE(app, argc, argv);

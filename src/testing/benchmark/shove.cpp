@@ -9,10 +9,15 @@
 
 namespace argos::testing {
 
-void CShover::Init(TConfigurationNode&) {
+void CShover::Init(TConfigurationNode& params) {
   m_wheels = GetActuator<CCI_DifferentialSteeringActuator>("differential_steering");
   m_proximity = GetSensor<CCI_FootBotProximitySensor>("footbot_proximity");
   m_random = CRandom::CreateRNG("argos");
+  bool grips = false;
+  GetNodeAttributeOrDefault(params, "grips", grips, grips);
+  if (grips) {
+    GetActuator<CCI_FootBotGripperActuator>("footbot_gripper")->LockPositive();
+  }
 }
 
 void CShover::ControlStep() {
@@ -34,7 +39,7 @@ bool CShover::IsTouching() const {
                      [](const auto& reading) { return reading.Value > 0.9; });
 }
 
-std::string MakeShove(UInt32 robots, UInt32 threads, const std::string& engine,
+std::string MakeShove(UInt32 robots, UInt32 gripping, UInt32 threads, const std::string& engine,
                       const std::string& attributes) {
   constexpr Real kRadius = 0.085;  // m
   constexpr Real kShare = 0.2;
@@ -44,7 +49,11 @@ std::string MakeShove(UInt32 robots, UInt32 threads, const std::string& engine,
   experiment.Threads = threads;
   experiment.Controllers =
       "<shover id='shover'><actuators><differential_steering implementation='default'/></actuators>"
-      "<sensors><footbot_proximity implementation='default'/></sensors></shover>";
+      "<sensors><footbot_proximity implementation='default'/></sensors></shover>"
+      "<shover id='gripper'><actuators><differential_steering implementation='default'/>"
+      "<footbot_gripper implementation='default'/></actuators>"
+      "<sensors><footbot_proximity implementation='default'/></sensors>"
+      "<params grips='true'/></shover>";
   experiment.Engines = "<" + engine + " id='engine' " + attributes + "/>";
   std::ostringstream arena;
   for (const int side : {-1, 1}) {
@@ -65,7 +74,10 @@ std::string MakeShove(UInt32 robots, UInt32 threads, const std::string& engine,
              "<cylinder id='c' radius='0.1' height='0.1' movable='true' mass='0.2'/>");
   distribute(0.2, objects - objects / 2,
              "<box id='b' size='0.3,0.2,0.1' movable='true' mass='0.3'/>");
-  distribute(0.1, robots, "<foot-bot id='r'><controller config='shover'/></foot-bot>");
+  distribute(0.1, robots - gripping, "<foot-bot id='r'><controller config='shover'/></foot-bot>");
+  if (gripping > 0) {
+    distribute(0.1, gripping, "<foot-bot id='g'><controller config='gripper'/></foot-bot>");
+  }
   experiment.ArenaSize =
       std::to_string(2.0 * half + 2.0) + "," + std::to_string(2.0 * half + 2.0) + ",2";
   experiment.Arena = arena.str();

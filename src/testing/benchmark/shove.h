@@ -3,6 +3,7 @@
 
 #include <argos3/core/control_interface/ci_controller.h>
 #include <argos3/core/utility/math/rng.h>
+#include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_gripper_actuator.h>
 #include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_proximity_sensor.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_differential_steering_actuator.h>
 
@@ -12,7 +13,8 @@ namespace argos::testing {
 
 /**
  * "shover": drives straight on at 12 cm/s, and now and then turns for about a second; ten times as
- * often where it touches something.
+ * often where it touches something. With <params grips="true"/> its gripper is locked all the time:
+ * it drags about what it touches first.
  */
 class CShover : public CCI_Controller {
  public:
@@ -30,9 +32,9 @@ class CShover : public CCI_Controller {
 
 /**
  * Foot-bots on a fifth of the floor of a pen, with a movable cylinder or box for every four of
- * them, which they push about: an experiment.
+ * them, which they push about: an experiment. The last @p gripping robots have locked grippers.
  */
-std::string MakeShove(UInt32 robots, UInt32 threads, const std::string& engine,
+std::string MakeShove(UInt32 robots, UInt32 gripping, UInt32 threads, const std::string& engine,
                       const std::string& attributes = "");
 
 }  // namespace argos::testing
