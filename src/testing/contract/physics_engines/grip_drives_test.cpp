@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 #include <vector>
 
@@ -103,6 +104,68 @@ void CheckSpeeds(const std::vector<Real>& speeds, Real expected, Real margin) {
   }
 }
 
+/** How far from its closed form a robot is, m and rad. */
+struct SOff {
+  Real Place, Turn;
+};
+
+/** A robot grips a load and drives on the arc of its wheels' speeds, m/s. */
+SOff Tow(const SEngineType& engine, UInt32 iterations, Real mass, Real left, Real right,
+         UInt32 ticks) {
+  CGripWorld world(GripperXml("r", 0, 0, 0, "lock='true'") + LoadXml("load", kAhead, 0, mass),
+                   {MakeEngine(engine, iterations), 10, 0});
+  world.Step(3);
+  REQUIRE(world.HeldBy("r") == "load");
+  const CVector3 start = world.Position("r");
+  const SPose from{start.GetX(), start.GetY(), world.Yaw("r")};
+  world.Drive("r", 100.0 * left, 100.0 * right);
+  world.Step(1 + ticks);  // an order is executed in the next tick
+  const SPose exact = IntegrateDifferentialDrive(from, left, right, kWheels, ticks * kTick);
+  const CVector3 place = world.Position("r");
+  return {std::hypot(place.GetX() - exact.X, place.GetY() - exact.Y),
+          std::remainder(world.Yaw("r") - exact.Yaw, 2.0 * std::numbers::pi)};
+}
+
+constexpr Real kCircle = 0.6;  // m
+constexpr Real kCircleRate = 0.15;  // rad/s
+
+/**
+ * Robots that grip the next one all turn about (0, kCircle) at one rate: as a rigid body, so that
+ * grips need no force. @return how far one is from its closed form, m.
+ */
+Real Circle(const SEngineType& engine, UInt32 iterations, int count, bool isMutual, Real sense,
+            UInt32 ticks) {
+  const Real step = 2.0 * std::asin(0.5 * kPitch / kCircle);
+  std::string arena;
+  const auto idOf = [](int i) { return "r" + std::to_string(i); };
+  for (int i = 0; i < count; ++i) {
+    const Real yaw = step * i;
+    arena +=
+        GripperXml(idOf(i), kCircle * std::sin(yaw), kCircle * (1.0 - std::cos(yaw)),
+                   yaw * 180.0 / std::numbers::pi, i + 1 < count || isMutual ? "lock='true'" : "");
+  }
+  CGripWorld world(arena, {MakeEngine(engine, iterations), 10, 0});
+  world.Step(3);
+  REQUIRE(world.HeldBy("r0") == "r1");
+  const CGripWorld::TPoses before = world.GetPoses();
+  const Real speed = sense * kCircleRate * kCircle;
+  const Real difference = 0.5 * sense * kCircleRate * kWheels;
+  for (int i = 0; i < count; ++i) {
+    world.Drive(idOf(i), 100.0 * (speed - difference), 100.0 * (speed + difference));
+  }
+  world.Step(1 + ticks);
+  Real off = 0.0;
+  for (int i = 0; i < count; ++i) {
+    const CVector3 start = before.at(idOf(i)).Position;
+    const SPose exact =
+        IntegrateDifferentialDrive({start.GetX(), start.GetY(), step * i}, speed - difference,
+                                   speed + difference, kWheels, ticks * kTick);
+    const CVector3 place = world.Position(idOf(i));
+    off = std::max(off, std::hypot(place.GetX() - exact.X, place.GetY() - exact.Y));
+  }
+  return off;
+}
+
 }  // namespace
 
 TEST_CASE("gripping: two equal drives share a pull, at the mean of the speeds that they want",
@@ -188,23 +251,13 @@ TEST_CASE("gripping: a robot that tows a load stays on the arc of its wheels",
   }
   CAPTURE(engine, iterations, mass, left, right);
   constexpr UInt32 kTicks = 100;
-  CGripWorld world(GripperXml("r", 0, 0, 0, "lock='true'") + LoadXml("load", kAhead, 0, mass),
-                   {MakeEngine(engine, iterations), 10, 0});
-  world.Step(3);
-  REQUIRE(world.HeldBy("r") == "load");
-  const CVector3 start = world.Position("r");
-  const SPose from{start.GetX(), start.GetY(), world.Yaw("r")};
-  world.Drive("r", 100.0 * left, 100.0 * right);
-  world.Step(1 + kTicks);  // an order is executed in the next tick
-  const SPose exact = IntegrateDifferentialDrive(from, left, right, kWheels, kTicks * kTick);
+  const SOff off = Tow(engine, iterations, mass, left, right, kTicks);
   const Real way = 0.5 * std::abs(left + right) * kTicks * kTick;
   // share of the way, besides what is lost while the drive is at its limit; with one substep of
   // 0.1 s the solver errs most
   const Real slip = engine.IsPlane ? (iterations == 1 ? 0.008 : 0.004) : 0.01;
-  CHECK(std::hypot(world.Position("r").GetX() - exact.X, world.Position("r").GetY() - exact.Y) <
-        slip * way + 1e-3);
-  CHECK_THAT(std::remainder(world.Yaw("r") - exact.Yaw, 2.0 * std::numbers::pi),
-             WithinAbs(0.0, engine.IsPlane ? 2.0 * slip : 2e-2));
+  CHECK(off.Place < slip * way + 1e-3);
+  CHECK_THAT(off.Turn, WithinAbs(0.0, engine.IsPlane ? 2.0 * slip : 2e-2));
 }
 
 TEST_CASE("gripping: robots on one circle that grip each other stay on it",
@@ -218,40 +271,9 @@ TEST_CASE("gripping: robots on one circle that grip each other stay on it",
     return;
   }
   CAPTURE(engine, iterations, count, isMutual, sense);
-  // all turn about (0, kCircle) at one rate: as a rigid body, so that grips need no force
-  constexpr Real kCircle = 0.6;  // m
-  constexpr Real kRate = 0.15;  // rad/s
   constexpr UInt32 kTicks = 100;
-  const Real step = 2.0 * std::asin(0.5 * kPitch / kCircle);
-  std::string arena;
-  const auto idOf = [](int i) { return "r" + std::to_string(i); };
-  for (int i = 0; i < count; ++i) {
-    const Real yaw = step * i;
-    arena +=
-        GripperXml(idOf(i), kCircle * std::sin(yaw), kCircle * (1.0 - std::cos(yaw)),
-                   yaw * 180.0 / std::numbers::pi, i + 1 < count || isMutual ? "lock='true'" : "");
-  }
-  CGripWorld world(arena, {MakeEngine(engine, iterations), 10, 0});
-  world.Step(3);
-  REQUIRE(world.HeldBy("r0") == "r1");
-  const CGripWorld::TPoses before = world.GetPoses();
-  const Real speed = sense * kRate * kCircle;
-  const Real difference = 0.5 * sense * kRate * kWheels;
-  for (int i = 0; i < count; ++i) {
-    world.Drive(idOf(i), 100.0 * (speed - difference), 100.0 * (speed + difference));
-  }
-  world.Step(1 + kTicks);
-  for (int i = 0; i < count; ++i) {
-    CAPTURE(i);
-    const CVector3 start = before.at(idOf(i)).Position;
-    const SPose exact =
-        IntegrateDifferentialDrive({start.GetX(), start.GetY(), step * i}, speed - difference,
-                                   speed + difference, kWheels, kTicks * kTick);
-    const CVector3 place = world.Position(idOf(i));
-    const Real way = std::abs(speed) * kTicks * kTick;
-    CHECK(std::hypot(place.GetX() - exact.X, place.GetY() - exact.Y) <
-          (engine.IsPlane ? 1e-3 : 0.01) * way);
-  }
+  CHECK(Circle(engine, iterations, count, isMutual, sense, kTicks) <
+        (engine.IsPlane ? 1e-3 : 0.01) * kCircleRate * kCircle * kTicks * kTick);
 }
 
 TEST_CASE("gripping: a load on a soft grip swings as a damped oscillator",
@@ -286,6 +308,66 @@ TEST_CASE("gripping: a load on a soft grip swings as a damped oscillator",
     const Real exact = kSpeed / beat * std::exp(-share * rate * time) * std::sin(beat * time);
     // Euler's method: half a substep of 10 ms late, and damped by it
     CHECK_THAT(distance() - start, WithinAbs(exact, 0.05 * peak));
+  }
+}
+
+TEST_CASE("gripping: friction holds or yields to what robots push together, some of which grip",
+          "[contract][engine][grip]") {
+  // of the force of three drives
+  const auto [share, mass] = GENERATE(table<Real, Real>(
+      {{0.5, 1.0}, {0.9, 1.0}, {0.9, 10.0}, {1.1, 1.0}, {2.0, 0.05}, {1e5, 0.05}, {1e5, 1.0}}));
+  const UInt32 iterations = GENERATE(0, 1, 2, 5, 10);
+  const int gripping = GENERATE(1, 2, 3);
+  CAPTURE(share, mass, iterations, gripping);
+  constexpr Real kForce = 15.0;  // N
+  constexpr Real kSpeed = 0.1;  // m/s
+  const std::string friction = std::to_string(3.0 * share * kForce);
+  std::string arena = "<box id='load' size='0.2,0.7,0.1' movable='true' mass='" +
+                      std::to_string(mass) + "'><body position='" + std::to_string(kAhead) +
+                      ",0,0'/></box>";
+  for (int i = 0; i < 3; ++i) {
+    arena += GripperXml("r" + std::to_string(i), 0.0, 0.2 * (i - 1), 0.0,
+                        i < gripping ? "lock='true'" : "", kForce);
+  }
+  CGripWorld world(arena, {MakeEngine(kDynamics2D, iterations,
+                                      "<friction box_linear_friction='" + friction +
+                                          "' box_angular_friction='" + friction + "'/>"),
+                           10, 0});
+  world.Step(3);
+  REQUIRE(world.HeldBy("r0") == "load");
+  for (int i = 0; i < 3; ++i) {
+    world.Drive("r" + std::to_string(i), 100.0 * kSpeed, 100.0 * kSpeed);
+  }
+  world.Step(20);
+  const Real before = world.Position("load").GetX();
+  world.Step(20);
+  const Real way = world.Position("load").GetX() - before;
+  CHECK_THAT(way, WithinAbs(share < 1.0 ? 2.0 * kSpeed : 0.0, 1e-3));
+  CHECK_THAT(world.Position("load").GetY(), WithinAbs(0.0, 1e-3));
+  CHECK_THAT(world.Yaw("load"), WithinAbs(0.0, 5e-3));
+}
+
+// rows of doc/internals/accuracy.md
+TEST_CASE("gripping: table", "[.][table]") {
+  constexpr UInt32 kTicks = 300;
+  for (const UInt32 iterations : {1U, 2U, 5U, 10U, 50U}) {
+    const auto speedOf = [&](const std::vector<SLink>& links) {
+      return CChain(kDynamics2D, iterations, links, 25.0).ComputeSpeeds(20).front();
+    };
+    const auto tow = [&](Real mass, Real left, Real right) {
+      return 1e3 * Tow(kDynamics2D, iterations, mass, left, right, kTicks).Place;
+    };
+    Real circle = 0.0;
+    for (const int count : {2, 3, 4}) {
+      circle = std::max(circle, Circle(kDynamics2D, iterations, count, false, 1.0, kTicks));
+    }
+    std::printf("%2u | %.4f %.4f %.4f %.4f %.4f %.4f m/s | %.1f %.1f %.1f mm | %.1f mm\n",
+                iterations, speedOf({{15.0, -0.1}, {15.0, 0.0}}),
+                speedOf({{15.0, -0.1}, {15.0, 0.05}}),
+                speedOf({{15.0, -0.1}, {15.0, -0.1}, {15.0, 0.0}, {15.0, 0.0}}),
+                speedOf({{15.0, -0.1}, {13.5, 0.0}}), speedOf({{13.5, -0.1}, {15.0, 0.0}}),
+                speedOf({{15.0, -0.1}, {15.0, 0.0}, {15.0, 0.0}}), tow(0.1, -0.08, -0.1),
+                tow(5.0, -0.08, -0.1), tow(0.3, 0.08, 0.1), 1e3 * circle);
   }
 }
 
