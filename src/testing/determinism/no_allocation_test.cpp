@@ -68,8 +68,7 @@ TEST_CASE("no allocation: ticks with robots that cross between engines allocate 
   const UInt32 threads = GENERATE(0U, 2U);
   const std::string engine = GENERATE("dynamics2d", "kinematics2d");
   CAPTURE(threads, engine);
-  // dense enough for contacts, so that robots with and without a Box2D
-  // body cross borders, and crates too
+  // dense enough for contacts, so that robots with and without them cross borders, and crates too
   SExperiment experiment = Swarm(200, 2, false, engine);
   experiment.Threads = threads;
   CTestWorld world(experiment);

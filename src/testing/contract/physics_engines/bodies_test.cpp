@@ -154,7 +154,7 @@ TEST_CASE("shapes: a box-shaped robot follows its arc and pushes with its front"
   for (int tick = 1; tick <= 100; ++tick) {
     world.Step();
     const SPose exact = IntegrateDifferentialDrive(start, 0.09, 0.10, 0.14, 0.1 * tick);
-    // it always has a Box2D body, and keeps the exact pose while the two agree
+    // it is always in the crowd, and keeps the exact pose while nothing pushes it
     const Real tolerance = 1e-9 + engine.Slip * 0.0095 * tick + engine.Slack;
     REQUIRE_THAT(world.Position("free").GetX(), WithinAbs(exact.X, tolerance));
     REQUIRE_THAT(world.Position("free").GetY(), WithinAbs(exact.Y, tolerance));

@@ -90,7 +90,7 @@ TEST_CASE("ghosts: robots that meet exactly head-on stop and touch",
   const CVector3 before = world.Position("a");
   world.Step(isLong ? 100 : 20);
   CHECK(Distance(world.Position("a"), before) <= 0.01 * kFootBotRadius);
-  // by symmetry both move equally; Box2D computes in single precision
+  // by symmetry both move equally; impulses are in single precision
   CHECK_THAT(world.Position("a").GetX(), WithinAbs(-world.Position("b").GetX(), 1e-4));
 }
 

@@ -90,7 +90,6 @@ TEST_CASE("prisms: a polygon of many corners stops robots where its circle does"
   const SEngineType engine = GENERATE(from_range(kEnginesWithContacts));
   const bool isRobotRound = GENERATE(true, false);
   CAPTURE(engine, isRobotRound);
-  // Box2D takes up to 8 corners in one shape: three shapes
   const SShapeDescription drum = SShapeDescription::Prism(RegularPolygon(20, 0.2), 0.3);
   CDriveWorld world(engine.ToXml(), DriverXml("foot-bot", "a", -0.5, 0.0, 0, 10, 10) +
                                         DriverXml("foot-bot", "b", 0.35, 0.45, -128, 10, 10) +
@@ -128,7 +127,7 @@ TEST_CASE("prisms: a rectangle as a prism moves like the box", "[contract][engin
   prisms.Reshape("r", SShapeDescription::Prism(RectanglePolygon(0.16, 0.2), 0.1));
   prisms.Reshape("b", SShapeDescription::Prism(RectanglePolygon(0.2, 0.1), 0.1));
   prisms.Reshape("w", SShapeDescription::Prism(RectanglePolygon(0.2, 0.4), 0.1));
-  // Box2D's solver takes the corners of a box in another order; ODE finds other points of contact
+  // a polygon's corners come in another order than a box's; ODE finds other points of contact
   const Real tolerance = engine.HasMomentum ? 1e-3 + 10.0 * engine.Slack : 1e-9;
   for (int tick = 0; tick < 80; ++tick) {
     boxes.Step();
@@ -246,7 +245,6 @@ TEST_CASE("prisms: rays and placement respect their sides", "[contract][engine][
 TEST_CASE("prisms: each side that overlaps a wall is moved to its surface",
           "[contract][engine][prism]") {
   const SEngineType engine = GENERATE(kDynamics2D, kKinematics2D);
-  // Box2D takes up to 8 corners in one shape
   const size_t numCorners = GENERATE(3, 6, 8, 9, 14, 20, 30);
   constexpr Real kDepth = 0.004;  // m
   const Real side = kCorner * std::cos(ARGOS_PI / static_cast<Real>(numCorners));

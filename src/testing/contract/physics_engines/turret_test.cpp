@@ -170,7 +170,7 @@ TEST_CASE("turret: it swings a load on a circle around the robot", "[contract][e
     // tolerance for single precision and for the error of the tick's last substep
     REQUIRE_THAT(Wrap(Rotation(world, "r") - 0.1 * rate * tick), WithinAbs(0.0, 2e-3));
     // The load lags. If it is turned back by an angle f, the spring along the arm must be longer,
-    // by s = f^2 kRadius kDistance / (2 kRoll) less Box2D's slop of 0.005 radii. Friction pulls
+    // by s = f^2 kRadius kDistance / (2 kRoll) less a slop. Friction pulls
     // with F kDistance per rad of f, which balances k s ds/df at f = 0.144 and s = 1.2 mm.
     REQUIRE_THAT(Wrap(Azimuth(world, "r", "roll") - world.Yaw("r") - Rotation(world, "r")),
                  WithinAbs(0.0, 1.2 * 0.144));

@@ -417,7 +417,7 @@ TEST_CASE("users' models: joined bodies follow the arc, and the model sees them"
       {0.5, -0.5, std::numbers::pi / 6.0}, 0.03, 0.07, 0.08, kTick * (50 - type.GetLag()));
   const CVector3 position = world.Position("t");
   const Real way = 0.05 * 5.0;
-  // Box2D's solver does not converge fully for a motor that is off the centre of mass
+  // an allowance: its centre of mass is off its origin
   const Real offCentre = type.Tag == "dynamics2d" ? 5e-4 : 0.0;
   CHECK(std::hypot(position.GetX() - exact.X, position.GetY() - exact.Y) <=
         1e-9 + offCentre + 2.0 * type.Slip * way);
