@@ -21,7 +21,7 @@ struct SPlanarPose;
 struct SPlanarSettings;
 
 /**
- * Rigid bodies on a horizontal plane, on Box2D: robots push, slide along walls, stall and slip.
+ * Rigid bodies on a horizontal plane: robots push, slide along walls, stall and slip.
  *
  * The README beside this file gives model, integrator, limits and measured accuracy; `argos3 -q
  * dynamics2d` every XML parameter. Bodies are built from SBodyDescription. For entities without
