@@ -303,7 +303,7 @@ bool CDynamics2DEngine::WriteBack(CDynamics2DBody& model, const SPlanarPose& pos
 
 REGISTER_PHYSICS_ENGINE(
     CDynamics2DEngine, "dynamics2d", "the authors of this project", "1.0",
-    "Rigid bodies on a plane, on Box2D.",
+    "Rigid bodies on a plane.",
     R"(Robots and objects on a horizontal plane: they push, slide, stall and slip. Only the yaw of a body is
 kept. Robots that touch nothing follow the exact arcs of their wheel speeds.
 )" + RequiredEngineXML(R"(<dynamics2d id="dyn2d" />)") +
@@ -315,10 +315,11 @@ kept. Robots that touch nothing follow the exact arcs of their wheel speeds.
 ATTRIBUTES
 
   id                         text, required: unique among the engines.
-  iterations                 integer >= 1: substeps of a tick. Not given: 2, and up to 64 where a crowd is
-                             so deep that robots would overlap. In any case more, up to 64, while a
-                             body moves by more than half its radius in a substep. 64 substeps also
-                             bound speeds: a robot moves at most 32 radii in a tick.
+  iterations                 integer >= 1: substeps of a tick. Not given: 2, as many as have 10 ms around a
+                             body that a soft spring holds, and up to 64 where a crowd is so deep that robots would
+                             overlap. In any case more, up to 64, while a body moves by more than half
+                             its radius in a substep. 64 substeps also bound speeds: a robot moves at
+                             most 32 radii in a tick.
 )" + VelocityLagManual() +
         R"(  elevation                  m, default 0: height of the plane; bodies must stand on it, to 1e-4 m.
   gripping_rigidity          N/m, >= 0, default 10000: stiffness of grips, along the arm from the robot's
