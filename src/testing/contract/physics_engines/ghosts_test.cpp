@@ -159,6 +159,49 @@ TEST_CASE("ghosts: objects across a border are pushed and do not block robots fo
   CHECK(world.Position("a").GetX() < -0.4);
 }
 
+TEST_CASE("ghosts: robots on another plane are no obstacles", "[contract][engine][partition]") {
+  const SEngineType engine = GENERATE(kDynamics2D, kKinematics2D);
+  const Real height = GENERATE(0.0, 0.3);  // m, of the plane in the east
+  CAPTURE(engine, height);
+  const std::string elevation = "elevation='" + std::to_string(height) + "'";
+  const auto at = [](const std::string& id, Real x, Real z, Real yaw) {
+    return "<foot-bot id='" + id + "'><body position='" + std::to_string(x) + ",0," +
+           std::to_string(z) + "' orientation='" + std::to_string(yaw) +
+           ",0,0'/><controller config='driver'/></foot-bot>";
+  };
+  CDriveWorld world(
+      RegionXml(engine, "west", {{-20, -20}, {0, -20}, {0, 20}, {-20, 20}}) +
+          RegionXml(engine, "east", {{0, -20}, {20, -20}, {20, 20}, {0, 20}}, elevation),
+      at("a", -0.3, 0.0, 0) + at("b", 0.1, height, 0));
+  world.Driver("a").Left = world.Driver("a").Right = 10.0;
+  world.Step(27);
+  // its front would touch the other one at x = 0.1 - 2 r
+  const Real most = height > 0.0 ? -0.04 : 0.1 - 1.98 * kFootBotRadius;
+  CHECK_THAT(world.Position("a").GetX(), WithinAbs(most, 0.011));
+  CHECK(world.EngineOf("a") == "west");
+}
+
+TEST_CASE("ghosts: objects yield to robots of an engine of another type",
+          "[contract][engine][partition][kinematics]") {
+  // no bundle brings them into one engine
+  CDriveWorld world(RegionXml(kKinematics2D, "west", {{-20, -20}, {0, -20}, {0, 20}, {-20, 20}}) +
+                        RegionXml(kDynamics2D, "east", {{0, -20}, {20, -20}, {20, 20}, {0, 20}}),
+                    DriverXml("foot-bot", "a", 0.4, 0, 180, 10, 10) +
+                        "<box id='b' size='0.1,0.3,0.1' movable='true' mass='0.3'><body "
+                        "position='-0.051,0,0'/></box>");
+  bool isPushed = false;
+  for (int tick = 0; tick < 60; ++tick) {
+    world.Step();
+    const Real gap =
+        world.Position("a").GetX() - world.Position("b").GetX() - 0.05 - kFootBotRadius;
+    // as for engines of one type: 1 cm, and 2 % of the radius
+    REQUIRE(gap >= -0.01 - 0.02 * kFootBotRadius);
+    isPushed |= world.EngineOf("a") == "east" && world.Position("b").GetX() < -0.1;
+  }
+  CHECK(isPushed);
+  CHECK(world.Position("a").GetX() < 0.0);
+}
+
 TEST_CASE("ghosts: crowds pressed together across borders overlap by roundings only, at any speed",
           "[contract][engine][partition][kinematics]") {
   const std::string attributes =

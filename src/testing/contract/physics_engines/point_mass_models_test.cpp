@@ -219,4 +219,20 @@ TEST_CASE("users' models: they occlude lines of sight, but for those behind the 
   CHECK(isClear("eye", "seen", -3.0, 2.0, 1.11));
 }
 
+TEST_CASE("users' models: described bodies occlude lines between two of them",
+          "[contract][engine]") {
+  const auto ball = [](const std::string& id, Real x) {
+    return "<ball id='" + id + "'><body position='" + std::to_string(x) + ",0,1'/></ball>";
+  };
+  CBallWorld walled(ball("eye", -3.0) + ball("seen", 2.0) +
+                    "<box id='wall' size='0.2,4,5' movable='false'><body position='0,0,0'/></box>");
+  const CLineOfSight sight(walled.GetSpace());
+  const auto isFree = [&](Real end) {
+    return sight.IsClear(CRay3(CVector3(-3, 0, 1), CVector3(end, 0, 1)), walled.Body("eye"),
+                         walled.Body("seen"));
+  };
+  CHECK_FALSE(isFree(2.0));
+  CHECK(isFree(-0.11));
+}
+
 }  // namespace argos::point_mass_models_test

@@ -59,6 +59,13 @@ TEST_CASE("poses: moving a body to what is not a pose is an error, and leaves it
         Contains(wrong.Text));
     CHECK(world.Position("a") == before);
   }
+  // of users' own code that moves models
+  CPhysicsModel& model = world.Body("a").GetPhysicsModel(size_t(0));
+  CHECK_THROWS_WITH(model.MoveTo(CVector3(1, kNaN, 0), CQuaternion()),
+                    Contains("\"a\" cannot be moved to") && Contains("must be finite"));
+  CHECK_THROWS_WITH(model.MoveTo(CVector3(1, 2, 0), CQuaternion(1, 0, kNaN, 0)),
+                    Contains("\"a\" cannot be moved to") && Contains("must be finite"));
+  CHECK(world.Position("a") == before);
   world.Step(2);
   CHECK(std::isfinite(world.Position("a").Length()));
 }
@@ -85,6 +92,25 @@ TEST_CASE("poses: enabled anchors move with the body", "[contract][engine]") {
     CHECK_THAT(Distance(ahead, expected), WithinAbs(0.0, 1e-12));
   }
   CHECK(Distance(world.Position("a"), start) > 0.01);
+}
+
+TEST_CASE("poses: enabled anchors move with an object that is pushed", "[contract][engine]") {
+  const SEngineType engine = GENERATE(from_range(kEnginesWithContacts));
+  CAPTURE(engine);
+  CDriveWorld world(engine.ToXml(), DriverXml("foot-bot", "a", 1, 2, 0, 10, 10) +
+                                        BoxXml("box", 1.22, 2.03, 20.0, "0.2,0.2,0.1"));
+  CEmbodiedEntity& body = world.Body("box");
+  body.AddAnchor("mast", CVector3(0.05, 0.02, 0.3), CQuaternion(CRadians(1.0), CVector3::Z));
+  body.EnableAnchor("mast");
+  const SAnchor& anchor = body.GetAnchor("mast");
+  for (int tick = 0; tick < 15; ++tick) {
+    world.Step();
+    const SAnchor& origin = body.GetOriginAnchor();
+    CVector3 offset(0.05, 0.02, 0.3);
+    offset.Rotate(origin.Orientation);
+    REQUIRE_THAT(Distance(anchor.Position, origin.Position + offset), WithinAbs(0.0, 1e-12));
+  }
+  CHECK(world.Position("box").GetX() > 1.23);
 }
 
 TEST_CASE("poses: the bounding box contains solids away from the origin", "[contract][engine]") {
