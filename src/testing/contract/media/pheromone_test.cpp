@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 namespace pheromone_test {
 
@@ -192,6 +193,40 @@ TEST_CASE("pheromone: diffuses by 2 D t along each axis and stays in its region"
   // 500 s: the slowest mode, along 2 m, has decayed by exp(-D (PI / 2 m)^2 t) = 0.29
   const Real even = 0.2 / 2.0;
   CHECK_THAT(Sensor(world).GetReadings()[0].Value, WithinAbs(even, 0.02 * even));
+}
+
+TEST_CASE("pheromone: in a periodic arena it spreads across the sides that are joined",
+          "[contract][media]") {
+  const std::string axes = GENERATE("x", "y", "true");
+  CAPTURE(axes);
+  const auto world = [&axes](const CVector3& place) {
+    SExperiment experiment;
+    experiment.Engines = "<kinematics2d id='e'/>";
+    experiment.Media =
+        "<pheromone id='scents' cell_size='0.1'><layer id='trail' diffusion='0.002'/></pheromone>";
+    experiment.ArenaSize = "1,1,1";
+    experiment.ArenaAttributes = "periodic='" + axes + "'";
+    auto made = std::make_unique<CTestWorld>(experiment);
+    const CSimulator::CScope scope(made->GetSimulator());
+    Medium(*made).Deposit(0, place, 0.5);
+    made->Step(30);
+    return made;
+  };
+  // once in the middle, and once on the seams
+  const CVector3 shift(axes == "y" ? 0.0 : 0.5, axes == "x" ? 0.0 : 0.5, 0.0);
+  const auto middle = world(CVector3());
+  const auto seam = world(shift);
+  CHECK_THAT(Total(*seam), WithinRel(0.5, 1e-12));
+  for (int i = -5; i < 5; ++i) {
+    for (int j = -5; j < 5; ++j) {
+      const CVector3 offset(0.1 * i + 0.05, 0.1 * j + 0.05, 0.0);
+      CAPTURE(offset);
+      const Real expected = Medium(*middle).GetConcentration(0, offset);
+      // outside of the arena, too
+      CHECK_THAT(Medium(*seam).GetConcentration(0, shift + offset), WithinAbs(expected, 1e-12));
+      CHECK_THAT(Medium(*seam).GetConcentration(0, offset - shift), WithinAbs(expected, 1e-12));
+    }
+  }
 }
 
 TEST_CASE("pheromone: layers are independent of each other", "[contract][media]") {

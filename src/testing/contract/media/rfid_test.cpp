@@ -116,6 +116,25 @@ TEST_CASE("rfid: a tag exactly at the range is read", "[contract][media]") {
   CHECK(IdsOf(Readings(world)) == TIds{"at"});
 }
 
+TEST_CASE("rfid: a tag that a program has put nowhere is read by nobody", "[contract][media]") {
+  CRobotWorld world(WithRFID(Robot("foot-bot", "r", "position=\"0,0,0\"") +
+                                 Tag("lost", CVector3(0.1, 0.0, 0.0)) +
+                                 Tag("here", CVector3(-0.1, 0.0, 0.0)),
+                             "range=\"0.25\""));
+  auto& lost = world.Get<CRFIDTagEntity>("lost");
+  for (UInt32 axis = 0; axis < 3; ++axis) {
+    CAPTURE(axis);
+    CVector3 nowhere(0.1, 0.0, 0.0);
+    nowhere[axis] = std::nan("");
+    lost.SetPosition(nowhere);
+    world.Step();
+    CHECK(IdsOf(Readings(world)) == TIds{"here"});
+    lost.SetPosition(CVector3(0.1, 0.0, 0.0));
+    world.Step();
+    CHECK(IdsOf(Readings(world)) == TIds{"lost", "here"});
+  }
+}
+
 TEST_CASE("rfid: robots with different ranges read different tags", "[contract][media]") {
   // the shorter range first or last
   const std::string first = GENERATE("0.1", "2");

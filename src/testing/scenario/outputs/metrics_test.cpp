@@ -277,6 +277,8 @@ TEST_CASE("metrics output: errors of built-in metrics have the file, and the nea
   CHECK_THAT(error("messages"),
              Contains("the built-in metric \"messages\" cannot be computed in this experiment") &&
                  Contains("neither <range_and_bearing> nor <simple_radio>"));
+  experiment.Media += "<simple_radio id='radios'/>";
+  CHECK(error("messages") == "");
   CHECK(error("collisions") == "");
 }
 
