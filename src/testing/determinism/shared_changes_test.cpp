@@ -4,19 +4,24 @@
 #include <argos3/core/control_interface/ci_controller.h>
 #include <argos3/core/simulator/entity/floor_entity.h>
 #include <argos3/core/simulator/loop_functions.h>
+#include <argos3/plugins/robots/eye-bot/simulator/eyebot_entity.h>
 #include <argos3/plugins/robots/foot-bot/simulator/footbot_entity.h>
 #include <argos3/plugins/robots/foot-bot/simulator/footbot_turret_entity.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_colored_blob_omnidirectional_camera_sensor.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_differential_steering_actuator.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_range_and_bearing_sensor.h>
+#include <argos3/plugins/robots/prototype/simulator/prototype_entity.h>
 #include <argos3/plugins/simulator/entities/battery_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/box_entity.h>
 #include <argos3/plugins/simulator/entities/cylinder_entity.h>
 #include <argos3/plugins/simulator/entities/directional_led_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/gripper_equipped_entity.h>
+#include <argos3/plugins/simulator/entities/joint_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/led_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/light_entity.h>
+#include <argos3/plugins/simulator/entities/magnet_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/perspective_camera_equipped_entity.h>
+#include <argos3/plugins/simulator/entities/quadrotor_entity.h>
 #include <argos3/plugins/simulator/entities/rab_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/rfid_tag_entity.h>
 #include <argos3/plugins/simulator/entities/simple_radio_equipped_entity.h>
@@ -152,6 +157,10 @@ const std::vector<SChange>& SharedChanges() {
        [](auto& a) {
          a.Simulator().template GetMedium<CPheromoneMedium>("scents").GetField(0).SetCell(0, 0, 1);
        }},
+      {"CPheromoneField::Clear()",
+       [](auto& a) {
+         a.Simulator().template GetMedium<CPheromoneMedium>("scents").GetField(0).Clear();
+       }},
       {"AddEntity() of a physics engine",
        [](auto& a) { a.Simulator().GetPhysicsEngines()[0]->AddEntity(a.Robot); }},
       {"RemoveEntity() of a physics engine",
@@ -176,6 +185,38 @@ const std::vector<SChange>& SharedChanges() {
       {"CSimulator::SetLength()", [](auto& a) { a.Simulator().SetLength(1.0); }},
       {"CSimulator::SetRandomSeed()", [](auto& a) { a.Simulator().SetRandomSeed(3); }},
       {"SetImageSize()", [](auto& a) { a.Space.GetFloorEntity().SetImageSize(1, 1); }}};
+  return changes;
+}
+
+// of parts that foot-bots do not have
+const std::vector<SChange>& ChangesOfOtherTypes() {
+  static const std::vector<SChange> changes = {
+      {"SetLinkPose()",
+       [](auto& a) {
+         a.template Get<CPrototypeEntity>("p0").GetEmbodiedEntity().SetLinkPose(0, {});
+       }},
+      {"SetCommand()",
+       [](auto& a) {
+         a.template Get<CPrototypeEntity>("p0").GetJointEquippedEntity().SetCommand(0, {});
+       }},
+      {"SetState()",
+       [](auto& a) {
+         a.template Get<CPrototypeEntity>("p0").GetJointEquippedEntity().SetState(0, 0.0, 0.0);
+       }},
+      {"SetCurrent()",
+       [](auto& a) {
+         a.template Get<CPrototypeEntity>("p0")
+             .template GetComponent<CMagnetEquippedEntity>("magnets")
+             .GetMagnet(0)
+             .SetCurrent(1.0);
+       }},
+      {"SetPositionControlData()",
+       [](auto& a) {
+         a.template Get<CEyeBotEntity>("e0").GetQuadRotorEntity().SetPositionControlData({});
+       }},
+      {"SetSpeedControlData()", [](auto& a) {
+         a.template Get<CEyeBotEntity>("e0").GetQuadRotorEntity().SetSpeedControlData({});
+       }}};
   return changes;
 }
 
@@ -227,6 +268,20 @@ const std::vector<SChange>& OwnChanges() {
        [](auto& a) { a.Robot.GetBatterySensorEquippedEntity().SetAvailableCharge(0.5); }},
       {"Discharge()", [](auto& a) { a.Robot.GetBatterySensorEquippedEntity().Discharge(0.01); }},
       {"SetLockState()", [](auto& a) { a.Robot.GetGripperEquippedEntity().SetLockState(0.1); }},
+      {"Send()",
+       [](auto& a) {
+         std::vector<CByteArray> messages(1, CByteArray(2));
+         a.template GetPart<CSimpleRadioEquippedEntity>("simple_radios")
+             .GetInstances()[0]
+             .Radio.Send(messages);
+       }},
+      {"SetDriftingVelocities()",
+       [](auto& a) {
+         a.template GetPart<CWheeledEntity>("wheels").SetDriftingVelocities(kStill, kStill);
+       }},
+      {"SetRotation()", [](auto& a) { a.Robot.GetTurretEntity().SetRotation(CRadians(0.1)); }},
+      {"SetDesiredRotationSpeed()",
+       [](auto& a) { a.Robot.GetTurretEntity().SetDesiredRotationSpeed(0.1); }},
       {"SetDesiredRotation()",
        [](auto& a) { a.Robot.GetTurretEntity().SetDesiredRotation(CRadians(0.1)); }},
       {"SetMode()",
@@ -260,6 +315,7 @@ class CChanger : public CCI_Controller {
       sum += blob->Color.GetRed() + 2 * blob->Color.GetGreen() + 0.01 * blob->Distance;
     }
     m_wheels->SetLinearVelocity(5.0 + std::fmod(sum, 7.0), 8.0);
+    Access(GetId()).GetPart<CWheeledEntity>("wheels").EnableDrift();
     Act(*this, CSimulator::GetInstance().GetSpace().GetSimulationClock());
   }
   SAccess Access(const std::string& id) const {
@@ -318,6 +374,23 @@ SExperiment World(UInt32 robots, UInt32 threads) {
   return experiment;
 }
 
+// with a flying robot and one that has joints, in an engine of their own
+SExperiment MixedWorld(UInt32 robots, UInt32 threads) {
+  SExperiment experiment = World(robots, threads);
+  experiment.Controllers +=
+      "<robot_world_controller id='idle'><actuators/><sensors/><params/></robot_world_controller>";
+  experiment.Engines += "<dynamics3d id='air'/>";
+  experiment.Arena +=
+      "<eye-bot id='e0'><body position='4,0,1'/><controller config='idle'/></eye-bot>"
+      "<prototype id='p0' movable='false'><body position='4,1,1'/><links ref='base'>"
+      "<link id='base' geometry='box' size='0.1,0.1,0.1' mass='1'/>"
+      "<link id='arm' geometry='box' size='0.1,0.1,0.1' mass='1'/></links>"
+      "<joints><joint id='j' type='revolute' axis='0,0,1'><parent link='base' "
+      "position='0.2,0,0'/><child link='arm'/></joint></joints><devices><magnets><magnet "
+      "offset='0,0,0' anchor='base' passive_field='0,0,1'/></magnets></devices></prototype>";
+  return experiment;
+}
+
 // the error of each change, empty if there is none; made by robot 0 in the first tick
 std::vector<std::string> ErrorsOf(const std::vector<SChange>& changes, UInt32 changed,
                                   UInt32 threads) {
@@ -335,7 +408,7 @@ std::vector<std::string> ErrorsOf(const std::vector<SChange>& changes, UInt32 ch
       }
     }
   };
-  CTestWorld world(World(4, threads));
+  CTestWorld world(MixedWorld(4, threads));
   world.Step(2);
   return errors;
 }
@@ -364,6 +437,7 @@ TEST_CASE("shared changes: no robot may change what others read, for any number 
 
 TEST_CASE("shared changes: a robot may not change parts of another one", "[determinism][threads]") {
   CheckRefused(OwnChanges(), 1);
+  CheckRefused(ChangesOfOtherTypes(), 1);
 }
 
 TEST_CASE("shared changes: a robot may change its own parts", "[determinism][threads]") {
