@@ -186,6 +186,7 @@ TEST_CASE("pan tilt camera: invalid orders and experiments are refused with the 
   };
   const SCase c =
       GENERATE(SCase{"pan_range=\"10:20\"", "contains 0, got 10:20"},
+               SCase{"tilt_range=\"-20:-10\"", "contains 0, got -20:-10"},
                SCase{"pan_range=\"-181:0\"", "-180:180"}, SCase{"tilt_range=\"-5:91\"", "-90:90"},
                SCase{"max_speed=\"0\"", "max_speed"}, SCase{"max_speed=\"-3\"", "> 0"});
   CAPTURE(c.Attributes);

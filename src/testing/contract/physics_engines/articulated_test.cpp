@@ -13,6 +13,9 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <functional>
+#include <utility>
+#include <vector>
 
 namespace argos::articulated_test {
 
@@ -388,6 +391,43 @@ TEST_CASE("joints: engines that cannot move joints refuse with a message",
              Contains("add an engine for jointed bodies") && Contains("<dynamics3d>"));
 }
 
+TEST_CASE("joints: what a motor cannot do is an error, and changes nothing",
+          "[contract][engine][joints]") {
+  CJointWorld world(RigidEngine("", "<gravity g='0'/>"),
+                    Prototype("movable='false'", "0,0,0", kBase + kRod,
+                              Joint("id='j' type='revolute' axis='0,1,0'", "link='base'",
+                                    "link='rod' position='0,0,0.3'")));
+  CJointEquippedEntity& joints = world.Joints();
+  const CJointEquippedEntity::SCommand turn{EMode::Velocity, 1.0, 2.0};
+  joints.SetCommand(0, turn);
+  for (const auto& [target, impulse] : {std::pair<Real, Real>{std::nan(""), 1.0},
+                                        {HUGE_VAL, 1.0},
+                                        {1.0, -1e-9},
+                                        {1.0, std::nan("")}}) {
+    CHECK_THROWS_WITH(joints.SetCommand(0, {EMode::Velocity, target, impulse}),
+                      Contains("joint \"j\" of \"p\"") && Contains("must be finite"));
+  }
+  CHECK(joints.GetJoint(0).Command == turn);
+  for (const auto& use : std::vector<std::function<void()>>{
+           [&] { joints.SetCommand(1, turn); }, [&] { joints.SetState(1, 0.0, 0.0); },
+           [&] { static_cast<void>(joints.GetJoint(1)); },
+           [&] { static_cast<void>(joints.GetDescription(1)); }}) {
+    CHECK_THROWS_WITH(use(), Contains("no joint 1; there are 1, numbered from 0"));
+  }
+  CHECK_THROWS_WITH(joints.FindJoint("i"), Contains("joint \"i\"; known: j"));
+}
+
+TEST_CASE("joints: a ball joint has neither a motor nor an encoder", "[contract][engine][joints]") {
+  CJointWorld world(RigidEngine("", "<gravity g='0'/>"),
+                    Prototype("movable='false'", "0,0,0", kBase + kRod,
+                              Joint("id='ball' type='spherical'", "link='base'",
+                                    "link='rod' position='0,0,0.3'")));
+  CHECK_THROWS_WITH(world.Joints().FindJoint("ball"),
+                    Contains("joint \"ball\" of \"p\" is spherical"));
+  // it is not proposed, either
+  CHECK_THROWS_WITH(world.Joints().FindJoint("bal"), !Contains("did you mean"));
+}
+
 TEST_CASE("prototype: mistakes are reported with their line", "[contract][engine][joints]") {
   struct SMistake {
     std::string Links, Joints, Message;
@@ -411,6 +451,9 @@ TEST_CASE("prototype: mistakes are reported with their line", "[contract][engine
       SMistake{kBase + kRod, Joint("type='revolute'", "link='base'", "link='rod'"), "axis"},
       SMistake{kBase + kRod, Joint("type='revolute' axis='0,0,0'", "link='base'", "link='rod'"),
                "must not be zero"},
+      SMistake{kBase + kRod, Joint("type='revolute' axis='0,1e300,0'", "link='base'", "link='rod'"),
+               "axis"},
+      SMistake{"", "", "needs at least one child <link>"},
       SMistake{kBase + kRod,
                Joint("type='revolute' axis='0,0,1' limit='-200:0'", "link='base'", "link='rod'"),
                "within -180:180"},
@@ -430,6 +473,19 @@ TEST_CASE("prototype: a link that its joint puts elsewhere is warned of",
                 kBase + "<link id='rod' geometry='sphere' radius='0.1' mass='1' position='1,0,0'/>",
                 Joint("type='spherical'", "link='base' position='0.5,0,0'", "link='rod'")));
   CHECK_THAT(TakeLogErr(), Contains("the joints put link \"rod\" at \"0.5,0,0\""));
+  // at its place, but turned
+  const std::string turn = GENERATE("0,0,0", "0.05,0,0", "30,0,0");
+  CRigidScene turned(
+      RigidEngine("", ""),
+      Prototype("", "0,0,0",
+                kBase +
+                    "<link id='rod' geometry='sphere' radius='0.1' mass='1' "
+                    "position='0.5,0,0' orientation='" +
+                    turn + "'/>",
+                Joint("type='spherical'", "link='base' position='0.5,0,0'", "link='rod'")));
+  const std::string warnings = TakeLogErr();
+  CAPTURE(turn, warnings);
+  CHECK((warnings.find("the joints put link") != std::string::npos) == (turn == "30,0,0"));
 }
 
 }  // namespace argos::articulated_test

@@ -127,6 +127,21 @@ TEST_CASE("rigid magnets: beyond the greatest distance they have no effect",
   CHECK(world.Position("a").Length() < 1e-12);
 }
 
+TEST_CASE("rigid magnets: those of one body, and those at one place, exert nothing",
+          "[contract][engine][rigid]") {
+  CRigidScene world(
+      RigidEngine("", "<magnetism force_constant='1e-2'/>"),
+      "<foot-bot id='a'><body position='0,0,0'/><controller config='driver'/><magnets>"
+      "<magnet id='m' anchor='origin' offset='0.05,0,0.1' passive_field='2,0,0'/>"
+      "<magnet id='n' anchor='origin' offset='-0.05,0,0.02' passive_field='0,3,1'/>"
+      "<magnet id='o' anchor='origin' offset='-0.05,0,0.02' passive_field='1,0,1'/>"
+      "</magnets></foot-bot>");
+  TakeLogErr();
+  world.Step(20);
+  CHECK(world.Position("a").Length() < 1e-12);
+  CHECK_THAT(world.Yaw("a"), WithinAbs(0.0, 1e-12));
+}
+
 TEST_CASE("rigid magnets: after a reset the run repeats, whatever was removed before",
           "[contract][engine][rigid]") {
   CRigidScene world(RigidEngine("", "<magnetism force_constant='1e-4'/>"),

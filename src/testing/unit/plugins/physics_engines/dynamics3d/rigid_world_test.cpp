@@ -189,6 +189,19 @@ TEST_CASE("joints: limits of hinges beyond half a turn are a flaw", "[dynamics3d
   CHECK(flawOf(-ARGOS_PI, ARGOS_PI).empty());
   CHECK_THAT(flawOf(-3.2, 3.0), Catch::Contains("joint \"j\" must be within"));
   CHECK_THAT(flawOf(-3.0, 3.2), Catch::Contains("joint \"j\" must be within"));
+  // two links
+  auto& solids = description.Shapes;
+  solids.push_back(SShapeDescription::Sphere(0.1));
+  solids[0].Mass = 1.0;
+  solids[0].Link = 1;
+  CHECK(flawOf(-1.0, 1.0).empty());
+  for (const Real mass : {0.0, -1.0, HUGE_VAL, std::nan("")}) {
+    solids[0].Mass = mass;
+    CHECK_THAT(flawOf(-1.0, 1.0), Catch::Contains("the number of a link, and a mass > 0"));
+  }
+  solids[0].Mass = 1.0;
+  solids[0].Link = 2;
+  CHECK_THAT(flawOf(-1.0, 1.0), Catch::Contains("the number of a link, and a mass > 0"));
 }
 
 TEST_CASE("rigid world: a body at rest on a fixed one sleeps after half a second, if it may",
