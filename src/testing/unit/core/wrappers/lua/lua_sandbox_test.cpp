@@ -2,6 +2,7 @@
 
 #include "lua_tester.h"
 
+#include <argos3/core/utility/configuration/configuration_document.h>
 #include <argos3/core/wrappers/lua/lua_script.h>
 #include <argos3/core/wrappers/lua/lua_utility.h>
 #include <argos3/testing/support/captured_logs.h>
@@ -189,6 +190,39 @@ TEST_CASE("lua sandbox: coroutines work as before", "[lua][sandbox]") {
       "coroutine.resume(co) ok = coroutine.close(co)");
   CHECK(lua.Get("closed") == "2");
   CHECK(lua.Get("ok") == "true");
+}
+
+TEST_CASE("lua sandbox: more values than a stack holds cannot be passed to or from a coroutine",
+          "[lua][sandbox]") {
+  // a stack holds a million
+  CLuaTester lua(WithMemory(200));
+  lua.Do(
+      "few = table.pack(string.byte(string.rep('x', 400000), 1, -1))\n"
+      "many = table.pack(string.byte(string.rep('x', 700000), 1, -1))\n"
+      "n = select('#', coroutine.wrap(function(...) return ... end)(table.unpack(few)))");
+  CHECK(lua.Get("n") == "400000");
+  CHECK_THAT(lua.GetError("local c = coroutine.wrap(function(...) coroutine.yield() end)\n"
+                          "c(table.unpack(few)) c(table.unpack(many))"),
+             Contains("too many arguments to resume"));
+  CHECK_THAT(lua.GetError("local function f(...)\n"
+                          "  coroutine.wrap(function() return table.unpack(many) end)()\n"
+                          "end f(table.unpack(few))"),
+             Contains("too many results to resume"));
+  CHECK(lua.Get("coroutine.wrap(function() return 7 end)()") == "7");
+}
+
+TEST_CASE("lua sandbox: a limit of memory that no computer has is an error of the file",
+          "[lua][sandbox][memory]") {
+  const auto read = [](const std::string& mebi) {
+    CConfigurationDocument document;
+    document.Parse("<params max_memory='" + mebi + "'/>", "e.argos");
+    return SLuaLimits::Read(document.GetRoot(), SLuaLimits()).MaxMemory;
+  };
+  CHECK(read("1048576") == UInt64{1} << 40);
+  CHECK(read("0") == 0);
+  CHECK_THROWS_WITH(read("1048577"),
+                    Contains("e.argos:1: <params>: \"max_memory\" must be from 0 (no limit) to "
+                             "1048576 MiB, got 1048577"));
 }
 
 TEST_CASE("lua sandbox: no way round the limit of instructions", "[lua][sandbox]") {
