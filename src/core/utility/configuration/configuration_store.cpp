@@ -6,6 +6,7 @@
 #include <argos3/core/utility/configuration/single_element.h>
 #include <argos3/core/utility/configuration/value_range.h>
 #include <argos3/core/utility/text/string_utilities.h>
+#include <argos3/core/utility/text/utf8.h>
 
 #include <algorithm>
 #include <cctype>
@@ -171,11 +172,7 @@ std::string Trimmed(const char* text) {
 
 std::string Shortened(const std::string& text) {
   constexpr std::size_t kMaxLength = 60;
-  std::string start = text.substr(0, kMaxLength);
-  if (text.size() > kMaxLength) {
-    start += "...";
-  }
-  return start;
+  return std::string(CutUtf8(text, kMaxLength)) + (text.size() > kMaxLength ? "..." : "");
 }
 
 // 'file:12: <tag>'

@@ -43,4 +43,12 @@ std::size_t CountUtf8Bytes(std::string_view text) {
   return isWhole && !IsRefused(lead, static_cast<unsigned char>(text[1])) ? size : 0;
 }
 
+std::string_view CutUtf8(std::string_view text, std::size_t bytes) {
+  std::size_t end = std::min(text.size(), bytes);
+  while (end > 0 && end < text.size() && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) {
+    --end;
+  }
+  return text.substr(0, end);
+}
+
 }  // namespace argos

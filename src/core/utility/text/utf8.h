@@ -13,6 +13,9 @@ namespace argos {
  */
 std::size_t CountUtf8Bytes(std::string_view text);
 
+/** The longest beginning of a text that has at most @p bytes and ends with a whole character. */
+std::string_view CutUtf8(std::string_view text, std::size_t bytes);
+
 }  // namespace argos
 
 #endif

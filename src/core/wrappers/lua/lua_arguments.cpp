@@ -2,6 +2,7 @@
 
 #include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/logging/argos_log.h>
+#include <argos3/core/utility/text/utf8.h>
 #include <argos3/core/wrappers/lua/lua_types.h>
 #include <argos3/core/wrappers/lua/lua_utility.h>
 
@@ -27,8 +28,8 @@ std::string Describe(lua_State* state, int index) {
   std::string type = GetLuaTypeName(state, index);
   if (lua_type(state, index) == LUA_TSTRING) {
     const std::string text = lua_tostring(state, index);
-    type +=
-        " \"" + text.substr(0, kMaxShownLength) + (text.size() > kMaxShownLength ? "...\"" : "\"");
+    type += " \"" + std::string(CutUtf8(text, kMaxShownLength)) +
+            (text.size() > kMaxShownLength ? "...\"" : "\"");
   }
   return type;
 }

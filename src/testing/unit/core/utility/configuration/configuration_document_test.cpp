@@ -183,7 +183,8 @@ TEST_CASE("document: text is converted from the encoding that is declared",
   }
   for (const char* const declaration :
        {"", "<?xml version='1.0'?>", "<?xml version=\"1.0\" encoding=\"UTF-8\" standalone='yes'?>",
-        "<?xml version=\"1.0\" encoding='utf-8'?>", "\xEF\xBB\xBF<?xml version='1.0'?>"}) {
+        "<?xml version=\"1.0\" encoding='utf-8'?>", "<?xml version='1.0' encoding='US-ASCII'?>",
+        "<?xml version='1.0' encoding='ascii'?>", "\xEF\xBB\xBF<?xml version='1.0'?>"}) {
     CAPTURE(declaration);
     const std::string start(declaration);
     CConfigurationDocument document;
@@ -202,6 +203,23 @@ TEST_CASE("document: text is converted from the encoding that is declared",
 }
 
 // unread elements and attributes
+
+TEST_CASE("document: of a long text that is not used the start is shown", "[core][configuration]") {
+  CConfigurationDocument document;
+  const std::string start(60, 'x');
+  document.Parse("<a><b>" + start + "</b><c>" + start + "y</c></a>", "x.argos");
+  GetNode(document.GetRoot(), "b");
+  GetNode(document.GetRoot(), "c");
+  const std::vector<std::string> lines = document.DescribeUnread();
+  REQUIRE(lines.size() == 2);
+  CHECK_THAT(lines[0], Contains("the text '" + start + "'"));
+  CHECK_THAT(lines[1], Contains("the text '" + start + "...'"));
+  // not within a character
+  const std::string umlauts = start.substr(1) + "\xC3\xA4\xC3\xB6";
+  document.Parse("<a>" + umlauts + "</a>");
+  document.GetRoot();
+  CHECK_THAT(document.DescribeUnread().at(0), Contains('\'' + start.substr(1) + "...'"));
+}
 
 TEST_CASE("document: an element may have many attributes", "[core][configuration]") {
   constexpr int kAttributes = 500;
@@ -373,7 +391,8 @@ TEST_CASE("document: a path that matches several elements is an error with their
 TEST_CASE("document: malformed paths are errors", "[core][configuration]") {
   CConfigurationDocument document = Experiment();
   for (const char* path : {"", "/", "framework", "framework/experiment", "a//@b", "@a/b", "a[/@b",
-                           "a[0]/@b", "a[x]/@b", "a[@id]/@b", "a[@id='x]/@b", "[1]/@b", "a///@b"}) {
+                           "a[0]/@b", "a[x]/@b", "a[@id]/@b", "a[@id='x]/@b", "a[@id=x]/@b",
+                           "a[@ident]/@b", "a[@ident=]/@b", "a[@id=']/@b", "[1]/@b", "a///@b"}) {
     CAPTURE(path);
     CHECK_THROWS_WITH(document.SetByPath(path, "1"), Contains("is not a path to an attribute"));
   }

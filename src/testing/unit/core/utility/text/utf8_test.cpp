@@ -23,4 +23,15 @@ TEST_CASE("utf8: what is no character has no bytes", "[core][text]") {
   }
 }
 
+TEST_CASE("utf8: a text is cut between characters", "[core][text]") {
+  const std::string_view text = "a\xC3\xA4\xE2\x82\xACz";
+  const std::size_t ends[] = {0, 1, 1, 3, 3, 3, 6, 7, 7};
+  for (std::size_t bytes = 0; bytes < 9; ++bytes) {
+    CHECK(CutUtf8(text, bytes) == text.substr(0, ends[bytes]));
+  }
+  CHECK(CutUtf8("", 3) == "");
+  // bytes that begin no character have no end to wait for
+  CHECK(CutUtf8("\x80\x80\x80", 2) == "");
+}
+
 }  // namespace utf8_test
