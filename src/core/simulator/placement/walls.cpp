@@ -7,7 +7,6 @@
 #include <argos3/core/utility/text/string_utilities.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <utility>
 
@@ -67,7 +66,7 @@ std::vector<CVector2> ReadPoints(TConfigurationNode& element) {
 Real ReadPositive(TConfigurationNode& element, const std::string& name) {
   Real value = 0.0;
   GetNodeAttribute(element, name, value);
-  if (!(value > 0.0) || !std::isfinite(value)) {
+  if (!(value > 0.0)) {
     THROW_ARGOSEXCEPTION("attribute \"" << name << "\" must be positive, got " << value);
   }
   return value;

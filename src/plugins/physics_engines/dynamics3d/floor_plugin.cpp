@@ -14,10 +14,6 @@ class CDynamics3DFloorPlugin : public CDynamics3DPlugin {
     Real friction = 1.0;
     GetNodeAttributeOrDefault(tree, "height", height, height);
     GetNodeAttributeOrDefault(tree, "friction", friction, friction);
-    if (!std::isfinite(height)) {
-      THROW_ARGOSEXCEPTION(OwnerOf(tree)
-                           << ": \"height\" must be a finite number of metres, found " << height);
-    }
     RequireNotNegative(friction, OwnerOf(tree), "attribute \"friction\"");
     GetEngine().AddGroundPlane(height, friction);
   }

@@ -76,18 +76,6 @@ void ReadNotNegative(TConfigurationNode& node, const std::string& attribute, Rea
             '"' + attribute + '"');
 }
 
-Real ReadElevation(TConfigurationNode& engine) {
-  Real elevation = 0.0;
-  GetNodeAttributeOrDefault(engine, "elevation", elevation, elevation);
-  if (!std::isfinite(elevation)) {
-    THROW_ARGOSEXCEPTION(engine.GetLocation()
-                         << ": <" << engine.Value()
-                         << ">: \"elevation\" must be a finite number of metres, found "
-                         << elevation);
-  }
-  return elevation;
-}
-
 Real ReadVelocityLag(TConfigurationNode& engine, UInt32 iterations) {
   constexpr Real kDefaultLag = 0.1;
   const bool hasIterations = NodeAttributeExists(engine, "iterations");

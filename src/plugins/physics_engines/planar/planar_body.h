@@ -18,8 +18,6 @@ struct SGroundFriction {
 
 /** Reads a number >= 0; @p value is also its default. @throws CARGoSException if it is negative. */
 void ReadNotNegative(TConfigurationNode& node, const std::string& attribute, Real& value);
-/** Reads `elevation`, default 0. @return m. @throws CARGoSException if it is not finite. */
-Real ReadElevation(TConfigurationNode& engine);
 /**
  * Reads `velocity_lag`, in [0, 1]. Default: one substep of those that the file asks for with
  * `iterations`, else 0.1, as in ARGoS 3, whose bodies move in a substep before their velocities

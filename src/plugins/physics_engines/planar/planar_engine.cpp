@@ -9,7 +9,7 @@ namespace argos {
 
 void CPlanarEngine::Init(TConfigurationNode& tree) {
   CDescribedBodyEngine::Init(tree);
-  m_elevation = ReadElevation(tree);
+  GetNodeAttributeOrDefault(tree, "elevation", m_elevation, 0.0);
   m_velocityLag = ReadVelocityLag(tree, GetIterations());
   if (NodeExists(tree, "spatial_hash")) {
     // tunes a broad phase that these engines do not have

@@ -150,7 +150,7 @@ class CAssembler {
                         << DidYouMean(joint.Type, {"fixed", "prismatic", "revolute", "spherical"}));
     }
     GetNodeAttribute(node, "axis", joint.Axis);
-    if (!(joint.Axis.Length() > 0.0) || !std::isfinite(joint.Axis.Length())) {
+    if (!(joint.Axis.Length() > 0.0)) {
       THROW_ARGOSEXCEPTION(OwnerOf(node) << ": attribute \"axis\" must not be zero, got \""
                                          << joint.Axis << "\"");
     }
