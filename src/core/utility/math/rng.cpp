@@ -129,10 +129,8 @@ CRandom::CRNG::CRNG(const CRNG& other)
     : m_seed(other.m_seed), m_generator(std::make_unique<CGenerator>(*other.m_generator)) {}
 
 CRandom::CRNG& CRandom::CRNG::operator=(const CRNG& other) {
-  if (this != &other) {
-    m_seed = other.m_seed;
-    m_generator = std::make_unique<CGenerator>(*other.m_generator);
-  }
+  m_seed = other.m_seed;
+  m_generator = std::make_unique<CGenerator>(*other.m_generator);
   return *this;
 }
 
