@@ -15,8 +15,6 @@ namespace {
 constexpr size_t kRobotGrain = 1024;
 // parts of other bodies that a solid can meet in a tick, in a crowd
 constexpr size_t kTouchesOfSolid = 12;
-// robots of which one grips another, where there are grippers
-constexpr size_t kRobotsOfGrip = 8;
 // Greatest way on which a disc is pushed out of an overlap in a tick, in radii of the smallest
 // movable body.
 constexpr Real kMaxAllowance = 0.5;
@@ -27,6 +25,7 @@ void CCrowd::Reserve(size_t discs, size_t solids, size_t grips) {
   m_clusters.Reserve(discs + solids);
   m_solver.Reserve(discs + solids);
   m_grips.reserve(grips);
+  m_gripTouches.reserve(kTouchesOfSolid * grips);
   m_clusters.ReserveGrips(grips);
   m_solver.ReserveGrips(grips);
   if (solids > 0) {
@@ -36,7 +35,7 @@ void CCrowd::Reserve(size_t discs, size_t solids, size_t grips) {
     m_solver.ReserveForSolids(discs, solids, touches);
     m_memory.Touches.Reserve(2 * touches);
   } else if (grips > 0) {
-    m_solver.ReserveForSolids(discs / kRobotsOfGrip, 0, 0);  // more allocate in a tick
+    m_solver.ReserveForSolids(discs, 0, 0);
   }
   m_lines.reserve(discs);
   m_memory.Pairs.Reserve(m_store.GetDriven().capacity(), 2 * discs);
