@@ -35,14 +35,13 @@ class CLimit {
 
 constexpr rlim_t kMegabyte = 1024 * 1024;
 
-// LLVM aborts while it is loaded; Box2D and OSMesa use what malloc() returns without looking at it,
-// perhaps in a function of the C library
+// LLVM aborts while it is loaded; OSMesa uses what malloc() returns without looking at it, perhaps
+// in a function of the C library
 bool HasFailedInLibraryOfOthers(const std::string& errors) {
   const size_t stack = errors.find("  #0 ");
   const std::string top =
       stack == std::string::npos ? "" : errors.substr(stack, errors.find("  #2 ", stack) - stack);
   return errors.find("LLVM ERROR: out of memory") != std::string::npos ||
-         top.find("/libbox2d.so") != std::string::npos ||
          top.find("/libOSMesa.so") != std::string::npos;
 }
 
