@@ -85,6 +85,9 @@ TEST_CASE("rigid add-ons: they read the motion of bodies, and change the engine 
   CProbe::Engine->AddGroundPlane(0.9, 1.0);
   world.Step(30);
   CHECK_THAT(world.Position("b").GetZ(), WithinAbs(0.9, 1e-3));
+  // there is no world before the next tick
+  CProbe::Engine->Reset();
+  CHECK(CProbe::Engine->GetNumSubsteps() == 5);
 }
 
 TEST_CASE("rigid magnets: two collinear dipoles attract each other with 2 K a b / r^4",
