@@ -268,6 +268,31 @@ TEST_CASE("live view: where no viewer may have control, all only look", "[live]"
   CHECK(world.Finish() == RunHeadless(Diffusion(20)));
 }
 
+TEST_CASE("live view: attributes have limits, which are allowed themselves", "[live]") {
+  const auto [name, value, error] = GENERATE(table<const char*, const char*, const char*>(
+      {{"fps", "0.1", ""},
+       {"fps", "100", ""},
+       {"fps", "0.09", "\"fps\" must be from 0.1 to 100"},
+       {"fps", "100.1", "\"fps\" must be from 0.1 to 100"},
+       {"speed", "0", ""},
+       {"speed", "1000000", ""},
+       {"speed", "-0.1", "\"speed\" must be from 0 to 1000000"},
+       {"speed", "1000001", "\"speed\" must be from 0 to 1000000"},
+       {"linger", "0", ""},
+       {"linger", "1e9", ""},
+       {"linger", "-1", "\"linger\" must be from 0 to 1e9"},
+       {"linger", "1.1e9", "\"linger\" must be from 0 to 1e9"}}));
+  CAPTURE(name, value);
+  CSimulator simulator;
+  const CSimulator::CScope scope(simulator);
+  simulator.SetVisualization("live", {{"open", "false"}, {name, value}});
+  if (*error == '\0') {
+    CHECK_NOTHROW(Diffusion(1)(simulator));
+  } else {
+    CHECK_THROWS_WITH(Diffusion(1)(simulator), Contains(error));
+  }
+}
+
 TEST_CASE("live view: strangers are refused", "[live]") {
   CLiveWorld world(kWaits, Diffusion(3));
   const std::string& url = world.GetURL();
