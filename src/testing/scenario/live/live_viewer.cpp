@@ -18,7 +18,10 @@ bool IsOk(const TJson& answer) {
 }
 
 std::string GetError(const TJson& answer) {
-  return answer.is_object() ? answer.value("error", "") : "closed";
+  const std::string error = answer.is_object() ? answer.value("error", "") : "closed";
+  // which only logs have
+  CHECK(error.find("[FATAL]") == std::string::npos);
+  return error;
 }
 
 void PlayToEnd(CLiveClient& viewer) {

@@ -1,6 +1,7 @@
 // Pairs of bodies from the broad phase, and contact points of cylinders and prisms.
 
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/broad_phase.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/contact_spread.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/cylinder_contacts.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/hull_geom.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/ode_session.h>
@@ -496,6 +497,40 @@ TEST_CASE(
   CHECK((count > 0) == (lift < 0.2));
   dGeomDestroy(low);
   dGeomDestroy(high);
+}
+
+TEST_CASE("contact spread: of many contacts those are kept that support as all do",
+          "[dynamics3d]") {
+  // the deepest, three beside it, the farthest, and one to a side; x, y, depth
+  constexpr std::array<std::array<double, 3>, 6> kAll = {{{0.0, 0.0, 0.01},
+                                                          {0.1, 0.0, 0.0},
+                                                          {0.2, 0.0, 0.0},
+                                                          {0.3, 0.0, 0.0},
+                                                          {1.0, 0.0, 0.0},
+                                                          {0.5, 0.5, 0.0}}};
+  std::array<dContactGeom, 6> all = {};
+  for (size_t i = 0; i < all.size(); ++i) {
+    all[i].pos[0] = kAll[i][0];
+    all[i].pos[1] = kAll[i][1];
+    all[i].normal[2] = 1.0;
+    all[i].depth = kAll[i][2];
+  }
+  const auto keep = [&](int first, int count, int most) {
+    std::array<dContactGeom, 6> kept = {};
+    const int number = KeepSpread(&all[static_cast<size_t>(first)], count, most, kept.data(),
+                                  sizeof(dContactGeom));
+    std::vector<double> xs;
+    for (int i = 0; i < number; ++i) {
+      xs.push_back(kept[static_cast<size_t>(i)].pos[0]);
+    }
+    return xs;
+  };
+  // nothing is on the other side, where the deepest would come twice
+  CHECK(keep(0, 6, 8) == std::vector<double>{0.0, 1.0, 0.5});
+  CHECK(keep(0, 5, 2) == std::vector<double>{0.0, 1.0});
+  // there is room for all
+  CHECK(keep(0, 4, 8) == std::vector<double>{0.0, 0.1, 0.2, 0.3});
+  CHECK(keep(0, 4, 2) == std::vector<double>{0.0, 0.3});
 }
 
 }  // namespace contacts_test
