@@ -40,6 +40,15 @@ const std::vector<SWrongPose> kWrongPoses = {
     {CVector3(0, -kInfinity, 0), CQuaternion(), "the position must be"},
     {CVector3(0, 0, 1e300), CQuaternion(), "the position must be"}};
 
+// it contains the solids of the description, at the pose of the body, and nothing else
+void CheckBoundingBox(const CEmbodiedEntity& body) {
+  const SAnchor& origin = body.GetOriginAnchor();
+  const SBoundingBox expected =
+      body.GetBodyDescription()->ComputeBoundingBox(origin.Position, origin.Orientation);
+  CHECK_THAT(Distance(body.GetBoundingBox().MinCorner, expected.MinCorner), WithinAbs(0.0, 1e-9));
+  CHECK_THAT(Distance(body.GetBoundingBox().MaxCorner, expected.MaxCorner), WithinAbs(0.0, 1e-9));
+}
+
 }  // namespace
 
 TEST_CASE("poses: moving a body to what is not a pose is an error, and leaves it where it is",
@@ -94,7 +103,8 @@ TEST_CASE("poses: enabled anchors move with the body", "[contract][engine]") {
   CHECK(Distance(world.Position("a"), start) > 0.01);
 }
 
-TEST_CASE("poses: enabled anchors move with an object that is pushed", "[contract][engine]") {
+TEST_CASE("poses: enabled anchors and the bounding box move with an object that is pushed",
+          "[contract][engine]") {
   const SEngineType engine = GENERATE(from_range(kEnginesWithContacts));
   CAPTURE(engine);
   CDriveWorld world(engine.ToXml(), DriverXml("foot-bot", "a", 1, 2, 0, 10, 10) +
@@ -109,6 +119,7 @@ TEST_CASE("poses: enabled anchors move with an object that is pushed", "[contrac
     CVector3 offset(0.05, 0.02, 0.3);
     offset.Rotate(origin.Orientation);
     REQUIRE_THAT(Distance(anchor.Position, origin.Position + offset), WithinAbs(0.0, 1e-12));
+    CheckBoundingBox(body);
   }
   CHECK(world.Position("box").GetX() > 1.23);
 }
@@ -127,11 +138,7 @@ TEST_CASE("poses: the bounding box contains solids away from the origin", "[cont
   body.SetBodyDescription(description);
   world.GetSpace().AddEntityToPhysicsEngine(body);
   REQUIRE(body.MoveTo(CVector3(1.5, 2.5, 0), CQuaternion(CRadians(2.0), CVector3::Z)));
-  const SAnchor& origin = body.GetOriginAnchor();
-  const SBoundingBox expected =
-      description->ComputeBoundingBox(origin.Position, origin.Orientation);
-  CHECK_THAT(Distance(body.GetBoundingBox().MinCorner, expected.MinCorner), WithinAbs(0.0, 1e-9));
-  CHECK_THAT(Distance(body.GetBoundingBox().MaxCorner, expected.MaxCorner), WithinAbs(0.0, 1e-9));
+  CheckBoundingBox(body);
 }
 
 TEST_CASE("poses: a body that is made with what is not a pose is an error", "[contract][engine]") {
