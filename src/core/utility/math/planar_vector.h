@@ -3,6 +3,8 @@
 
 #include <argos3/core/utility/datatypes/datatypes.h>
 
+#include <cmath>
+
 namespace argos {
 
 /**
@@ -35,6 +37,12 @@ constexpr Real Cross(const SPlanarVector& a, const SPlanarVector& b) {
 }
 constexpr Real SquareLength(const SPlanarVector& a) {
   return Dot(a, a);
+}
+/** @param angle  rad, counterclockwise. */
+inline SPlanarVector Rotate(const SPlanarVector& a, Real angle) {
+  const Real cosine = std::cos(angle);
+  const Real sine = std::sin(angle);
+  return {cosine * a.X - sine * a.Y, sine * a.X + cosine * a.Y};
 }
 
 }  // namespace argos

@@ -3,7 +3,7 @@
 
 #include <argos3/core/simulator/geometry/periodicity.h>
 #include <argos3/core/utility/datatypes/datatypes.h>
-#include <argos3/core/utility/spatial/rectangle.h>
+#include <argos3/core/utility/math/planar_vector.h>
 
 #include <cmath>
 

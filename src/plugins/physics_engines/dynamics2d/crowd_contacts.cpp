@@ -43,14 +43,15 @@ UInt32 CCrowdSolver::FindContacts(UInt32 first, UInt32 end, const SSubstep& subs
     const SCrowdDisc& discA = m_discs[pair.A];
     const SCrowdDisc& discB = m_discs[pair.B];
     const Real reach = static_cast<Real>(discA.Radius) + static_cast<Real>(discB.Radius);
-    const SStep offset = {m_tick.Period.X.Shorten(b.X - a.X), m_tick.Period.Y.Shorten(b.Y - a.Y)};
+    const SPlanarVector offset = {m_tick.Period.X.Shorten(b.X - a.X),
+                                  m_tick.Period.Y.Shorten(b.Y - a.Y)};
     const Real farthest = reach + mostApproach;
     if (offset.X * offset.X + offset.Y * offset.Y > farthest * farthest) {
       m_pairForces[i] = SContactForce();
       continue;
     }
-    const SStep relative = {static_cast<Real>(discB.VX - discA.VX) * duration,
-                            static_cast<Real>(discB.VY - discA.VY) * duration};
+    const SPlanarVector relative = {static_cast<Real>(discB.VX - discA.VX) * duration,
+                                    static_cast<Real>(discB.VY - discA.VY) * duration};
     const SSeparation separation = SeparateDiscs(offset, relative, reach);
     SContact& contact = m_contacts[next++];
     contact.A = pair.A;
@@ -81,7 +82,7 @@ UInt32 CCrowdSolver::FindContacts(UInt32 first, UInt32 end, const SSubstep& subs
 }
 
 SSeparation CCrowdSolver::SeparateFromWall(const CCrowdClusters::SWall& wall,
-                                           const SStep& step) const {
+                                           const SPlanarVector& step) const {
   const SCrowdPosition& position = m_positions[wall.Disc];
   const Real radius = static_cast<Real>(m_discs[wall.Disc].Radius);
   if (wall.Obstacle < kFirstLine) {
@@ -107,8 +108,8 @@ void CCrowdSolver::FindWalls(UInt32 number, const SSubstep& substep) {
   for (UInt32 i = patch.FirstWall; i < patch.EndWall; ++i) {
     const auto& wall = m_clusters->GetWalls()[i];
     const SCrowdDisc& disc = m_discs[wall.Disc];
-    const SStep step = {static_cast<Real>(disc.VX) * duration,
-                        static_cast<Real>(disc.VY) * duration};
+    const SPlanarVector step = {static_cast<Real>(disc.VX) * duration,
+                                static_cast<Real>(disc.VY) * duration};
     const SSeparation separation = SeparateFromWall(wall, step);
     Real room = separation.Gap;
     if (room > m_tick.LongestPath / substep.Count) {

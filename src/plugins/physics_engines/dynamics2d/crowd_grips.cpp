@@ -9,16 +9,6 @@
 
 namespace argos {
 
-namespace {
-
-SPlanarVector Rotate(const SPlanarVector& vector, Real angle) {
-  const Real cosine = std::cos(angle);
-  const Real sine = std::sin(angle);
-  return {cosine * vector.X - sine * vector.Y, sine * vector.X + cosine * vector.Y};
-}
-
-}  // namespace
-
 void CCrowdSolver::FindGrips(const SCrowdRange& range, const SSubstep& substep) {
   for (UInt32 i = range.First; i < range.End; ++i) {
     FindGrip(i, substep);

@@ -527,7 +527,7 @@ float CCrowdSolver::PushOutOfWalls(UInt32 first, UInt32 count) {
   float deepest = 0.0F;
   for (UInt32 i = first; i < first + count; ++i) {
     const auto& wall = m_clusters->GetWalls()[m_wallContacts[i].Wall];
-    const SSeparation separation = SeparateFromWall(wall, SStep());
+    const SSeparation separation = SeparateFromWall(wall, SPlanarVector());
     if (separation.Gap < -static_cast<Real>(m_tolerance)) {
       deepest = std::max(deepest, static_cast<float>(-separation.Gap));
       const Real push = std::max(separation.Gap, -kMaxCrowdCorrection * m_tick.SmallestRadius);

@@ -136,7 +136,7 @@ class CCrowdSolver {
   void FindContacts(UInt32 patch, const SSubstep& substep);
   UInt32 FindContacts(UInt32 first, UInt32 end, const SSubstep& substep, SPatchState& state);
   void FindWalls(UInt32 patch, const SSubstep& substep);
-  SSeparation SeparateFromWall(const CCrowdClusters::SWall& wall, const SStep& step) const;
+  SSeparation SeparateFromWall(const CCrowdClusters::SWall& wall, const SPlanarVector& step) const;
   void StartDrives(UInt32 patch, const SSubstep& substep);
   void StartDrive(UInt32 member, const SSubstep& substep);
   void WarmStart(UInt32 first, UInt32 count);
@@ -166,7 +166,7 @@ class CCrowdSolver {
   void PlaceParts(UInt32 member);
   SFootprint GetPartNear(const CCrowdClusters::STouch& pair) const;
   int FindPoints(const CCrowdClusters::STouch& pair, float duration, SSeparation* points) const;
-  SStep ComputeStep(const CCrowdClusters::STouch& pair, float duration) const;
+  SPlanarVector ComputeStep(const CCrowdClusters::STouch& pair, float duration) const;
   UInt32 FindTouches(const SCrowdRange& range, const SSubstep& substep, SPatchState& state);
   bool MakeTouch(const CCrowdClusters::STouch& pair, const SSeparation& point, Real most,
                  STouch& touch, SPatchState& state) const;

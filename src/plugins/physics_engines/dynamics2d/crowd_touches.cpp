@@ -39,7 +39,7 @@ void CCrowdSolver::PlaceParts(UInt32 member) {
 }
 
 // The step of a disc in a substep relative to the solid next to it.
-SStep CCrowdSolver::ComputeStep(const CCrowdClusters::STouch& pair, float duration) const {
+SPlanarVector CCrowdSolver::ComputeStep(const CCrowdClusters::STouch& pair, float duration) const {
   const SCrowdDisc& disc = m_discs[pair.A];
   const SCrowdDisc& solid = m_discs[pair.B];
   const SCrowdPosition& place = m_positions[pair.A];

@@ -19,10 +19,6 @@ constexpr Real kAcross = 1e-2;
 
 constexpr UInt32 kNone = std::numeric_limits<UInt32>::max();
 
-Real Dot(const SPlanarVector& a, Real x, Real y) {
-  return a.X * x + a.Y * y;
-}
-
 }  // namespace
 
 void CGripTies::Reserve(size_t robots) {
@@ -127,14 +123,14 @@ SPlanarVector CGripTies::ComputeChange(const CPlanarStore& store, size_t begin, 
   for (size_t i = begin; i < end; ++i) {
     const SDrivenBody& body = bodyOf(i);
     const SDrivenKind& kind = *body.Kind;
-    const Real share = std::hypot(body.PullX, body.PullY);
-    const Real across = axis.X * body.PullY - axis.Y * body.PullX;
-    if (!(share > kSlips) || std::abs(across) > kAcross * share) {
+    const SPlanarVector pull = {body.PullX, body.PullY};
+    const Real share = std::hypot(pull.X, pull.Y);
+    if (!(share > kSlips) || std::abs(Cross(axis, pull)) > kAcross * share) {
       return {0.0, 0.0};
     }
     const SPlanarVelocity target = ComputeTarget(body, store.GetSettings());
-    const Real wanted = Dot(axis, target.X, target.Y);
-    if (Dot(axis, body.PullX, body.PullY) > 0.0) {
+    const Real wanted = Dot(axis, {target.X, target.Y});
+    if (Dot(axis, pull) > 0.0) {
       fastest = std::min(fastest, wanted);
     } else {
       slowest = std::max(slowest, wanted);
@@ -144,7 +140,7 @@ SPlanarVector CGripTies::ComputeChange(const CPlanarStore& store, size_t begin, 
     rest.Y += most * body.PullY;
     sum += most * share;
     mass += kind.Mass;
-    momentum += kind.Mass * Dot(axis, body.Velocity.X, body.Velocity.Y);
+    momentum += kind.Mass * Dot(axis, {body.Velocity.X, body.Velocity.Y});
     wantedMomentum += kind.Mass * wanted;
   }
   if (std::hypot(rest.X, rest.Y) > kBalance * sum || slowest > fastest) {

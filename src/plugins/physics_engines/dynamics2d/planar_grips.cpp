@@ -24,12 +24,6 @@ Real ComputeReducedMass(Real a, Real b) {
   return a * b / (a + b);
 }
 
-SPlanarVector Rotate(const SPlanarVector& vector, Real angle) {
-  const Real cosine = std::cos(angle);
-  const Real sine = std::sin(angle);
-  return {cosine * vector.X - sine * vector.Y, sine * vector.X + cosine * vector.Y};
-}
-
 }  // namespace
 
 SManipulator* CPlanarGrips::Find(const SPlanarHandle& handle) {

@@ -8,9 +8,6 @@
 
 namespace argos {
 
-/** A step in the plane, m. */
-using SStep = SPlanarVector;
-
 /**
  * A separating line of two convex shapes, or their contact if they touch or overlap.
  *
