@@ -119,8 +119,8 @@ SFigureRequest MakeFigureRequest(const SCampaign& campaign, const SFigure& figur
   return request;
 }
 
-static SFigureRequest MakeRequest(const char* kind, const std::string& y, const std::string& x,
-                                  const std::string& group) {
+SFigureRequest MakeRequest(const std::string& kind, const std::string& y, const std::string& x,
+                           const std::string& group) {
   SFigureRequest request;
   request.Kind = kind;
   request.X = x;

@@ -30,6 +30,10 @@ struct SFigureRequest {
 /** "survivors", "hold" or "drop". @throws CARGoSException for another text. */
 EEndedRuns ParseEndedRuns(const std::string& text);
 
+/** A figure of a kind, with all else as it is by default. */
+SFigureRequest MakeRequest(const std::string& kind, const std::string& y, const std::string& x,
+                           const std::string& group = "");
+
 /** @throws CARGoSException if an attribute has a wrong value; the text has file and line. */
 SFigureRequest MakeFigureRequest(const SCampaign& campaign, const SFigure& figure);
 

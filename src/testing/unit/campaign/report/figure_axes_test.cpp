@@ -3,6 +3,7 @@
 #include "synthetic_campaign.h"
 
 #include <argos3/campaign/report/figure_drawing.h>
+#include <argos3/campaign/report/figure_request.h>
 #include <argos3/support/child_process.h>
 #include <argos3/testing/support/plot_picture.h>
 

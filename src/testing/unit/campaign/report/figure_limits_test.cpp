@@ -3,6 +3,7 @@
 #include "synthetic_campaign.h"
 
 #include <argos3/campaign/report/figure_drawing.h>
+#include <argos3/campaign/report/figure_request.h>
 #include <argos3/campaign/report/figures.h>
 
 #include <catch2/catch.hpp>

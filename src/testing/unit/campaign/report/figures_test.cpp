@@ -2,6 +2,7 @@
 
 #include <argos3/campaign/report/campaign_report.h>
 #include <argos3/campaign/report/figure_drawing.h>
+#include <argos3/campaign/report/figure_request.h>
 #include <argos3/core/utility/configuration/argos_configuration.h>
 #include <argos3/core/utility/configuration/configuration_document.h>
 #include <argos3/core/utility/errors/argos_exception.h>

@@ -73,14 +73,4 @@ CReportData& CSyntheticCampaign::Open() {
   return *m_data;
 }
 
-SFigureRequest MakeRequest(const std::string& kind, const std::string& y, const std::string& x,
-                           const std::string& group) {
-  SFigureRequest request;
-  request.Kind = kind;
-  request.Y = y;
-  request.X = x;
-  request.Group = group;
-  return request;
-}
-
 }  // namespace argos

@@ -1,7 +1,6 @@
 #ifndef ARGOS3_TESTING_UNIT_CAMPAIGN_REPORT_SYNTHETIC_CAMPAIGN_H
 #define ARGOS3_TESTING_UNIT_CAMPAIGN_REPORT_SYNTHETIC_CAMPAIGN_H
 
-#include <argos3/campaign/report/figure_request.h>
 #include <argos3/campaign/report/report_data.h>
 #include <argos3/testing/support/temporary_folder.h>
 
@@ -40,10 +39,6 @@ class CSyntheticCampaign {
   std::unique_ptr<CResultStore> m_store;
   std::unique_ptr<CReportData> m_data;
 };
-
-/** A figure of a kind, with all else as it is by default. */
-SFigureRequest MakeRequest(const std::string& kind, const std::string& y, const std::string& x,
-                           const std::string& group = "");
 
 }  // namespace argos
 
