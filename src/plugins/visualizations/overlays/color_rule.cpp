@@ -109,7 +109,7 @@ size_t CColorRule::GetNumberOf(const std::string& name) {
 }
 
 CColor CColorRule::ReadField(CComposableEntity& robot) {
-  // bound anew each time, because robots come and go
+  // the field is bound in each picture, because robots are added and removed during a run
   const SBoundField bound = m_field->Bind(robot);
   if (bound.Reader == nullptr || bound.Columns.empty() ||
       bound.Columns[0].Kind == EColumnKind::Text || bound.Reader->CountRows() == 0) {

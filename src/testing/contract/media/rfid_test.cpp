@@ -116,7 +116,7 @@ TEST_CASE("rfid: a tag exactly at the range is read", "[contract][media]") {
   CHECK(IdsOf(Readings(world)) == TIds{"at"});
 }
 
-TEST_CASE("rfid: a tag that a program has put nowhere is read by nobody", "[contract][media]") {
+TEST_CASE("rfid: no sensor reads a tag whose position is not a number", "[contract][media]") {
   CRobotWorld world(WithRFID(Robot("foot-bot", "r", "position=\"0,0,0\"") +
                                  Tag("lost", CVector3(0.1, 0.0, 0.0)) +
                                  Tag("here", CVector3(-0.1, 0.0, 0.0)),
