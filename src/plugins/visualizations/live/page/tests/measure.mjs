@@ -2,42 +2,22 @@
 //   node tests/measure.mjs EXPERIMENT ROBOTS SECONDS [STATES A SECOND...]
 // The environment variable ARGOS3 names the simulator. "none" in place of a rate: without a viewer. A rate that is
 // followed by "x", such as 100x, runs in real time; otherwise as fast as it goes. One line of CSV for each.
-import { spawn } from "node:child_process";
-import { readFileSync } from "node:fs";
-
 import { WebSocket } from "ws";
 
+import { readProcess, startLive } from "./start_live.mjs";
+
 const [experiment, robots, seconds, ...rates] = process.argv.slice(2);
-const argos3 = process.env.ARGOS3 ?? "argos3";
 const arguments_ = [
   experiment,
   ...["--length", seconds, "--set", `//distribute/entity/@quantity=${robots}`, "--threads", "0"],
 ];
-
-// processor time of all threads, s
-function cpuTime(pid) {
-  const fields = readFileSync(`/proc/${pid}/stat`, "utf8").replace(/^.*\) /, "").split(" ");
-  return (Number(fields[11]) + Number(fields[12])) / 100;
-}
 
 function readTicks(message) {
   return [message.readUInt32LE(8), message.readUInt32LE(4)];
 }
 
 async function measure(rate) {
-  const program = spawn(argos3, [...arguments_, "--live"]);
-  const url = await new Promise((resolve) => {
-    let text = "";
-    const read = (data) => {
-      text += String(data);
-      const found = /Live view: (http:\S+)/.exec(text);
-      if (found !== null) {
-        resolve(found[1]);
-      }
-    };
-    program.stdout.on("data", read);
-    program.stderr.on("data", read);
-  });
+  const { program, url } = await startLive(arguments_);
   const [base, token] = url.split("#");
   const socket = new WebSocket(`${base.replace("http", "ws")}live`, "argos-live.1", { origin: base.slice(0, -1) });
   const send = (message) => socket.send(JSON.stringify(message));
@@ -66,12 +46,12 @@ async function measure(rate) {
       }
       const message = JSON.parse(String(data));
       if (message.re === 2) {
-        start.cpu = cpuTime(program.pid);
+        start.cpu = readProcess(program.pid).cpu;
         start.time = performance.now();
         send({ id: 3, do: "play" });
       }
       if (message.status?.run === "ended") {
-        const cpu = cpuTime(program.pid) - start.cpu;
+        const cpu = readProcess(program.pid).cpu - start.cpu;
         const wall = (performance.now() - start.time) / 1000;
         send({ id: 4, do: "end" });
         program.on("exit", () => resolve({ states, bytes, cpu, wall }));

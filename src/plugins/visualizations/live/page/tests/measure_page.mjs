@@ -2,27 +2,15 @@
 //   node tests/measure_page.mjs first ARGUMENTS OF ARGOS3...   time and processor time to the first picture
 //   node tests/measure_page.mjs seek ARGUMENTS OF ARGOS3...    to show ticks at random, and memory
 // such as "node tests/measure_page.mjs seek --replay run.rec". The environment variables ARGOS3 and CHROMIUM name the programs.
-import { spawn } from "node:child_process";
 import { readFileSync, readdirSync } from "node:fs";
 
 import { chromium } from "playwright-core";
 
+import { readProcess, startLive } from "./start_live.mjs";
+
 const kSeeks = 200;
 const [what, ...arguments_] = process.argv.slice(2);
-const program = spawn(process.env.ARGOS3 ?? "argos3", [...arguments_, "--live"]);
-const url = await new Promise((resolve, reject) => {
-  let text = "";
-  const read = (data) => {
-    text += String(data);
-    const found = /Live view: (http:\S+)/.exec(text);
-    if (found !== null) {
-      resolve(found[1]);
-    }
-  };
-  program.stdout.on("data", read);
-  program.stderr.on("data", read);
-  program.on("exit", () => reject(new Error(text)));
-});
+const { program, url } = await startLive(arguments_);
 const browser = await chromium.launch({
   executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
   args: [
@@ -33,9 +21,7 @@ const browser = await chromium.launch({
 
 function stat(pid) {
   try {
-    const text = readFileSync(`/proc/${pid}/stat`, "utf8");
-    const fields = text.replace(/^.*\) /, "").split(" ");
-    return { parent: Number(fields[1]), cpu: (Number(fields[11]) + Number(fields[12])) / 100 };
+    return readProcess(pid);
   } catch {
     return { parent: 0, cpu: 0 };
   }
