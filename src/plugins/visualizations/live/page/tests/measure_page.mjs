@@ -1,7 +1,10 @@
 // Measures the page in a headless Chromium, with a run or a replay:
 //   node tests/measure_page.mjs first ARGUMENTS OF ARGOS3...   time and processor time to the first picture
 //   node tests/measure_page.mjs seek ARGUMENTS OF ARGOS3...    to show ticks at random, and memory
-// such as "node tests/measure_page.mjs seek --replay run.rec". The environment variables ARGOS3 and CHROMIUM name the programs.
+//   node tests/measure_page.mjs frames ARGUMENTS OF ARGOS3...  pictures a second while it plays, whole arena
+// such as "node tests/measure_page.mjs seek --replay run.rec". The environment variables ARGOS3 and CHROMIUM name the programs;
+// CHROMIUM_ARGUMENTS replaces those that make the processor draw, DISTANCE (m) places the camera over the arena's centre, and
+// PICTURE=FILE keeps what is drawn.
 import { readFileSync, readdirSync } from "node:fs";
 
 import { chromium } from "playwright-core";
@@ -9,11 +12,12 @@ import { chromium } from "playwright-core";
 import { readProcess, startLive } from "./start_live.mjs";
 
 const kSeeks = 200;
+const kPlayed = 8000; // ms
 const [what, ...arguments_] = process.argv.slice(2);
 const { program, url } = await startLive(arguments_);
 const browser = await chromium.launch({
   executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
-  args: [
+  args: process.env.CHROMIUM_ARGUMENTS?.split(" ") ?? [
     ...["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"],
     ...["--disable-gpu-rasterization", "--no-sandbox"], // the former as browsers do where the processor draws
   ],
@@ -113,6 +117,44 @@ if (what === "seek") {
       `processor time for each: browser ${((1000 * (cpuOfBrowser() - cpu)) / kSeeks).toFixed(0)} ms`,
   );
   await memory("at the end");
+}
+if (what === "frames") {
+  if (process.env.DISTANCE !== undefined) {
+    await page.evaluate((distance) => {
+      window.argosView.camera.distance = distance;
+    }, Number(process.env.DISTANCE));
+  }
+  await page.keyboard.press("Space");
+  await page.waitForTimeout(kPlayed / 2); // the page may choose fewer pixels
+  const cpu = cpuOfBrowser();
+  const drawn = await page.evaluate(async (duration) => {
+    const view = window.argosView;
+    const { render } = view;
+    const times = [];
+    view.render = (now) => {
+      const start = performance.now();
+      const hasDrawn = render.call(view, now);
+      if (hasDrawn) {
+        times.push([start, performance.now() - start]);
+      }
+      return hasDrawn;
+    };
+    await new Promise((resolve) => setTimeout(resolve, duration));
+    delete view.render;
+    const canvas = document.querySelector("canvas");
+    return { times, counts: view.counts, name: view.rendererName, size: [canvas.width, canvas.height] };
+  }, kPlayed);
+  const perPicture = (1000 * (cpuOfBrowser() - cpu)) / drawn.times.length;
+  const gaps = drawn.times.slice(1).map(([at], i) => at - drawn.times[i][0]).sort((a, b) => a - b);
+  const own = drawn.times.map(([, time]) => time).sort((a, b) => a - b);
+  console.log(
+    `${((1000 * drawn.times.length) / kPlayed).toFixed(1)} pictures a second, ms between two: median ${quantile(gaps, 0.5).toFixed(0)}, ` +
+      `95 % ${quantile(gaps, 0.95).toFixed(0)}; processor time for each: browser ${perPicture.toFixed(0)} ms, of it the page's drawing ` +
+      `${quantile(own, 0.5).toFixed(1)} ms; ${drawn.size.join(" x ")} pixels by ${drawn.name}; ${JSON.stringify(drawn.counts)}`,
+  );
+}
+if (process.env.PICTURE !== undefined) {
+  await page.screenshot({ path: process.env.PICTURE });
 }
 await browser.close();
 program.kill("SIGKILL");
