@@ -72,13 +72,9 @@ void CCI_FootBotDistanceScannerSensor::WriteReadings(CLuaTable& table) const {
   WriteRange(table.MakeTable("long_range"), FillLong());
 }
 
-std::vector<CCI_Sensor::SColumn> CCI_FootBotDistanceScannerSensor::GetReadingColumns() const {
-  return {{"short_count", ""}, {"long_count", ""}};
-}
-
-void CCI_FootBotDistanceScannerSensor::CopyReadings(Real* numbers, std::size_t count) const {
-  CopyNumbers({static_cast<Real>(FillShort().size()), static_cast<Real>(FillLong().size())},
-              numbers, count);
+void CCI_FootBotDistanceScannerSensor::ListNumbers(CNumberList& list) const {
+  list.Add("short_count", "", static_cast<Real>(FillShort().size()));
+  list.Add("long_count", "", static_cast<Real>(FillLong().size()));
 }
 
 }  // namespace argos

@@ -56,9 +56,6 @@ class CCI_FootBotDistanceScannerSensor : public CTableSensor {
   const TReadingsMap& GetShortReadingsMap() { return FillShort(); }
   const TReadingsMap& GetLongReadingsMap() { return FillLong(); }
 
-  std::vector<SColumn> GetReadingColumns() const override;
-  void CopyReadings(Real* numbers, std::size_t count) const override;
-
  protected:
   /**
    * Replaces all readings. A map is filled when it is read first after that, because few
@@ -75,6 +72,7 @@ class CCI_FootBotDistanceScannerSensor : public CTableSensor {
   const char* GetLuaName() const override { return "distance_scanner"; }
   /** robot.distance_scanner.short_range[i], .long_range[i] = { angle, distance } */
   void WriteReadings(CLuaTable& table) const override;
+  void ListNumbers(CNumberList& list) const override;
   const TReadingsMap& FillShort() const {
     Fill(m_tShortReadingsMap, m_isShortStale, true, false);
     return m_tShortReadingsMap;

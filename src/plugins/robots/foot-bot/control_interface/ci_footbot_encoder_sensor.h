@@ -33,9 +33,6 @@ class CCI_FootBotEncoderSensor : public CTableSensor {
 
   const SReading& GetReading() const { return m_sReading; }
 
-  std::vector<SColumn> GetReadingColumns() const override;
-  void CopyReadings(Real* numbers, std::size_t count) const override;
-
  protected:
   SReading m_sReading;
 
@@ -43,7 +40,7 @@ class CCI_FootBotEncoderSensor : public CTableSensor {
   const char* GetLuaName() const override { return "encoder"; }
   /** robot.encoder.distance_left, .distance_right, .axis_length (cm) */
   void WriteConstants(CLuaTable& table) override;
-  void WriteReadings(CLuaTable& table) const override;
+  void ListNumbers(CNumberList& list) const override;
 };
 
 }  // namespace argos

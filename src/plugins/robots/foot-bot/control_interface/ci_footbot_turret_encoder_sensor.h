@@ -15,16 +15,13 @@ class CCI_FootBotTurretEncoderSensor : public CVirtualTableSensor {
   /** @return rotation on the base, in (-pi, pi], counter-clockwise from straight ahead. */
   const CRadians& GetRotation() const { return m_cRotation; }
 
-  std::vector<SColumn> GetReadingColumns() const override;
-  void CopyReadings(Real* numbers, std::size_t count) const override;
-
  protected:
   CRadians m_cRotation;
 
  private:
   const char* GetLuaName() const override { return "turret"; }
   /** robot.turret.rotation, rad */
-  void WriteReadings(CLuaTable& table) const override;
+  void ListNumbers(CNumberList& list) const override;
 };
 
 }  // namespace argos

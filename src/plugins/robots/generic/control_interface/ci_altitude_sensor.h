@@ -12,16 +12,13 @@ class CCI_AltitudeSensor : public CTableSensor {
   /** m, >= 0 above the ground. */
   Real GetReading() const { return m_fReading; }
 
-  std::vector<SColumn> GetReadingColumns() const override;
-  void CopyReadings(Real* numbers, std::size_t count) const override;
-
  protected:
   Real m_fReading = 0.0;
 
  private:
   const char* GetLuaName() const override { return "altitude"; }
   /** robot.altitude.height (m) */
-  void WriteReadings(CLuaTable& table) const override;
+  void ListNumbers(CNumberList& list) const override;
 };
 
 }  // namespace argos

@@ -29,16 +29,13 @@ class CCI_BatterySensor : public CTableSensor {
 
   const SReading& GetReading() const { return m_sReading; }
 
-  std::vector<SColumn> GetReadingColumns() const override;
-  void CopyReadings(Real* numbers, std::size_t count) const override;
-
  protected:
   SReading m_sReading;
 
  private:
   const char* GetLuaName() const override { return "battery"; }
   /** robot.battery.available_charge, .time_left (s) */
-  void WriteReadings(CLuaTable& table) const override;
+  void ListNumbers(CNumberList& list) const override;
 };
 
 }  // namespace argos

@@ -24,16 +24,13 @@ class CCI_ClockSensor : public CTableSensor {
 
   const SReading& GetReading() const { return m_sReading; }
 
-  std::vector<SColumn> GetReadingColumns() const override;
-  void CopyReadings(Real* numbers, std::size_t count) const override;
-
  protected:
   SReading m_sReading;
 
  private:
   const char* GetLuaName() const override { return "clock"; }
   /** robot.clock.tick, .time (s) */
-  void WriteReadings(CLuaTable& table) const override;
+  void ListNumbers(CNumberList& list) const override;
 };
 
 }  // namespace argos

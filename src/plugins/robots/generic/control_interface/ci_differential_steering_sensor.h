@@ -40,9 +40,6 @@ class CCI_DifferentialSteeringSensor : public CTableSensor {
 
   const SReading& GetReading() const { return m_sReading; }
 
-  std::vector<SColumn> GetReadingColumns() const override;
-  void CopyReadings(Real* numbers, std::size_t count) const override;
-
  protected:
   SReading m_sReading;
 
@@ -50,7 +47,7 @@ class CCI_DifferentialSteeringSensor : public CTableSensor {
   const char* GetLuaName() const override { return "wheels"; }
   /** robot.wheels.velocity_left, velocity_right, distance_left, distance_right, axis_length */
   void WriteConstants(CLuaTable& table) override;
-  void WriteReadings(CLuaTable& table) const override;
+  void ListNumbers(CNumberList& list) const override;
 };
 
 }  // namespace argos

@@ -9,15 +9,15 @@ void CCI_PositioningSensor::WriteReadings(CLuaTable& table) const {
   table.Set("orientation", m_sReading.Orientation);
 }
 
-std::vector<CCI_Sensor::SColumn> CCI_PositioningSensor::GetReadingColumns() const {
-  return {{"x", "m"}, {"y", "m"}, {"z", "m"}, {"qw", ""}, {"qx", ""}, {"qy", ""}, {"qz", ""}};
-}
-
-void CCI_PositioningSensor::CopyReadings(Real* numbers, std::size_t count) const {
-  CopyNumbers({m_sReading.Position.GetX(), m_sReading.Position.GetY(), m_sReading.Position.GetZ(),
-               m_sReading.Orientation.GetW(), m_sReading.Orientation.GetX(),
-               m_sReading.Orientation.GetY(), m_sReading.Orientation.GetZ()},
-              numbers, count);
+void CCI_PositioningSensor::ListNumbers(CNumberList& list) const {
+  const auto& [position, orientation] = m_sReading;
+  list.Add("x", "m", position.GetX());
+  list.Add("y", "m", position.GetY());
+  list.Add("z", "m", position.GetZ());
+  list.Add("qw", "", orientation.GetW());
+  list.Add("qx", "", orientation.GetX());
+  list.Add("qy", "", orientation.GetY());
+  list.Add("qz", "", orientation.GetZ());
 }
 
 }  // namespace argos

@@ -31,9 +31,6 @@ class CCI_PositioningSensor : public CTableSensor {
 
   const SReading& GetReading() const { return m_sReading; }
 
-  std::vector<SColumn> GetReadingColumns() const override;
-  void CopyReadings(Real* numbers, std::size_t count) const override;
-
  protected:
   SReading m_sReading;
   CRadians m_cAngle;  // the orientation is a rotation by this angle, with noise
@@ -43,6 +40,7 @@ class CCI_PositioningSensor : public CTableSensor {
   const char* GetLuaName() const override { return "positioning"; }
   /** robot.positioning.position (m), .orientation */
   void WriteReadings(CLuaTable& table) const override;
+  void ListNumbers(CNumberList& list) const override;
 };
 
 }  // namespace argos

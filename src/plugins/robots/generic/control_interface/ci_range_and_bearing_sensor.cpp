@@ -14,12 +14,8 @@ void CCI_RangeAndBearingSensor::WriteReadings(CLuaTable& table) const {
   });
 }
 
-std::vector<CCI_Sensor::SColumn> CCI_RangeAndBearingSensor::GetReadingColumns() const {
-  return {{"count", ""}};
-}
-
-void CCI_RangeAndBearingSensor::CopyReadings(Real* numbers, std::size_t count) const {
-  CopyNumbers({static_cast<Real>(m_tReadings.size())}, numbers, count);
+void CCI_RangeAndBearingSensor::ListNumbers(CNumberList& list) const {
+  list.Add("count", "", static_cast<Real>(m_tReadings.size()));
 }
 
 }  // namespace argos

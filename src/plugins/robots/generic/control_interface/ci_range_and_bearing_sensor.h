@@ -40,9 +40,6 @@ class CCI_RangeAndBearingSensor : public CTableSensor {
   /** @return the last packets, in the order in which the senders were added to the arena. */
   const TReadings& GetReadings() const { return m_tReadings; }
 
-  std::vector<SColumn> GetReadingColumns() const override;
-  void CopyReadings(Real* numbers, std::size_t count) const override;
-
  protected:
   TReadings m_tReadings;
 
@@ -50,6 +47,7 @@ class CCI_RangeAndBearingSensor : public CTableSensor {
   const char* GetLuaName() const override { return "range_and_bearing"; }
   /** robot.range_and_bearing[i] = { range, horizontal_bearing, vertical_bearing, data } */
   void WriteReadings(CLuaTable& table) const override;
+  void ListNumbers(CNumberList& list) const override;
 };
 
 }  // namespace argos

@@ -14,12 +14,8 @@ void CCI_RFIDSensor::WriteReadings(CLuaTable& table) const {
   });
 }
 
-std::vector<CCI_Sensor::SColumn> CCI_RFIDSensor::GetReadingColumns() const {
-  return {{"count", ""}};
-}
-
-void CCI_RFIDSensor::CopyReadings(Real* numbers, std::size_t count) const {
-  CopyNumbers({static_cast<Real>(m_tReadings.size())}, numbers, count);
+void CCI_RFIDSensor::ListNumbers(CNumberList& list) const {
+  list.Add("count", "", static_cast<Real>(m_tReadings.size()));
 }
 
 }  // namespace argos

@@ -37,9 +37,6 @@ class CCI_RFIDSensor : public CTableSensor {
   /** @return the readings, in the order in which the tags were added to the arena. */
   const TReadings& GetReadings() const { return m_tReadings; }
 
-  std::vector<SColumn> GetReadingColumns() const override;
-  void CopyReadings(Real* numbers, std::size_t count) const override;
-
  protected:
   TReadings m_tReadings;
 
@@ -47,6 +44,7 @@ class CCI_RFIDSensor : public CTableSensor {
   const char* GetLuaName() const override { return "rfid"; }
   /** robot.rfid[i] = { id, data = { b1, ... }, distance, angle } */
   void WriteReadings(CLuaTable& table) const override;
+  void ListNumbers(CNumberList& list) const override;
 };
 
 }  // namespace argos

@@ -40,13 +40,13 @@ class CColoredBlobs : public CSwitchedTableSensor {
 
   const SReadings& GetReadings() const { return m_sReadings; }
 
-  std::vector<CCI_Sensor::SColumn> GetReadingColumns() const override { return {{"count", ""}}; }
-  void CopyReadings(Real* numbers, std::size_t count) const override {
-    CopyNumbers({static_cast<Real>(m_sReadings.BlobList.size())}, numbers, count);
-  }
-
  protected:
   SReadings m_sReadings;
+
+ private:
+  void ListNumbers(CNumberList& list) const override {
+    list.Add("count", "", static_cast<Real>(m_sReadings.BlobList.size()));
+  }
 };
 
 }  // namespace argos

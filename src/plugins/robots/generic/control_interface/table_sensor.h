@@ -7,6 +7,16 @@ namespace argos {
 
 class CLuaTable;
 
+/** Receives the numbers of a sensor's readings, one after the other. */
+class CNumberList {
+ public:
+  /** @param name, unit  as in CCI_Sensor::SColumn. */
+  virtual void Add(const char* name, const char* unit, Real value) = 0;
+
+ protected:
+  ~CNumberList() = default;
+};
+
 /**
  * Base of the control interfaces of sensors whose readings are one table in Lua.
  * @tparam BASE  CCI_Sensor, or CVirtualSensor if the interface has it as a virtual base.
@@ -19,12 +29,21 @@ class CTableSensorOn : public BASE {
   /** Writes the current readings. */
   void ReadingsToLuaState(lua_State* state) override;
 
+  std::vector<CCI_Sensor::SColumn> GetReadingColumns() const override;
+  void CopyReadings(Real* numbers, std::size_t count) const override;
+
  private:
   virtual const char* GetLuaName() const = 0;
   /** Sets the constant fields of the new table, and its functions; by default none. */
   virtual void WriteConstants(CLuaTable& /*table*/) {}
-  /** Sets the other fields of the table. */
-  virtual void WriteReadings(CLuaTable& table) const = 0;
+
+ protected:
+  /**
+   * Lists the numbers for tables of results, always as many and in the same order; by default none.
+   */
+  virtual void ListNumbers(CNumberList& /*list*/) const {}
+  /** Sets the other fields of the table; by default those that ListNumbers() lists. */
+  virtual void WriteReadings(CLuaTable& table) const;
 };
 
 /** Makes CCI_Sensor a virtual base of a control interface, as ARGoS 3 has it for some of them. */

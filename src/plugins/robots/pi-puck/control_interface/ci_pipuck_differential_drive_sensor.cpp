@@ -4,34 +4,16 @@
 
 namespace argos {
 
-namespace {
-
-void WriteReadings(CCI_PiPuckDifferentialDriveSensor& sensor, CLuaTable& drive) {
-  CLuaTable encoders = drive.GetTable("encoders");
-  encoders.Set("left", sensor.GetLeftVelocity());
-  encoders.Set("right", sensor.GetRightVelocity());
-}
-
-}  // namespace
-
-void CCI_PiPuckDifferentialDriveSensor::CreateLuaState(lua_State* state) {
-  CLuaTable drive(state, *this, "differential_drive");
-  WriteReadings(*this, drive);
-}
-
-void CCI_PiPuckDifferentialDriveSensor::ReadingsToLuaState(lua_State* state) {
-  CLuaTable drive(state, *this);
-  WriteReadings(*this, drive);
-}
-
-std::vector<CCI_Sensor::SColumn> CCI_PiPuckDifferentialDriveSensor::GetReadingColumns() const {
-  return {{"left", "m/s"}, {"right", "m/s"}};
-}
-
-void CCI_PiPuckDifferentialDriveSensor::CopyReadings(Real* numbers, std::size_t count) const {
+void CCI_PiPuckDifferentialDriveSensor::ListNumbers(CNumberList& list) const {
   // the getters of ARGoS 3 are not const
   auto& self = const_cast<CCI_PiPuckDifferentialDriveSensor&>(*this);
-  CopyNumbers({self.GetLeftVelocity(), self.GetRightVelocity()}, numbers, count);
+  list.Add("left", "m/s", self.GetLeftVelocity());
+  list.Add("right", "m/s", self.GetRightVelocity());
+}
+
+void CCI_PiPuckDifferentialDriveSensor::WriteReadings(CLuaTable& table) const {
+  CLuaTable encoders = table.GetTable("encoders");
+  CTableSensor::WriteReadings(encoders);
 }
 
 }  // namespace argos

@@ -1,27 +1,23 @@
 #ifndef ARGOS3_PLUGINS_ROBOTS_PI_PUCK_CONTROL_INTERFACE_CI_PIPUCK_DIFFERENTIAL_DRIVE_SENSOR_H
 #define ARGOS3_PLUGINS_ROBOTS_PI_PUCK_CONTROL_INTERFACE_CI_PIPUCK_DIFFERENTIAL_DRIVE_SENSOR_H
 
-#include <argos3/core/control_interface/ci_sensor.h>
 #include <argos3/core/utility/datatypes/datatypes.h>
-
-#include <cstddef>
-#include <vector>
+#include <argos3/plugins/robots/generic/control_interface/table_sensor.h>
 
 namespace argos {
 
 /** The speeds with which the wheels of the Pi-Puck roll. */
-class CCI_PiPuckDifferentialDriveSensor : public CCI_Sensor {
+class CCI_PiPuckDifferentialDriveSensor : public CTableSensor {
  public:
   /** Over the ground, m/s, positive ahead. */
   virtual Real GetLeftVelocity() = 0;
   virtual Real GetRightVelocity() = 0;
 
-  std::vector<SColumn> GetReadingColumns() const override;
-  void CopyReadings(Real* numbers, std::size_t count) const override;
-
+ private:
+  const char* GetLuaName() const override { return "differential_drive"; }
+  void ListNumbers(CNumberList& list) const override;
   /** robot.differential_drive.encoders = { left, right }, m/s */
-  void CreateLuaState(lua_State* state) override;
-  void ReadingsToLuaState(lua_State* state) override;
+  void WriteReadings(CLuaTable& table) const override;
 };
 
 }  // namespace argos

@@ -69,12 +69,8 @@ void CCI_PiPuckFrontCameraSensor::WriteReadings(CLuaTable& table) const {
   });
 }
 
-std::vector<CCI_Sensor::SColumn> CCI_PiPuckFrontCameraSensor::GetReadingColumns() const {
-  return {{"count", ""}};
-}
-
-void CCI_PiPuckFrontCameraSensor::CopyReadings(Real* numbers, std::size_t count) const {
-  CopyNumbers({static_cast<Real>(GetTags().size())}, numbers, count);
+void CCI_PiPuckFrontCameraSensor::ListNumbers(CNumberList& list) const {
+  list.Add("count", "", static_cast<Real>(GetTags().size()));
 }
 
 }  // namespace argos

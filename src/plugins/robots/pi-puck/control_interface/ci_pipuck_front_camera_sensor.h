@@ -9,7 +9,6 @@
 #include <argos3/plugins/robots/generic/control_interface/table_sensor.h>
 
 #include <array>
-#include <cstddef>
 #include <tuple>
 #include <vector>
 
@@ -60,10 +59,6 @@ class CCI_PiPuckFrontCameraSensor : public CTableSensor {
   virtual Real GetTimestamp() const = 0;
   virtual const STag::TVector& GetTags() const = 0;
 
-  /** The number of tags. */
-  std::vector<SColumn> GetReadingColumns() const override;
-  void CopyReadings(Real* numbers, std::size_t count) const override;
-
  protected:
   static const CVector3 POSITION_OFFSET;  // frame: anchor "origin", m
   static const Real DEFAULT_ROTATION;  // degrees
@@ -81,6 +76,7 @@ class CCI_PiPuckFrontCameraSensor : public CTableSensor {
   void WriteConstants(CLuaTable& table) override;
   /** timestamp, tags[i] = { id, position, orientation, center, corners[1...4] } */
   void WriteReadings(CLuaTable& table) const override;
+  void ListNumbers(CNumberList& list) const override;
 };
 
 }  // namespace argos

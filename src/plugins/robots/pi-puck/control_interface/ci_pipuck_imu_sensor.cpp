@@ -10,15 +10,13 @@ void CCI_PiPuckImuSensor::WriteReadings(CLuaTable& table) const {
   table.Set("magnetometer", m_cMagnetometer);
 }
 
-std::vector<CCI_Sensor::SColumn> CCI_PiPuckImuSensor::GetReadingColumns() const {
-  return {{"acceleration_x", "m/s2"}, {"acceleration_y", "m/s2"}, {"acceleration_z", "m/s2"},
-          {"turn_rate_x", "rad/s"},   {"turn_rate_y", "rad/s"},   {"turn_rate_z", "rad/s"}};
-}
-
-void CCI_PiPuckImuSensor::CopyReadings(Real* numbers, std::size_t count) const {
-  CopyNumbers({m_cAccelerometer.GetX(), m_cAccelerometer.GetY(), m_cAccelerometer.GetZ(),
-               m_cGryoscope.GetX(), m_cGryoscope.GetY(), m_cGryoscope.GetZ()},
-              numbers, count);
+void CCI_PiPuckImuSensor::ListNumbers(CNumberList& list) const {
+  list.Add("acceleration_x", "m/s2", m_cAccelerometer.GetX());
+  list.Add("acceleration_y", "m/s2", m_cAccelerometer.GetY());
+  list.Add("acceleration_z", "m/s2", m_cAccelerometer.GetZ());
+  list.Add("turn_rate_x", "rad/s", m_cGryoscope.GetX());
+  list.Add("turn_rate_y", "rad/s", m_cGryoscope.GetY());
+  list.Add("turn_rate_z", "rad/s", m_cGryoscope.GetZ());
 }
 
 }  // namespace argos

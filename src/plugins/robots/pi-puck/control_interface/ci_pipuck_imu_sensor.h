@@ -4,9 +4,6 @@
 #include <argos3/core/utility/math/vector3.h>
 #include <argos3/plugins/robots/generic/control_interface/table_sensor.h>
 
-#include <cstddef>
-#include <vector>
-
 namespace argos {
 
 /** The inertial unit of the Pi-Puck; all readings are in the frame of the robot. */
@@ -19,9 +16,6 @@ class CCI_PiPuckImuSensor : public CTableSensor {
   /** Always 0. */
   const CVector3& GetMagnetometer() const { return m_cMagnetometer; }
 
-  std::vector<SColumn> GetReadingColumns() const override;
-  void CopyReadings(Real* numbers, std::size_t count) const override;
-
  protected:
   CVector3 m_cAccelerometer;
   CVector3 m_cGryoscope;
@@ -31,6 +25,7 @@ class CCI_PiPuckImuSensor : public CTableSensor {
   const char* GetLuaName() const override { return "imu"; }
   /** robot.imu = { accelerometer, gyroscope, magnetometer }, vectors */
   void WriteReadings(CLuaTable& table) const override;
+  void ListNumbers(CNumberList& list) const override;
 };
 
 }  // namespace argos

@@ -4,17 +4,10 @@
 #include <argos3/core/utility/datatypes/datatypes.h>
 #include <argos3/plugins/robots/generic/control_interface/table_sensor.h>
 
-#include <cstddef>
-#include <vector>
-
 namespace argos {
 
 /** The clock and the thermometer of the Pi-Puck; for Lua, as in ARGoS 3. */
 class CCI_PiPuckSystemSensor : public CTableSensor {
- public:
-  std::vector<SColumn> GetReadingColumns() const override;
-  void CopyReadings(Real* numbers, std::size_t count) const override;
-
  protected:
   Real m_fTime = 0.0;  // time since the start, s
   Real m_fTemperature = 0.0;  // always 0
@@ -22,7 +15,7 @@ class CCI_PiPuckSystemSensor : public CTableSensor {
  private:
   const char* GetLuaName() const override { return "system"; }
   /** robot.system = { time, temperature } */
-  void WriteReadings(CLuaTable& table) const override;
+  void ListNumbers(CNumberList& list) const override;
 };
 
 }  // namespace argos

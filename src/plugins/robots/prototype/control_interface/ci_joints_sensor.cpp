@@ -2,8 +2,6 @@
 
 #include <argos3/core/wrappers/lua/lua_table.h>
 
-#include <algorithm>
-
 namespace argos {
 
 CCI_JointsSensor::SInterface::SInterface(const std::string& id, EMode mode)
@@ -20,17 +18,9 @@ void CCI_JointsSensor::WriteReadings(CLuaTable& table) const {
   }
 }
 
-std::vector<CCI_Sensor::SColumn> CCI_JointsSensor::GetReadingColumns() const {
-  std::vector<SColumn> columns;
+void CCI_JointsSensor::ListNumbers(CNumberList& list) const {
   for (const SInterface& interface : m_vecInterfaces) {
-    columns.push_back({interface.Id, ""});
-  }
-  return columns;
-}
-
-void CCI_JointsSensor::CopyReadings(Real* numbers, std::size_t count) const {
-  for (std::size_t i = 0; i < std::min(count, m_vecInterfaces.size()); ++i) {
-    numbers[i] = m_vecInterfaces[i].Value;
+    list.Add(interface.Id.c_str(), "", interface.Value);
   }
 }
 

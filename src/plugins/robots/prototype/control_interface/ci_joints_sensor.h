@@ -27,9 +27,6 @@ class CCI_JointsSensor : public CVirtualTableSensor {
   /** One interface for each joint that is listed, in order. */
   const SInterface::TVector& GetInterfaces() const;
 
-  std::vector<SColumn> GetReadingColumns() const override;
-  void CopyReadings(Real* numbers, std::size_t count) const override;
-
  protected:
   SInterface::TVector m_vecInterfaces;
 
@@ -37,6 +34,7 @@ class CCI_JointsSensor : public CVirtualTableSensor {
   const char* GetLuaName() const override { return "joints"; }
   /** robot.joints.<id>.encoder */
   void WriteReadings(CLuaTable& table) const override;
+  void ListNumbers(CNumberList& list) const override;
 };
 
 }  // namespace argos
