@@ -20,10 +20,6 @@ bool CCrowdSolver::HasGrips(const SCrowdCluster& cluster) const {
                      [](const SCrowdPatch& patch) { return patch.HasGrips(); });
 }
 
-/****************************************/
-// islands
-/****************************************/
-
 // Calls visit(ranges of contacts, touches, walls and grips) for those of each patch.
 template <typename VISIT>
 void CCrowdSolver::ForRanges(const SCrowdCluster& cluster, VISIT&& visit) const {
@@ -130,10 +126,6 @@ void CCrowdSolver::SortIntoIslands(const SCrowdCluster& cluster, UInt32 first, U
     order[list.End++] = number;
   });
 }
-
-/****************************************/
-// solving
-/****************************************/
 
 std::span<CCrowdSolver::SBody> CCrowdSolver::CopyBodies(UInt32 number) {
   const SCrowdRange& members = m_islands[number].Members;

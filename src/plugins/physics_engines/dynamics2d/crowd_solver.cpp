@@ -322,10 +322,7 @@ float CCrowdSolver::SweepPatch(UInt32 number, UInt32 sweep) {
   return change;
 }
 
-/****************************************/
-// sweeps; each returns the greatest change of a velocity, m/s
-/****************************************/
-
+// Each sweep returns the greatest change of a velocity, m/s.
 float CCrowdSolver::SweepDrives(UInt32 first, UInt32 end) {
   float greatest = 0.0F;
   for (UInt32 i = first; i < end; ++i) {
@@ -422,10 +419,6 @@ float CCrowdSolver::SweepWalls(UInt32 first, UInt32 count) {
   return greatest;
 }
 
-/****************************************/
-// end of a substep
-/****************************************/
-
 void CCrowdSolver::TakeForces(UInt32 number, const SSubstep& substep) {
   const SCrowdPatch& patch = m_clusters->GetPatches()[number];
   SPatchState& state = m_states[number];
@@ -479,10 +472,6 @@ void CCrowdSolver::Move(UInt32 number, const SSubstep& substep) {
     drive.AngularSpent += std::abs(drive.Angular);
   }
 }
-
-/****************************************/
-// end of the tick: positions only
-/****************************************/
 
 // One sweep over a patch, walls last.
 void CCrowdSolver::PushApart(UInt32 number) {

@@ -150,10 +150,6 @@ bool CCrowdSolver::MakeTouch(const CCrowdClusters::STouch& pair, const SSeparati
   return true;
 }
 
-/****************************************/
-// sweeps
-/****************************************/
-
 void CCrowdSolver::WarmStartTouches(UInt32 first, UInt32 count) {
   for (UInt32 i = first; i < first + count; ++i) {
     if (m_touches[i].Normal > 0.0F) {
@@ -207,10 +203,6 @@ float CCrowdSolver::SweepTouches(UInt32 first, UInt32 count, bool backwards) {
   }
   return greatest;
 }
-
-/****************************************/
-// end of a substep
-/****************************************/
 
 void CCrowdSolver::TakeTouchForces(UInt32 first, UInt32 count, float perSecond) {
   for (UInt32 i = first; i < first + count; ++i) {
@@ -268,10 +260,6 @@ void CCrowdSolver::MoveSolid(UInt32 member, const SSubstep& substep) {
     PlaceParts(member);
   }
 }
-
-/****************************************/
-// end of the tick: positions only
-/****************************************/
 
 float CCrowdSolver::PushTouchesApart(const SCrowdRange& range) {
   float deepest = 0.0F;
@@ -339,10 +327,6 @@ void CCrowdSolver::PushPoint(const CCrowdClusters::STouch& pair, const SSeparati
     }
   }
 }
-
-/****************************************/
-// memory
-/****************************************/
 
 CTouchMemory::SKey CCrowdSolver::MakeKey(UInt32 number, UInt32 point) const {
   const CCrowdClusters::STouch& touch = m_clusters->GetTouches()[number];

@@ -170,10 +170,6 @@ void CCommandExecutor::MoveRoot(CEntity& root, const TJson& arguments) const {
   }
 }
 
-/****************************************/
-// drive
-/****************************************/
-
 // null if it is no robot with such an actuator, or not there any more
 CCI_DifferentialSteeringActuator* CCommandExecutor::FindWheels(const std::string& id) {
   CEntity* const root = m_simulator.GetSpace().TryGetEntity(id);
@@ -217,10 +213,6 @@ void CCommandExecutor::Drive() {
     ++robot;
   }
 }
-
-/****************************************/
-// scripts and parameters
-/****************************************/
 
 TJson CCommandExecutor::OpenScript(const TJson& arguments) {
   return m_scripts.Open(GetRoot(arguments));
@@ -275,10 +267,6 @@ CCommandExecutor::SRestart CCommandExecutor::Restore() {
   return restart;
 }
 
-/****************************************/
-// hooks of users' functions
-/****************************************/
-
 TJson CCommandExecutor::Select(const TJson& arguments) {
   CEntity* const root = FindRoot(arguments);
   m_selected = root != nullptr ? root->GetId() : std::string();
@@ -325,10 +313,6 @@ TJson CCommandExecutor::Remove(const TJson& arguments) {
   m_simulator.GetSpace().Remove(root);
   return TJson::object();
 }
-
-/****************************************/
-// add
-/****************************************/
 
 std::vector<std::string> CCommandExecutor::ListTypesToAdd() {
   std::vector<std::string> types;

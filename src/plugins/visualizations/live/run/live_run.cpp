@@ -47,10 +47,6 @@ CLiveRun::CLiveRun()
 
 CLiveRun::~CLiveRun() = default;
 
-/****************************************/
-// loading
-/****************************************/
-
 void CLiveRun::ReadAttributes(TConfigurationNode& tree, SLiveServerSettings& settings) {
   const auto check = [&](bool isGood, const char* text) {
     if (!isGood) {
@@ -132,10 +128,6 @@ void CLiveRun::Announce() {
     OpenInBrowser(url);
   }
 }
-
-/****************************************/
-// the run
-/****************************************/
 
 void CLiveRun::Execute() {
   CheckEnd();
@@ -241,10 +233,6 @@ bool CLiveRun::HasLingered(TClock::time_point now) {
   return now - m_lastViewer > std::chrono::duration<Real>(m_linger);
 }
 
-/****************************************/
-// what viewers see
-/****************************************/
-
 void CLiveRun::Serve(TClock::time_point now) {
   if (m_link.HasCommands()) {
     DoCommands();
@@ -308,10 +296,6 @@ void CLiveRun::SendValues() {
                      id});
   }
 }
-
-/****************************************/
-// commands
-/****************************************/
 
 void CLiveRun::DoCommands() {
   m_link.TakeCommands(m_commands);

@@ -80,10 +80,6 @@ void CViewerHub::ChooseControl() {
   }
 }
 
-/****************************************/
-// messages of viewers
-/****************************************/
-
 void CViewerHub::Answer(CViewerConnection& viewer, const TJson& id, const std::string& error) {
   TJson answer = {{"re", id}};
   if (error.empty()) {
@@ -200,10 +196,6 @@ void CViewerHub::UpdatePinned() {
   }
   m_link.AddCommand({0, TJson(), "pinned", {{"entities", pinned}}});
 }
-
-/****************************************/
-// what viewers get
-/****************************************/
 
 // a viewer that is too slow is removed meanwhile
 void CViewerHub::SendToAll(const std::string& text) {

@@ -217,10 +217,6 @@ export class App implements SessionListener {
     requestAnimationFrame((now) => this.draw(now));
   }
 
-  /**********************/
-  // sources
-  /**********************/
-
   async openFile(file: File): Promise<void> {
     await this.openSource(sourceOfBlob(file), file.name);
   }
@@ -302,10 +298,6 @@ export class App implements SessionListener {
     this.transport.setSession(session);
     this.changed();
   }
-
-  /**********************/
-  // what a session tells
-  /**********************/
 
   opened(info: RecordingInfo): void {
     this.frame = null;
@@ -491,10 +483,6 @@ export class App implements SessionListener {
     setTimeout(() => toast.remove(), kind === "error" ? 9000 : 4000);
   }
 
-  /**********************/
-  // drawing
-  /**********************/
-
   private draw(now: number): void {
     requestAnimationFrame((next) => this.draw(next));
     this.session?.update(now);
@@ -586,10 +574,6 @@ export class App implements SessionListener {
       plot.series.add(time, metric.value);
     }
   }
-
-  /**********************/
-  // selection and camera
-  /**********************/
 
   private selectedId(): string | null {
     const { pinned } = this.inspector;
@@ -739,10 +723,6 @@ export class App implements SessionListener {
     this.view.optionsChanged();
     this.updateDevices();
   }
-
-  /**********************/
-  // changing a run
-  /**********************/
 
   private canDrag(entity: number): boolean {
     const id = this.view.entity(entity)?.id;
@@ -921,10 +901,6 @@ export class App implements SessionListener {
     }
   }
 
-  /**********************/
-  // keys
-  /**********************/
-
   private keyDown(event: KeyboardEvent): void {
     const target = event.target as HTMLElement;
     const isTyping =
@@ -1032,10 +1008,6 @@ export class App implements SessionListener {
       this.session?.step(count);
     }
   }
-
-  /**********************/
-  // layout
-  /**********************/
 
   private makeLayout(): HTMLElement {
     this.welcome.append(
@@ -1248,10 +1220,6 @@ export class App implements SessionListener {
       }
     });
   }
-
-  /**********************/
-  // saving
-  /**********************/
 
   private readonly filmButton = button({
     icon: "stop",
