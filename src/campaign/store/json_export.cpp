@@ -3,40 +3,16 @@
 #include <argos3/core/utility/files/output_file.h>
 #include <argos3/core/utility/text/lists.h>
 #include <argos3/core/utility/text/string_utilities.h>
-#include <argos3/core/utility/text/utf8.h>
+#include <argos3/support/json_quoting.h>
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <map>
-#include <string_view>
 
 namespace argos {
 
 namespace {
-
-// bytes that are not UTF-8 become U+FFFD, so that every reader accepts the file
-void AppendCharacter(const std::string& text, size_t& i, std::string& quoted) {
-  const auto lead = static_cast<unsigned char>(text[i]);
-  const size_t length = CountUtf8Bytes(std::string_view(text).substr(i));
-  if (length == 0) {
-    quoted += "\\ufffd";
-  } else if (length == 1 && lead < 0x20) {
-    quoted += fmt::format("\\u{:04x}", lead);
-  } else {
-    quoted += text[i] == '"' || text[i] == '\\' ? "\\" : "";
-    quoted += text.substr(i, length);
-    i += length - 1;
-  }
-}
-
-std::string Quote(const std::string& text) {
-  std::string quoted = "\"";
-  for (size_t i = 0; i < text.size(); ++i) {
-    AppendCharacter(text, i, quoted);
-  }
-  return quoted + '"';
-}
 
 std::string FormatNumber(Real value) {
   return std::isfinite(value) ? fmt::format("{}", value) : "null";
@@ -45,7 +21,8 @@ std::string FormatNumber(Real value) {
 // a number if the text is one
 std::string FormatLevel(const std::string& text) {
   Real number = 0.0;
-  return ParseNumber(text, number) == ENumberParsing::Ok ? FormatNumber(number) : Quote(text);
+  return ParseNumber(text, number) == ENumberParsing::Ok ? FormatNumber(number)
+                                                         : QuoteForJson(text);
 }
 
 std::string FormatRun(const SStoredRun& run, const std::vector<std::string>& factors,
@@ -54,36 +31,39 @@ std::string FormatRun(const SStoredRun& run, const std::vector<std::string>& fac
   std::string text =
       fmt::format("{{\"id\": {}, \"combination\": {}, \"factors\": {{", run.Id, run.Combination);
   for (size_t f = 0; f < factors.size(); ++f) {
-    text += fmt::format("{}{}: {}", f == 0 ? "" : ", ", Quote(factors[f]), FormatLevel(levels[f]));
+    text += fmt::format("{}{}: {}", f == 0 ? "" : ", ", QuoteForJson(factors[f]),
+                        FormatLevel(levels[f]));
   }
   text += fmt::format(
       "}}, \"seed\": {}, \"status\": {}, \"attempt\": {}, \"exit_status\": {}, \"signal\": {}, "
       "\"start_up\": {}, \"wall\": {}, \"cpu\": {}, \"total_wall\": {}, \"memory\": {}, \"ticks\": "
       "{}, \"robots\": {}, \"digest\": \"{:016x}\", \"started\": {}, \"machine\": {}, \"version\": "
       "{}, \"metrics\": {{",
-      run.Seed, Quote(ToText(result.Status)), run.Attempt, result.ExitStatus, result.Signal,
+      run.Seed, QuoteForJson(ToText(result.Status)), run.Attempt, result.ExitStatus, result.Signal,
       FormatNumber(result.StartUpTime), FormatNumber(result.WallTime), FormatNumber(result.CPUTime),
       FormatNumber(result.TotalWallTime), result.PeakMemory, result.Ticks, result.Robots,
-      result.Digest, Quote(run.Started), Quote(run.Machine), Quote(run.Version));
+      result.Digest, QuoteForJson(run.Started), QuoteForJson(run.Machine),
+      QuoteForJson(run.Version));
   for (size_t m = 0; m < result.Metrics.size(); ++m) {
-    text += fmt::format("{}{}: {}", m == 0 ? "" : ", ", Quote(result.Metrics[m].Name),
+    text += fmt::format("{}{}: {}", m == 0 ? "" : ", ", QuoteForJson(result.Metrics[m].Name),
                         FormatNumber(result.Metrics[m].Value));
   }
   return text + "}}";
 }
 
 void WriteHead(const CResultStore& store, COutputFile& file) {
-  file << "{\"campaign\": " << Quote(store.GetText("file"))
-       << ",\n\"experiment\": " << Quote(store.GetText("experiment_file")) << ",\n\"factors\": [";
+  file << "{\"campaign\": " << QuoteForJson(store.GetText("file"))
+       << ",\n\"experiment\": " << QuoteForJson(store.GetText("experiment_file"))
+       << ",\n\"factors\": [";
   const char* separator = "";
   for (const std::string& factor : store.ListFactors()) {
-    file << separator << Quote(factor);
+    file << separator << QuoteForJson(factor);
     separator = ", ";
   }
   file << "],\n\"metrics\": {";
   separator = "";
   for (const std::string& metric : store.ListMetrics()) {
-    file << separator << Quote(metric) << ": " << Quote(store.GetUnit(metric, false));
+    file << separator << QuoteForJson(metric) << ": " << QuoteForJson(store.GetUnit(metric, false));
     separator = ", ";
   }
   file << '}';
@@ -122,7 +102,7 @@ class CSeriesWriter {
             << m_separator
             << fmt::format(
                    "{{\"name\": {}, \"unit\": {}, \"combination\": {}, \"seed\": {}, \"ticks\": [",
-                   Quote(name), Quote(unit), c, s);
+                   QuoteForJson(name), QuoteForJson(unit), c, s);
         m_separator = ",\n";
         m_values.clear();
         isOpen = true;

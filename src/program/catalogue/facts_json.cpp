@@ -1,11 +1,9 @@
 #include <argos3/program/catalogue/facts_json.h>
 
-#include <argos3/core/utility/text/utf8.h>
-
-#include <fmt/format.h>
+#include <argos3/core/utility/text/string_utilities.h>
+#include <argos3/support/json_quoting.h>
 
 #include <set>
-#include <string_view>
 #include <utility>
 
 namespace argos {
@@ -29,7 +27,7 @@ std::string Enclosed(char open, const TItems& items, char close) {
 std::string Object(const TFields& fields) {
   TItems items;
   for (const auto& [key, value] : fields) {
-    items.push_back(JsonQuoted(key) + ": " + value);
+    items.push_back(QuoteForJson(key) + ": " + value);
   }
   return Enclosed('{', items, '}');
 }
@@ -45,49 +43,50 @@ std::string Array(const LIST& list, WRITE&& write) {
 
 std::string Declarations(const std::vector<SDeclaration>& declarations) {
   return Array(declarations, [](const SDeclaration& declaration) {
-    return Object({{"code", JsonQuoted(declaration.Code)}, {"text", JsonQuoted(declaration.Text)}});
+    return Object(
+        {{"code", QuoteForJson(declaration.Code)}, {"text", QuoteForJson(declaration.Text)}});
   });
 }
 
 std::string Type(const STypeText& type) {
-  return Object({{"name", JsonQuoted(type.Name)},
-                 {"text", JsonQuoted(type.Text)},
+  return Object({{"name", QuoteForJson(type.Name)},
+                 {"text", QuoteForJson(type.Text)},
                  {"fields", Declarations(type.Fields)}});
 }
 
 std::string LuaEntry(const SLuaEntry& lua) {
-  return Object({{"path", JsonQuoted(lua.Path)}, {"type", JsonQuoted(lua.Type)}});
+  return Object({{"path", QuoteForJson(lua.Path)}, {"type", QuoteForJson(lua.Type)}});
 }
 
 std::string Robot(const SFit& fit) {
-  return Object({{"robot", JsonQuoted(fit.Robot)}, {"needs", JsonQuoted(fit.Part)}});
+  return Object({{"robot", QuoteForJson(fit.Robot)}, {"needs", QuoteForJson(fit.Part)}});
 }
 
 std::string Device(const SDeviceOfRobot& fit) {
-  return Object({{"kind", JsonQuoted(fit.Kind->Name)},
-                 {"label", JsonQuoted(fit.Label)},
-                 {"needs", JsonQuoted(fit.Part)}});
+  return Object({{"kind", QuoteForJson(fit.Kind->Name)},
+                 {"label", QuoteForJson(fit.Label)},
+                 {"needs", QuoteForJson(fit.Part)}});
 }
 
 std::string Interface(const SDeviceFacts& facts) {
-  return Object({{"class", JsonQuoted(facts.Interface.Name)},
-                 {"header", JsonQuoted(facts.Class.Header)},
-                 {"library", JsonQuoted(facts.Interface.Library)},
-                 {"link", JsonQuoted(LinkTargetOf(facts.Interface.Library))},
-                 {"text", JsonQuoted(facts.Class.Text)},
+  return Object({{"class", QuoteForJson(facts.Interface.Name)},
+                 {"header", QuoteForJson(facts.Class.Header)},
+                 {"library", QuoteForJson(facts.Interface.Library)},
+                 {"link", QuoteForJson(LinkTargetOf(facts.Interface.Library))},
+                 {"text", QuoteForJson(facts.Class.Text)},
                  {"methods", Declarations(facts.Class.Methods)},
                  {"types", Array(facts.Class.Types, Type)}});
 }
 
 std::string Attribute(const std::string& element, const std::string& name,
                       const SAttribute& attribute) {
-  return Object({{"element", JsonQuoted(element)},
-                 {"name", JsonQuoted(name)},
-                 {"type", JsonQuoted(NameOf(attribute.Type))},
-                 {"unit", JsonQuoted(attribute.Manual.Unit)},
-                 {"default", JsonQuoted(attribute.Manual.Default)},
+  return Object({{"element", QuoteForJson(element)},
+                 {"name", QuoteForJson(name)},
+                 {"type", QuoteForJson(NameOf(attribute.Type))},
+                 {"unit", QuoteForJson(attribute.Manual.Unit)},
+                 {"default", QuoteForJson(attribute.Manual.Default)},
                  {"required", attribute.IsRequired ? "true" : "false"},
-                 {"text", JsonQuoted(attribute.Manual.Text)}});
+                 {"text", QuoteForJson(attribute.Manual.Text)}});
 }
 
 // adds those of an element and all inside it. apart: tags of what has an answer of its own
@@ -126,19 +125,19 @@ std::set<std::string> TagsOf(const std::vector<SPluginKind>& kinds) {
 
 std::string Plugin(const SMatch& match, CCatalogue& catalogue) {
   const auto& [kind, plugin] = match;
-  TFields fields = {{"kind", JsonQuoted(kind->Name)},
-                    {"list", JsonQuoted(kind->Word)},
-                    {"label", JsonQuoted(plugin->Label)},
-                    {"brief", JsonQuoted(plugin->Brief)},
-                    {"author", JsonQuoted(IsOwn(*plugin) ? "" : plugin->Author)},
-                    {"version", JsonQuoted(plugin->Version)},
-                    {"status", JsonQuoted(plugin->Status)},
-                    {"library", JsonQuoted(plugin->Library)}};
+  TFields fields = {{"kind", QuoteForJson(kind->Name)},
+                    {"list", QuoteForJson(kind->Word)},
+                    {"label", QuoteForJson(plugin->Label)},
+                    {"brief", QuoteForJson(plugin->Brief)},
+                    {"author", QuoteForJson(IsOwn(*plugin) ? "" : plugin->Author)},
+                    {"version", QuoteForJson(plugin->Version)},
+                    {"status", QuoteForJson(plugin->Status)},
+                    {"library", QuoteForJson(plugin->Library)}};
   if (kind->IsOfDevices()) {
     const SDeviceFacts& facts = catalogue.GetDevices().Describe(*kind, plugin->Label);
     fields.insert(fields.end(), {{"interface", Interface(facts)},
                                  {"lua", Array(facts.Lua, LuaEntry)},
-                                 {"lua_text", JsonQuoted(facts.Class.Lua)},
+                                 {"lua_text", QuoteForJson(facts.Class.Lua)},
                                  {"robots", Array(facts.Robots, Robot)}});
   } else if (kind->Word == "entities") {
     fields.emplace_back("devices",
@@ -150,7 +149,7 @@ std::string Plugin(const SMatch& match, CCatalogue& catalogue) {
         kind->Word == "elements" ? TagsOf(catalogue.GetKinds()) : std::set<std::string>();
     fields.emplace_back("attributes", Attributes(*element, TagOf(plugin->Label), apart));
   }
-  fields.emplace_back("manual", JsonQuoted(plugin->Long));
+  fields.emplace_back("manual", QuoteForJson(plugin->Long));
   return Object(fields);
 }
 
@@ -158,7 +157,7 @@ std::string Element(const SElementMatch& match) {
   const std::string path = DescribePath(match.Path);
   const auto attribute = match.Element->Attributes.find(match.Attribute);
   return Object(
-      {{"element", JsonQuoted(path)},
+      {{"element", QuoteForJson(path)},
        {"attributes",
         attribute == match.Element->Attributes.end()
             ? Attributes(*match.Element, path)
@@ -166,29 +165,6 @@ std::string Element(const SElementMatch& match) {
 }
 
 }  // namespace
-
-std::string JsonQuoted(const std::string& text) {
-  std::string quoted = "\"";
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t size = CountUtf8Bytes(std::string_view(text).substr(at));
-    const char c = text[at];
-    if (size == 0) {
-      quoted += "\\ufffd";
-    } else if (size > 1) {
-      quoted += text.substr(at, size);
-    } else if (c == '"' || c == '\\') {
-      quoted += std::string("\\") + c;
-    } else if (c == '\n') {
-      quoted += "\\n";
-    } else if (static_cast<unsigned char>(c) < 0x20) {
-      quoted += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
-    } else {
-      quoted += c;
-    }
-    at += size == 0 ? 1 : size;
-  }
-  return quoted + '"';
-}
 
 std::string WriteJson(const std::string& query, const SAnswer& answer, CCatalogue& catalogue) {
   std::vector<SMatch> matches = answer.Matches;
@@ -198,10 +174,10 @@ std::string WriteJson(const std::string& query, const SAnswer& answer, CCatalogu
     }
   }
   const auto describe = [&catalogue](const SMatch& match) { return Plugin(match, catalogue); };
-  return Object({{"query", JsonQuoted(query)},
+  return Object({{"query", QuoteForJson(query)},
                  {"plugins", Array(matches, describe)},
                  {"elements", Array(answer.Elements, Element)},
-                 {"suggestions", Array(answer.Suggestions, JsonQuoted)}}) +
+                 {"suggestions", Array(answer.Suggestions, QuoteForJson)}}) +
          '\n';
 }
 

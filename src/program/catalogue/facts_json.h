@@ -14,9 +14,6 @@ namespace argos {
  */
 std::string WriteJson(const std::string& query, const SAnswer& answer, CCatalogue& catalogue);
 
-/** The text in quotation marks, with escapes; bytes that are no UTF-8 become U+FFFD. */
-std::string JsonQuoted(const std::string& text);
-
 }  // namespace argos
 
 #endif

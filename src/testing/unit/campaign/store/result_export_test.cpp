@@ -108,7 +108,7 @@ TEST_CASE("JSON export: one object", "[campaign][store]") {
   CHECK_THAT(text, Contains("\"factors\": {\"robots\": 5, \"size\": \"2,2,1\"}, \"seed\": 1, "
                             "\"status\": \"done\""));
   CHECK_THAT(text, Contains("\"machine\": \"a \\\"b\\\", \\ufffd\""));
-  CHECK_THAT(text, Contains("\"version\": \"1\\u0001\\u000a\xC3\xA9\\\\\""));
+  CHECK_THAT(text, Contains("\"version\": \"1\\u0001\\n\xC3\xA9\\\\\""));
   CHECK_THAT(text, Contains("\"metrics\": {\"delivered\": 0.1, \"distance\": null}"));
   CHECK_THAT(text, Contains("{\"name\": \"spread\", \"unit\": \"m\", \"combination\": 2, \"seed\": "
                             "1, \"ticks\": [0, 10, 20], \"values\": [1, 0.1, 0.1]}"));

@@ -1,8 +1,8 @@
 // Manuals of plug-ins for programs and for terminals.
 
-#include <argos3/program/catalogue/facts_json.h>
 #include <argos3/program/catalogue/manual.h>
 #include <argos3/program/catalogue/text_layout.h>
+#include <argos3/support/json_quoting.h>
 
 #include <catch2/catch.hpp>
 
@@ -125,7 +125,7 @@ TEST_CASE("text layout: paragraphs and tables have 80 columns, XML stays", "[cor
 }
 
 TEST_CASE("JSON: texts are escaped", "[core][catalogue]") {
-  CHECK(JsonQuoted("\"\\\n\t\x01 \xc3\xa4 \xff") ==
+  CHECK(QuoteForJson("\"\\\n\t\x01 \xc3\xa4 \xff") ==
         "\"\\\"\\\\\\n\\u0009\\u0001 \xc3\xa4 \\ufffd\"");
 }
 
