@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <type_traits>
 #include <utility>
 
 namespace argos {
@@ -145,91 +144,6 @@ CByteArray* CByteArray::operator()(std::size_t start, ssize_t end) {
                                                            << Size());
   }
   return new CByteArray(GetStorage() + m_front + start, last - start);
-}
-
-// integers
-
-template <typename T>
-CByteArray& CByteArray::PutInteger(T value) {
-  const auto bits = static_cast<std::make_unsigned_t<T>>(value);
-  UInt8* const first = Extend(sizeof(T));
-  for (std::size_t i = 0; i < sizeof(T); ++i) {
-    first[i] = static_cast<UInt8>((bits >> (8 * (sizeof(T) - 1 - i))) & 0xFFU);
-  }
-  return *this;
-}
-
-template <typename T>
-CByteArray& CByteArray::TakeInteger(T& value) {
-  CheckAvailable(sizeof(T));
-  unsigned long long bits = 0;
-  for (std::size_t i = 0; i < sizeof(T); ++i) {
-    bits = (bits << 8) | GetStorage()[m_front + i];
-  }
-  value = static_cast<T>(static_cast<std::make_unsigned_t<T>>(bits));
-  RemoveFront(sizeof(T));
-  return *this;
-}
-
-CByteArray& CByteArray::operator<<(UInt8 value) {
-  return PutInteger(value);
-}
-CByteArray& CByteArray::operator>>(UInt8& value) {
-  return TakeInteger(value);
-}
-CByteArray& CByteArray::operator<<(SInt8 value) {
-  return PutInteger(value);
-}
-CByteArray& CByteArray::operator>>(SInt8& value) {
-  return TakeInteger(value);
-}
-CByteArray& CByteArray::operator<<(UInt16 value) {
-  return PutInteger(value);
-}
-CByteArray& CByteArray::operator>>(UInt16& value) {
-  return TakeInteger(value);
-}
-CByteArray& CByteArray::operator<<(SInt16 value) {
-  return PutInteger(value);
-}
-CByteArray& CByteArray::operator>>(SInt16& value) {
-  return TakeInteger(value);
-}
-CByteArray& CByteArray::operator<<(UInt32 value) {
-  return PutInteger(value);
-}
-CByteArray& CByteArray::operator>>(UInt32& value) {
-  return TakeInteger(value);
-}
-CByteArray& CByteArray::operator<<(SInt32 value) {
-  return PutInteger(value);
-}
-CByteArray& CByteArray::operator>>(SInt32& value) {
-  return TakeInteger(value);
-}
-CByteArray& CByteArray::operator<<(UInt64 value) {
-  return PutInteger(value);
-}
-CByteArray& CByteArray::operator>>(UInt64& value) {
-  return TakeInteger(value);
-}
-CByteArray& CByteArray::operator<<(SInt64 value) {
-  return PutInteger(value);
-}
-CByteArray& CByteArray::operator>>(SInt64& value) {
-  return TakeInteger(value);
-}
-CByteArray& CByteArray::operator<<(unsigned long int value) {
-  return PutInteger(value);
-}
-CByteArray& CByteArray::operator>>(unsigned long int& value) {
-  return TakeInteger(value);
-}
-CByteArray& CByteArray::operator<<(signed long int value) {
-  return PutInteger(value);
-}
-CByteArray& CByteArray::operator>>(signed long int& value) {
-  return TakeInteger(value);
 }
 
 // real numbers and strings

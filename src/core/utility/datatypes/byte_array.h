@@ -11,6 +11,7 @@
 #include <iostream>
 #include <memory>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace argos {
@@ -94,27 +95,27 @@ class CByteArray {
    */
   CByteArray* operator()(std::size_t start, ssize_t end = -1);
 
-  CByteArray& operator<<(UInt8 value);
-  CByteArray& operator>>(UInt8& value);
-  CByteArray& operator<<(SInt8 value);
-  CByteArray& operator>>(SInt8& value);
-  CByteArray& operator<<(UInt16 value);
-  CByteArray& operator>>(UInt16& value);
-  CByteArray& operator<<(SInt16 value);
-  CByteArray& operator>>(SInt16& value);
-  CByteArray& operator<<(UInt32 value);
-  CByteArray& operator>>(UInt32& value);
-  CByteArray& operator<<(SInt32 value);
-  CByteArray& operator>>(SInt32& value);
-  CByteArray& operator<<(UInt64 value);
-  CByteArray& operator>>(UInt64& value);
-  CByteArray& operator<<(SInt64 value);
-  CByteArray& operator>>(SInt64& value);
+  CByteArray& operator<<(UInt8 value) { return PutInteger(value); }
+  CByteArray& operator>>(UInt8& value) { return TakeInteger(value); }
+  CByteArray& operator<<(SInt8 value) { return PutInteger(value); }
+  CByteArray& operator>>(SInt8& value) { return TakeInteger(value); }
+  CByteArray& operator<<(UInt16 value) { return PutInteger(value); }
+  CByteArray& operator>>(UInt16& value) { return TakeInteger(value); }
+  CByteArray& operator<<(SInt16 value) { return PutInteger(value); }
+  CByteArray& operator>>(SInt16& value) { return TakeInteger(value); }
+  CByteArray& operator<<(UInt32 value) { return PutInteger(value); }
+  CByteArray& operator>>(UInt32& value) { return TakeInteger(value); }
+  CByteArray& operator<<(SInt32 value) { return PutInteger(value); }
+  CByteArray& operator>>(SInt32& value) { return TakeInteger(value); }
+  CByteArray& operator<<(UInt64 value) { return PutInteger(value); }
+  CByteArray& operator>>(UInt64& value) { return TakeInteger(value); }
+  CByteArray& operator<<(SInt64 value) { return PutInteger(value); }
+  CByteArray& operator>>(SInt64& value) { return TakeInteger(value); }
   /** The width of the platform's type: 32 or 64 bits. */
-  CByteArray& operator<<(unsigned long int value);
-  CByteArray& operator>>(unsigned long int& value);
-  CByteArray& operator<<(signed long int value);
-  CByteArray& operator>>(signed long int& value);
+  CByteArray& operator<<(unsigned long int value) { return PutInteger(value); }
+  CByteArray& operator>>(unsigned long int& value) { return TakeInteger(value); }
+  CByteArray& operator<<(signed long int value) { return PutInteger(value); }
+  CByteArray& operator>>(signed long int& value) { return TakeInteger(value); }
   /** @throws CARGoSException on infinity and NaN, which the format cannot hold. */
   CByteArray& operator<<(double value);
   CByteArray& operator>>(double& value);
@@ -127,10 +128,27 @@ class CByteArray {
  private:
   static constexpr std::size_t kInlineBytes = 16;
 
+  // the highest byte first
   template <typename T>
-  CByteArray& PutInteger(T value);
+  CByteArray& PutInteger(T value) {
+    const auto bits = static_cast<std::make_unsigned_t<T>>(value);
+    UInt8* const first = Extend(sizeof(T));
+    for (std::size_t i = 0; i < sizeof(T); ++i) {
+      first[i] = static_cast<UInt8>((bits >> (8 * (sizeof(T) - 1 - i))) & 0xFFU);
+    }
+    return *this;
+  }
   template <typename T>
-  CByteArray& TakeInteger(T& value);
+  CByteArray& TakeInteger(T& value) {
+    CheckAvailable(sizeof(T));
+    UInt64 bits = 0;
+    for (std::size_t i = 0; i < sizeof(T); ++i) {
+      bits = (bits << 8) | GetStorage()[m_front + i];
+    }
+    value = static_cast<T>(static_cast<std::make_unsigned_t<T>>(bits));
+    RemoveFront(sizeof(T));
+    return *this;
+  }
   void CheckAvailable(std::size_t bytes) const;
   void CheckIndex(std::size_t index) const;
   void RemoveFront(std::size_t bytes);
