@@ -165,32 +165,19 @@ CColor CLuaArguments::NextColor() {
   return color;
 }
 
-CVector2 CLuaArguments::NextVector2() {
-  const CVector2* const value = CLuaType<CVector2>::Test(m_state, m_next);
+template <typename T>
+T CLuaArguments::NextObject(const char* expected) {
+  const T* const value = CLuaType<T>::Test(m_state, m_next);
   if (value == nullptr) {
-    ThrowNextMustBe("a vector2");
+    ThrowNextMustBe(expected);
   }
   ++m_next;
   return *value;
 }
 
-CVector3 CLuaArguments::NextVector3() {
-  const CVector3* const value = CLuaType<CVector3>::Test(m_state, m_next);
-  if (value == nullptr) {
-    ThrowNextMustBe("a vector3");
-  }
-  ++m_next;
-  return *value;
-}
-
-CQuaternion CLuaArguments::NextQuaternion() {
-  const CQuaternion* const value = CLuaType<CQuaternion>::Test(m_state, m_next);
-  if (value == nullptr) {
-    ThrowNextMustBe("a quaternion");
-  }
-  ++m_next;
-  return *value;
-}
+template CVector2 CLuaArguments::NextObject(const char* expected);
+template CVector3 CLuaArguments::NextObject(const char* expected);
+template CQuaternion CLuaArguments::NextObject(const char* expected);
 
 std::vector<UInt8> CLuaArguments::NextBytes(std::size_t count) {
   const std::string expected = fmt::format("a table of {} whole numbers from 0 to 255", count);

@@ -71,12 +71,12 @@ class CLuaArguments {
     } else if constexpr (std::is_same_v<T, CColor>) {
       return NextColor();
     } else if constexpr (std::is_same_v<T, CVector2>) {
-      return NextVector2();
+      return NextObject<CVector2>("a vector2");
     } else if constexpr (std::is_same_v<T, CVector3>) {
-      return NextVector3();
+      return NextObject<CVector3>("a vector3");
     } else {
       static_assert(std::is_same_v<T, CQuaternion>, "no argument of a Lua function has this type");
-      return NextQuaternion();
+      return NextObject<CQuaternion>("a quaternion");
     }
   }
 
@@ -116,9 +116,8 @@ class CLuaArguments {
   bool NextBoolean();
   std::string NextString();
   CColor NextColor();
-  CVector2 NextVector2();
-  CVector3 NextVector3();
-  CQuaternion NextQuaternion();
+  template <typename T>
+  T NextObject(const char* expected);
 
   lua_State* m_state;
   int m_count;
