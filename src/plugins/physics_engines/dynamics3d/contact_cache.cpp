@@ -1,5 +1,6 @@
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/contact_cache.h>
 
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/contact_spread.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_body.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_settings.h>
 
@@ -125,16 +126,8 @@ int CContactCache::Find(UInt64 key, const SRigidBody& body, dGeomID first, dGeom
     const CVector3 own = m_first.Place + m_first.ToWorld(point.OfFirst);
     const CVector3 other = m_second.Place + m_second.ToWorld(point.OfSecond);
     const CVector3 normal = (m_isOfSecond ? m_second : m_first).ToWorld(point.Normal);
-    dContactGeom& contact = contacts[i].geom;
-    const CVector3 middle = (own + other) * 0.5;
-    for (UInt32 axis = 0; axis < 3; ++axis) {
-      contact.pos[axis] = middle[axis];
-      contact.normal[axis] = normal[axis];
-    }
-    contact.depth = point.Depth - normal.DotProduct(own - other);
-    contact.g1 = first;
-    contact.g2 = second;
-    contact.side1 = contact.side2 = -1;
+    SetContact(contacts[i].geom, (own + other) * 0.5, normal,
+               point.Depth - normal.DotProduct(own - other), first, second);
   }
   return last->Count;
 }

@@ -2,6 +2,7 @@
 
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/cylinder_contacts.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/face_contacts.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/key_table.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_ghosts.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_grips.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_settings.h>
@@ -32,16 +33,6 @@ constexpr UInt32 kGripRows = 9;
 // numbers of pairs of solids, and of rollers with solids
 constexpr UInt64 kMaxSolids = 1U << 12;
 constexpr UInt64 kRollerKeys = kMaxSolids * kMaxSolids;
-
-// @return a number that is hardly ever that of other solids.
-UInt64 ComputeKey(UInt64 first, UInt64 second, UInt64 solids) {
-  UInt64 key = solids;
-  for (const UInt64 part : {first, second}) {
-    key = (key ^ part) * 0x9E3779B97F4A7C15U;
-    key ^= key >> 29;
-  }
-  return key;
-}
 
 CVector3 InFrameOf(dBodyID part, const CVector3& point) {
   const dReal* const r = dBodyGetRotation(part);
@@ -275,7 +266,7 @@ int CContactFinder::FindLeveled(const SRigidBody& first, size_t a, const SRigidB
       !first.HasDrive() && !second.HasDrive() && first.Serial != 0 && second.Serial != 0;
   int count = -1;
   if (isKept) {
-    const UInt64 key = ComputeKey(first.Serial, second.Serial, a * kMaxSolids + b);
+    const UInt64 key = ComputePairKey(first.Serial, second.Serial, a * kMaxSolids + b);
     count = m_cache.Find(key, first.IsMovable() ? first : second, one, other, contacts);
   }
   if (count < 0) {
@@ -450,7 +441,7 @@ SRigidContact& CContactFinder::Join(const dContact& contact, const SRigidBody& f
   added.FirstPart = first.Body;
   added.SecondPart = second.Body;
   added.Counted = counted.ActiveNumber;
-  added.Key = ComputeKey(first.Serial, second.Serial, solids);
+  added.Key = ComputePairKey(first.Serial, second.Serial, solids);
   added.Place = InFrameOf(counted.Body, FromODE(contact.geom.pos));
   return added;
 }

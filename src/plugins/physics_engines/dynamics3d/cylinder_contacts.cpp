@@ -62,15 +62,7 @@ int FindContactsWithFace(dGeomID geom, dGeomID other, const CVector3& normal, Re
       if (depth < 0.0) {
         continue;
       }
-      dContactGeom& contact = all[count++];
-      for (UInt32 i = 0; i < 3; ++i) {
-        contact.pos[i] = point[i];
-        contact.normal[i] = normal[i];
-      }
-      contact.depth = depth;
-      contact.g1 = geom;
-      contact.g2 = other;
-      contact.side1 = contact.side2 = -1;
+      SetContact(all[count++], point, normal, depth, geom, other);
     }
   }
   return KeepSpread(all.data(), count, most, contacts, skip);
@@ -221,16 +213,8 @@ int FindContactsOfCylinders(dGeomID first, dGeomID second, int most, dContactGeo
     if (inside < -reach || count == most) {
       continue;
     }
-    dContactGeom& contact = ContactAt(contacts, count, skip);
     const CVector3 point = a.Centre + a.Axis * height - direction * (a.Radius - 0.5 * inside);
-    for (UInt32 axis = 0; axis < 3; ++axis) {
-      contact.pos[axis] = point[axis];
-      contact.normal[axis] = direction[axis];
-    }
-    contact.depth = inside;
-    contact.g1 = first;
-    contact.g2 = second;
-    contact.side1 = contact.side2 = -1;
+    SetContact(ContactAt(contacts, count, skip), point, direction, inside, first, second);
     ++count;
   }
   return count;

@@ -4,10 +4,24 @@
 #include <argos3/core/utility/datatypes/datatypes.h>
 
 #include <bit>
+#include <initializer_list>
 #include <utility>
 #include <vector>
 
 namespace argos {
+
+/**
+ * The key of a pair of bodies: hardly ever that of another pair.
+ * @param parts  numbers of the parts that touch.
+ */
+inline UInt64 ComputePairKey(UInt64 first, UInt64 second, UInt64 parts) {
+  UInt64 key = parts;
+  for (const UInt64 body : {first, second}) {
+    key = (key ^ body) * 0x9E3779B97F4A7C15U;
+    key ^= key >> 29;
+  }
+  return key;
+}
 
 /**
  * Entries with a member Key, which are found by it; those of one key follow each other.

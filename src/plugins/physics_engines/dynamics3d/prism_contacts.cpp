@@ -161,14 +161,7 @@ bool TestEdges(const SPlacedPrism& first, const SPlacedPrism& second, Real reach
 
 void AddContact(const CVector3& point, const CVector3& normal, Real depth,
                 std::vector<dContactGeom>& contacts) {
-  dContactGeom& contact = contacts.emplace_back();
-  contact = {};
-  for (UInt32 i = 0; i < 3; ++i) {
-    contact.pos[i] = point[i];
-    contact.normal[i] = normal[i];
-  }
-  contact.depth = depth;
-  contact.side1 = contact.side2 = -1;
+  SetContact(contacts.emplace_back(), point, normal, depth, nullptr, nullptr);
 }
 
 // Keeps the part of a polygon behind a plane. Source: I. Sutherland and G. Hodgman, Reentrant

@@ -4,6 +4,7 @@
 
 #include <argos3/core/simulator/geometry/body_description.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/body_builder.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/key_table.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_ghosts.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_settings.h>
 
@@ -19,16 +20,6 @@ namespace {
 constexpr Real kThin = 1e-3;
 // places of the hash table for each pair, at least
 constexpr size_t kMemoryRoom = 2;
-
-// @return a number that is hardly ever that of other parts.
-UInt64 ComputePairKey(UInt64 first, UInt64 second, UInt64 parts) {
-  UInt64 key = parts;
-  for (const UInt64 part : {first, second}) {
-    key = (key ^ part) * 0x9E3779B97F4A7C15U;
-    key ^= key >> 29;
-  }
-  return key;
-}
 
 SFootprint CoverBounds(const SRigidBody& body) {
   const CVector3 sides = body.High - body.Low;
