@@ -39,13 +39,6 @@ void CBoxEntity::Resize(const CVector3& size) {
   Describe();
 }
 
-SVisualPart CBoxEntity::MakeSolidPart() const {
-  SVisualPart part;
-  part.Kind = SVisualPart::EKind::Box;
-  part.Size = m_size;
-  return part;
-}
-
 REGISTER_STANDARD_SPACE_OPERATIONS_ON_COMPOSABLE(CBoxEntity)
 
 REGISTER_ENTITY(

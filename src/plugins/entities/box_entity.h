@@ -31,7 +31,6 @@ class CBoxEntity : public CPassiveBodyEntity {
 
  protected:
   SShapeDescription MakeShape() const override { return SShapeDescription::Box(m_size); }
-  SVisualPart MakeSolidPart() const override;
   SGroundFrictionDescription::EClass GetFrictionClass() const override {
     return SGroundFrictionDescription::EClass::Box;
   }

@@ -43,13 +43,6 @@ void CCylinderEntity::Resize(Real radius, Real height) {
   Describe();
 }
 
-SVisualPart CCylinderEntity::MakeSolidPart() const {
-  SVisualPart part;
-  part.Kind = SVisualPart::EKind::Cylinder;
-  part.Size = CVector3(2.0 * m_radius, 2.0 * m_radius, m_height);
-  return part;
-}
-
 REGISTER_STANDARD_SPACE_OPERATIONS_ON_COMPOSABLE(CCylinderEntity)
 
 REGISTER_ENTITY(

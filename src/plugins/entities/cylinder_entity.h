@@ -34,7 +34,6 @@ class CCylinderEntity : public CPassiveBodyEntity {
   SShapeDescription MakeShape() const override {
     return SShapeDescription::Cylinder(m_radius, m_height);
   }
-  SVisualPart MakeSolidPart() const override;
   SGroundFrictionDescription::EClass GetFrictionClass() const override {
     return SGroundFrictionDescription::EClass::Cylinder;
   }

@@ -4,6 +4,7 @@
 #include <argos3/core/simulator/entity/robots_code.h>
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
 #include <argos3/core/simulator/space/space_operations.h>
+#include <argos3/core/simulator/visualization/solid_part.h>
 #include <argos3/plugins/simulator/entities/new_component.h>
 #include <argos3/plugins/simulator/entities/rfid_tag_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/value_checks.h>
@@ -129,9 +130,8 @@ void CPassiveBodyEntity::Describe() {
 
 void CPassiveBodyEntity::MakeAppearance() {
   m_appearance.Parts.clear();
-  SVisualPart solid = MakeSolidPart();
-  solid.Color = m_body->IsMovable() ? kMovableColor : kFixedColor;
-  m_appearance.Parts.push_back(solid);
+  m_appearance.Parts.push_back(
+      MakeSolidPart(MakeShape(), m_body->IsMovable() ? kMovableColor : kFixedColor));
   for (size_t i = 0; i < m_leds->GetNumLEDs(); ++i) {
     SVisualPart led;
     led.Kind = SVisualPart::EKind::LED;

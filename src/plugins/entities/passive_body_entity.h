@@ -58,7 +58,6 @@ class CPassiveBodyEntity : public CComposableEntity {
   /** For a reset, before the description of the start is made: the pose and whether it moves. */
   void ReturnBodyToStart();
   virtual SShapeDescription MakeShape() const = 0;
-  virtual SVisualPart MakeSolidPart() const = 0;
   virtual SGroundFrictionDescription::EClass GetFrictionClass() const = 0;
 
  private:

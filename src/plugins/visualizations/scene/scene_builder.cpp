@@ -11,6 +11,7 @@
 #include <argos3/core/simulator/geometry/pose_grid.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/simulator/visualization/appearance.h>
+#include <argos3/core/simulator/visualization/solid_part.h>
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/math/eigen_bridge.h>
 #include <argos3/plugins/simulator/entities/directional_led_equipped_entity.h>
@@ -47,24 +48,12 @@ double ComputeVolume(const SVisualPart& part) {
   return part.Size.GetX() * part.Size.GetY() * part.Size.GetZ();
 }
 
-// the solids of a body whose entity has no appearance; of others than these kinds the box around
-// them
+// the solids of a body whose entity has no appearance
 SAppearance MakeBodyAppearance(const SBodyDescription& body) {
   constexpr CColor kBody(150, 154, 160);
   SAppearance appearance;
   for (const SShapeDescription& shape : body.Shapes) {
-    SVisualPart part;
-    part.Position = shape.Offset;
-    part.Orientation = shape.Orientation;
-    part.Size = shape.Size;
-    part.Color = kBody;
-    if (shape.Kind == SShapeDescription::EKind::Cylinder) {
-      part.Kind = SVisualPart::EKind::Cylinder;
-    } else if (shape.Kind == SShapeDescription::EKind::Sphere) {
-      part.Kind = SVisualPart::EKind::Sphere;
-      part.Position = shape.ComputeMiddle();
-    }
-    appearance.Parts.push_back(part);
+    appearance.Parts.push_back(MakeSolidPart(shape, kBody));
   }
   return appearance;
 }

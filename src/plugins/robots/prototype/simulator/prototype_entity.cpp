@@ -3,6 +3,7 @@
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/space/space_operations.h>
+#include <argos3/core/simulator/visualization/solid_part.h>
 #include <argos3/core/utility/configuration/single_element.h>
 #include <argos3/core/utility/text/string_utilities.h>
 #include <argos3/plugins/robots/generic/simulator/described_parts.h>

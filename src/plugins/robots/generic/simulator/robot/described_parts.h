@@ -43,9 +43,6 @@ struct SDescribedRing {
 /** The attribute `material`, see EMaterial; plastic by default. */
 EMaterial ReadMaterial(TConfigurationNode& node);
 
-/** What a solid looks like, in the frame in which it is described. A hull is drawn as its box. */
-SVisualPart MakeSolidPart(const SShapeDescription& shape, const CColor& color);
-
 }  // namespace argos
 
 #endif

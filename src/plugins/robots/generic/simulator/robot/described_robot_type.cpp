@@ -1,5 +1,6 @@
 #include <argos3/plugins/robots/generic/simulator/described_robot_type.h>
 
+#include <argos3/core/simulator/visualization/solid_part.h>
 #include <argos3/core/utility/text/string_utilities.h>
 #include <argos3/plugins/robots/generic/simulator/described_parts.h>
 #include <argos3/plugins/robots/generic/simulator/described_robot_entity.h>
