@@ -18,6 +18,7 @@
 #include <argos3/core/simulator/space/robot_records.h>
 #include <argos3/core/simulator/space/root_places.h>
 #include <argos3/core/utility/datatypes/digest.h>
+#include <argos3/core/utility/datatypes/while_true.h>
 #include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/errors/exception_text.h>
 #include <argos3/core/utility/errors/running_code.h>
@@ -36,18 +37,6 @@
 namespace argos {
 
 namespace {
-
-// sets a flag during its lifetime
-class CWhileTrue {
- public:
-  explicit CWhileTrue(bool& flag) : m_flag(flag) { m_flag = true; }
-  ~CWhileTrue() { m_flag = false; }
-  CWhileTrue(const CWhileTrue&) = delete;
-  CWhileTrue& operator=(const CWhileTrue&) = delete;
-
- private:
-  bool& m_flag;
-};
 
 // outside of ticks a record that cannot be used is an error of the caller
 void TakeRecords(CMetrics& metrics, const std::function<const CEntity&(size_t)>& getRobot) {

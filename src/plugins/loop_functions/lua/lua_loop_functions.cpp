@@ -1,6 +1,7 @@
 #include <argos3/plugins/simulator/loop_functions/lua/lua_loop_functions.h>
 
 #include <argos3/core/simulator/simulator.h>
+#include <argos3/core/utility/datatypes/while_true.h>
 #include <argos3/core/utility/errors/running_code.h>
 #include <argos3/core/utility/string_utilities.h>
 #include <argos3/core/utility/text/lists.h>
@@ -38,18 +39,6 @@ constexpr const char* kHooks[] = {"init",
                                   "floor_color",
                                   "draw_in_world",
                                   "draw_in_overlay"};
-
-/** Keeps a flag set for its lifetime. */
-class CFlag {
- public:
-  explicit CFlag(bool& flag) : m_flag(flag) { m_flag = true; }
-  ~CFlag() { m_flag = false; }
-  CFlag(const CFlag&) = delete;
-  CFlag& operator=(const CFlag&) = delete;
-
- private:
-  bool& m_flag;
-};
 
 /** Pushes a hook. @return false, and pushes nothing, if the script does not define it. */
 bool PushHook(lua_State* state, const char* hook) {
@@ -110,7 +99,7 @@ void CLuaLoopFunctions::Load() {
       CLuaMetrics::Register(state);
     });
     Seed(kStart);
-    const CFlag running(m_isRunning);
+    const CWhileTrue running(m_isRunning);
     m_state->Execute(*m_script);
   } catch (const CLuaError& error) {
     THROW_ARGOSEXCEPTION("the Lua loop functions \"" << m_script->Path << "\" failed\n[FATAL] "
@@ -184,7 +173,7 @@ void CLuaLoopFunctions::CallHook(const char* hook) {
     return;
   }
   const CSimulator::CScope scope(GetSimulator());
-  const CFlag running(m_isRunning);
+  const CWhileTrue running(m_isRunning);
   Run(hook, [hook](lua_State* state) {
     if (PushHook(state, hook)) {
       lua_call(state, 0, 0);
@@ -241,7 +230,7 @@ bool CLuaLoopFunctions::IsExperimentFinished() {
   }
   bool finished = false;
   const CSimulator::CScope scope(GetSimulator());
-  const CFlag running(m_isRunning);
+  const CWhileTrue running(m_isRunning);
   Run("is_experiment_finished", [&finished](lua_State* state) {
     if (PushHook(state, "is_experiment_finished")) {
       lua_call(state, 0, 1);
