@@ -287,10 +287,6 @@ std::string CSchemaMaker::Make() {
 
 }  // namespace
 
-bool IsSchemaFormat(const std::string& format) {
-  return format == "rng" || format == "rnc";
-}
-
 std::string MakeSchema(const std::string& format) {
   const std::vector<SPluginKind> kinds = ListPluginKinds();
   CDevices devices(kinds);

@@ -5,9 +5,6 @@
 
 namespace argos {
 
-/** True for the formats of MakeSchema(). */
-bool IsSchemaFormat(const std::string& format);
-
 /**
  * A schema of experiment files, for editors, from what the registered plug-ins read.
  * @param format  "rng": RELAX NG in XML; "rnc": its compact syntax.

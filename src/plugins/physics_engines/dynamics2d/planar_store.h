@@ -36,7 +36,6 @@ class CPlanarStore {
   /** Removes a body; the last body of its kind gets its slot. */
   void Remove(const SPlanarHandle& handle);
 
-  std::vector<SImmovableBody>& GetImmovable() { return m_immovable; }
   std::vector<SPassiveBody>& GetPassive() { return m_passive; }
   const std::vector<SPassiveBody>& GetPassive() const { return m_passive; }
   std::vector<SDrivenBody>& GetDriven() { return m_driven; }
