@@ -17,6 +17,7 @@
 #include <cstring>
 #include <ctime>
 #include <optional>
+#include <string>
 
 namespace argos {
 
@@ -250,17 +251,22 @@ class CResidentMemory : public CBuiltInMetric {
   TWallClock::time_point m_next;
 };
 
+// the end of a manual. @param metrics  of the example
+std::string NotReproducible(const std::string& metrics) {
+  return R"(
+This metric is not reproducible: another run of the same experiment has other values. So has its recording.
+
+  <metrics file="metrics.csv" builtin=")" +
+         metrics + "\" />\n";
+}
+
 }  // namespace
 
 REGISTER_BUILT_IN_METRIC(
     CRealTimeFactor, "real_time_factor", "the authors of this project", "1.0",
     "Simulated time over wall time, since the start of the run.",
     R"(Both times are over the span of loop_wall_time. There is no value before the first tick.
-
-This metric is not reproducible: another run of the same experiment has other values. So has its recording.
-
-  <metrics file="metrics.csv" builtin="real_time_factor" />
-)",
+)" + NotReproducible("real_time_factor"),
     "Usable")
 REGISTER_BUILT_IN_METRIC(
     CLoopWallTime, "loop_wall_time", "the authors of this project", "1.0",
@@ -269,33 +275,21 @@ REGISTER_BUILT_IN_METRIC(
 (loop_wall_time, loop_cpu_time, speedup, real_time_factor), and ends with the last tick. So loading and the end of the program
 are excluded; what outputs and the program do between ticks is included. It is measured at most every 20 us, so as not to slow
 short ticks down: so it may be that old.
-
-This metric is not reproducible: another run of the same experiment has other values. So has its recording.
-
-  <metrics file="metrics.csv" builtin="loop_wall_time" />
-)",
+)" + NotReproducible("loop_wall_time"),
     "Usable")
 REGISTER_BUILT_IN_METRIC(
     CLoopCPUTime, "loop_cpu_time", "the authors of this project", "1.0",
     "The processor time that the process used during the main loop so far, s.",
     R"(User and system time of all threads of the process, over the same span as loop_wall_time. Threads of other simulations in
 the process and of outputs are included. So is the time in which threads of the pool spin while they wait for each other.
-
-This metric is not reproducible: another run of the same experiment has other values. So has its recording.
-
-  <metrics file="metrics.csv" builtin="loop_cpu_time" />
-)",
+)" + NotReproducible("loop_cpu_time"),
     "Usable")
 REGISTER_BUILT_IN_METRIC(
     CSpeedup, "speedup", "the authors of this project", "1.0",
     "loop_cpu_time over loop_wall_time: the processors that were busy, on average.",
     R"(The measure u of C. Pinciroli's thesis, chapter 5: at most 1 without threads. It tells how far processors were used, not how
 much faster the run was. There is no value before the first tick.
-
-This metric is not reproducible: another run of the same experiment has other values. So has its recording.
-
-  <metrics file="metrics.csv" builtin="loop_wall_time, loop_cpu_time, speedup" />
-)",
+)" + NotReproducible("loop_wall_time, loop_cpu_time, speedup"),
     "Usable")
 REGISTER_BUILT_IN_METRIC(
     COtherLoad, "other_load", "the authors of this project", "1.0",
@@ -304,22 +298,14 @@ REGISTER_BUILT_IN_METRIC(
 `argos3-campaign retry FILE --where "other_load > 0.1"` repeats them. Time that the host of a virtual machine took away counts.
 Linux only, and of the whole computer, not of a container. It has no value in the first half second of wall time, because the
 system counts in hundredths of a second, and is read at most ten times a second.
-
-This metric is not reproducible: another run of the same experiment has other values. So has its recording.
-
-  <metrics file="metrics.csv" builtin="loop_wall_time, other_load" />
-)",
+)" + NotReproducible("loop_wall_time, other_load"),
     "Usable")
 REGISTER_BUILT_IN_METRIC(
     CResidentMemory, "resident_memory", "the authors of this project", "1.0",
     "The memory of the process that is in RAM, MB (10^6 bytes).",
     R"(The resident set size, not its peak: of the program, its libraries, the experiment, and all else in the process. Linux only.
 It is read at most every millisecond, and may be that old.
-
-This metric is not reproducible: another run of the same experiment has other values. So has its recording.
-
-  <metrics file="metrics.csv" builtin="resident_memory" />
-)",
+)" + NotReproducible("resident_memory"),
     "Usable")
 
 }  // namespace argos
