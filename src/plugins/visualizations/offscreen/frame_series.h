@@ -21,15 +21,11 @@ class CSimulator;
 class CViewDrawing;
 
 /** Selects the frames, their appearance and their files, or their film. */
-struct SFrameSeriesSettings : SFrameChoice {
+struct SFrameSeriesSettings : SFrameChoice, SFrameContents {
   SRenderSettings Render;
   SFrameFileSettings File;
   std::optional<SFilmSettings> Film; /**< a film is written in place of files if it is set */
   bool ChoosesEvery = false; /**< a film whose Every is set by ChooseEvery() */
-  SFloorImage Ground; /**< texture of the ground where the arena has no floor */
-  bool ShowGrid = true;
-  bool ShowBoundary = true;
-  bool ShowRays = true;
   std::string Announcement = "The off-screen visualization is "; /**< begins the line in the log */
 };
 

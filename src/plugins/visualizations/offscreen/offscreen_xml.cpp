@@ -1,7 +1,5 @@
 #include <argos3/plugins/simulator/visualizations/offscreen/offscreen_xml.h>
 
-#include <argos3/plugins/simulator/visualizations/scene/ground_texture.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -173,10 +171,7 @@ SFrameSeriesSettings ReadOffscreenSettings(TConfigurationNode& node) {
   ReadSamples(node, settings.Render);
   ReadLook(node, settings.Render);
   ReadFrameChoice(node, settings);
-  settings.Ground = ReadGroundTexture(node);
-  GetNodeAttributeOrDefault(node, "show_grid", settings.ShowGrid, true);
-  GetNodeAttributeOrDefault(node, "show_boundary", settings.ShowBoundary, true);
-  GetNodeAttributeOrDefault(node, "show_rays", settings.ShowRays, true);
+  ReadFrameContents(node, settings);
   return settings;
 }
 

@@ -22,7 +22,7 @@ class CSimulator;
 class CViewDrawing;
 
 /** What the attributes of `<povray>` say. */
-struct SPovrayFrameSettings : SFrameChoice {
+struct SPovrayFrameSettings : SFrameChoice, SFrameContents {
   enum class ERender : std::uint8_t { No, Yes, IfInstalled };
 
   SPovraySettings Scene;
@@ -30,10 +30,6 @@ struct SPovrayFrameSettings : SFrameChoice {
   std::string BaseName = "scene_";
   ERender Render = ERender::IfInstalled;
   std::uint32_t Threads = 0; /**< threads of POV-Ray; 0: one per core */
-  SFloorImage Ground; /**< texture of the ground where the arena has no floor */
-  bool ShowGrid = true;
-  bool ShowBoundary = true;
-  bool ShowRays = true;
   bool UseModels = true; /**< if false, all entities appear as the parts of their appearances */
 };
 

@@ -1,7 +1,6 @@
 #include <argos3/plugins/simulator/visualizations/povray/povray_xml.h>
 
 #include <argos3/core/utility/text/string_utilities.h>
-#include <argos3/plugins/simulator/visualizations/scene/ground_texture.h>
 
 #include <algorithm>
 #include <array>
@@ -71,10 +70,7 @@ SPovrayFrameSettings ReadPovraySettings(TConfigurationNode& node) {
   scene.Look = SLook::FromName(scene.IsDark ? "dark" : "light");
   ReadUpTo(node, "max_lights", kMaxLights, scene.MostLights);
   ReadUpTo(node, "threads", kMaxThreads, settings.Threads);
-  settings.Ground = ReadGroundTexture(node);
-  GetNodeAttributeOrDefault(node, "show_grid", settings.ShowGrid, true);
-  GetNodeAttributeOrDefault(node, "show_boundary", settings.ShowBoundary, true);
-  GetNodeAttributeOrDefault(node, "show_rays", settings.ShowRays, true);
+  ReadFrameContents(node, settings);
   GetNodeAttributeOrDefault(node, "models", settings.UseModels, true);
   return settings;
 }

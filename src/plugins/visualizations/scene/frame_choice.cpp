@@ -1,5 +1,7 @@
 #include <argos3/plugins/simulator/visualizations/scene/frame_choice.h>
 
+#include <argos3/plugins/simulator/visualizations/scene/ground_texture.h>
+
 #include <algorithm>
 #include <string>
 #include <string_view>
@@ -67,6 +69,13 @@ bool SFrameChoice::IsWanted(std::uint32_t tick, bool isFirst) const {
 void ReadFrameChoice(TConfigurationNode& node, SFrameChoice& choice) {
   ReadPositive(node, "every", choice.Every);
   ReadTicks(node, choice);
+}
+
+void ReadFrameContents(TConfigurationNode& node, SFrameContents& contents) {
+  contents.Ground = ReadGroundTexture(node);
+  GetNodeAttributeOrDefault(node, "show_grid", contents.ShowGrid, true);
+  GetNodeAttributeOrDefault(node, "show_boundary", contents.ShowBoundary, true);
+  GetNodeAttributeOrDefault(node, "show_rays", contents.ShowRays, true);
 }
 
 void ReadPositive(TConfigurationNode& node, const std::string& attribute, UInt32& value) {

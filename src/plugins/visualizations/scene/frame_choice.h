@@ -2,6 +2,7 @@
 #define ARGOS3_PLUGINS_VISUALIZATIONS_SCENE_FRAME_CHOICE_H
 
 #include <argos3/core/utility/configuration/argos_configuration.h>
+#include <argos3/plugins/simulator/visualizations/scene/scene.h>
 
 #include <cstdint>
 #include <utility>
@@ -24,6 +25,14 @@ struct SFrameChoice {
   bool IsLastWanted() const { return KeepLastFrame && Ticks.empty(); }
 };
 
+/** What frames show besides entities. */
+struct SFrameContents {
+  SFloorImage Ground; /**< texture of the ground where the arena has no floor */
+  bool ShowGrid = true;
+  bool ShowBoundary = true;
+  bool ShowRays = true;
+};
+
 /*
  * Attributes that views which draw frames have in common. The functions throw CARGoSException with
  * file and line if a value does not parse or is out of range.
@@ -31,6 +40,9 @@ struct SFrameChoice {
 
 /** Reads `every` and `ticks`. */
 void ReadFrameChoice(TConfigurationNode& node, SFrameChoice& choice);
+
+/** Reads `show_grid`, `show_boundary`, `show_rays` and the attributes of ReadGroundTexture(). */
+void ReadFrameContents(TConfigurationNode& node, SFrameContents& contents);
 
 /** Reads a whole number, at least 1; absent: @p value stays. */
 void ReadPositive(TConfigurationNode& node, const std::string& attribute, UInt32& value);
