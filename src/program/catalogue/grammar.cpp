@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <cctype>
+#include <regex>
 #include <sstream>
 #include <string_view>
+#include <utility>
 
 namespace argos {
 
@@ -54,31 +56,18 @@ bool IsWord(const std::string& text) {
 
 // words in quotation marks, and those of a list after "known: ", each once
 std::set<std::string> ListedWords(const std::string& error) {
-  std::set<std::string> words;
+  static const std::regex kQuoted("\"([A-Za-z_]+)\"");
+  static const std::regex kListed("(?:^|\\s)([A-Za-z_]+),*(?=\\s|$)");
   constexpr std::string_view kKnown = "; known: ";
   const size_t list = error.rfind(kKnown);
-  if (list != std::string::npos) {
-    std::istringstream items(error.substr(list + kKnown.size()));
-    for (std::string item; items >> item;) {
-      item.erase(item.find_last_not_of(',') + 1);
-      if (IsWord(item)) {
-        words.insert(item);
-      }
+  const std::string known = list == std::string::npos ? "" : error.substr(list + kKnown.size());
+  std::set<std::string> words;
+  for (const auto& [text, pattern] : {std::pair(known, kListed), std::pair(error, kQuoted)}) {
+    for (std::sregex_iterator it(text.begin(), text.end(), pattern), end; it != end; ++it) {
+      words.insert((*it)[1]);
     }
   }
-  for (size_t begin = error.find('"'); begin != std::string::npos;) {
-    const size_t end = error.find('"', begin + 1);
-    if (end == std::string::npos) {
-      break;
-    }
-    const std::string word = error.substr(begin + 1, end - begin - 1);
-    if (IsWord(word) && word != kNoValue) {
-      words.insert(word);
-      begin = error.find('"', end + 1);
-    } else {
-      begin = end;  // it may begin a word, if marks are not paired
-    }
-  }
+  words.erase(kNoValue);
   return words;
 }
 

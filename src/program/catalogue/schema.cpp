@@ -73,19 +73,12 @@ std::string Named(const std::string& kind, const std::string& name, const std::s
 }
 
 std::string ValueOf(EValueType type) {
-  static const std::map<EValueType, std::string> definitions = {
-      {EValueType::AnyNumber, "real"},
-      {EValueType::RealNumber, "real"},
-      {EValueType::WholeNumber, "integer"},
-      {EValueType::NaturalNumber, "natural"},
-      {EValueType::Boolean, "boolean"},
-      {EValueType::Colour, "colour"},
-      {EValueType::XY, "xy"},
-      {EValueType::XYZ, "xyz"},
-      {EValueType::ZYX, "zyx"},
-      {EValueType::Range, "range"}};
-  const auto found = definitions.find(type);
-  return found == definitions.end() ? "<text/>" : Reference(found->second);
+  // index: EValueType
+  static constexpr const char* kDefinitions[] = {nullptr,   nullptr,   "real",    "real",
+                                                 "integer", "natural", "boolean", "colour",
+                                                 "xy",      "xyz",     "zyx",     "range"};
+  const char* const definition = kDefinitions[static_cast<size_t>(type)];
+  return definition == nullptr ? "<text/>" : Reference(definition);
 }
 
 std::string Attribute(const std::string& name, const SAttribute& facts) {
