@@ -73,16 +73,9 @@ class CAxesOverlay : public COverlay {
 
 REGISTER_OVERLAY(CAxesOverlay, "axes", "the authors of this project", "1.0",
                  "Draws the x and y axes with numbers along two edges of the arena.",
-                 R"(REQUIRED XML CONFIGURATION
-
-  <overlays> <axes /> </overlays>
-
-in the element of a view that draws pictures, such as <offscreen>. The axes lie at z = 0 along the edges of least y and of
-least x, with numbers in metres.
-
-OPTIONAL XML CONFIGURATION
-
-  <axes color="black" width="1.5" size="24" />
+                 OverlayXML("<axes />", R"( The axes lie at z = 0 along the edges of least y and of
+least x, with numbers in metres.)") +
+                     R"(  <axes color="black" width="1.5" size="24" />
 
   color  of lines and numbers, default black, or white in a dark view.
   width  of lines, pixels, > 0, default 1.5.

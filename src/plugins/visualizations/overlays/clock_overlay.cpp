@@ -36,15 +36,8 @@ class CClockOverlay : public COverlay {
 
 REGISTER_OVERLAY(CClockOverlay, "clock", "the authors of this project", "1.0",
                  "Writes the simulated time and the tick into the picture.",
-                 R"(REQUIRED XML CONFIGURATION
-
-  <overlays> <clock /> </overlays>
-
-in the element of a view that draws pictures, such as <offscreen>.
-
-OPTIONAL XML CONFIGURATION
-
-  <clock corner="top_left" tick="true" color="black" size="24" />
+                 OverlayXML("<clock />") +
+                     R"(  <clock corner="top_left" tick="true" color="black" size="24" />
 
   corner  "top_left" (default), "top_right", "bottom_left" or "bottom_right" of the picture.
   tick    bool, default true: also write the number of the tick.

@@ -47,15 +47,8 @@ class CHeadingsOverlay : public COverlay {
 
 REGISTER_OVERLAY(CHeadingsOverlay, "headings", "the authors of this project", "1.0",
                  "Draws arrows that point ahead of robots.",
-                 R"(REQUIRED XML CONFIGURATION
-
-  <overlays> <headings /> </overlays>
-
-in the element of a view that draws pictures, such as <offscreen>.
-
-OPTIONAL XML CONFIGURATION
-
-  <headings of="foot-bot" color="red" length="0.2" width="2" />
+                 OverlayXML("<headings />") +
+                     R"(  <headings of="foot-bot" color="red" length="0.2" width="2" />
 
   of      types of robots, separated by commas: "foot-bot,e-puck". Default: all robots.
   color   default red.

@@ -40,15 +40,7 @@ class CIdsOverlay : public COverlay {
 
 REGISTER_OVERLAY(CIdsOverlay, "ids", "the authors of this project", "1.0",
                  "Writes the ids of robots beside them.",
-                 R"(REQUIRED XML CONFIGURATION
-
-  <overlays> <ids /> </overlays>
-
-in the element of a view that draws pictures, such as <offscreen>.
-
-OPTIONAL XML CONFIGURATION
-
-  <ids of="foot-bot" color="black" size="24" />
+                 OverlayXML("<ids />") + R"(  <ids of="foot-bot" color="black" size="24" />
 
   of     types of robots, separated by commas: "foot-bot,e-puck". Default: all robots.
   color  default black, or white in a dark view.

@@ -56,16 +56,9 @@ class CLinksOverlay : public COverlay {
 REGISTER_OVERLAY(
     CLinksOverlay, "links", "the authors of this project", "1.0",
     "Draws lines between robots that receive each other's messages by range and bearing.",
-    R"(REQUIRED XML CONFIGURATION
-
-  <overlays> <links /> </overlays>
-
-in the element of a view that draws pictures, such as <offscreen>. A line begins at each robot that receives a message
-in the present tick and ends half-way to its sender, so that links in both directions are whole lines.
-
-OPTIONAL XML CONFIGURATION
-
-  <links medium="rab" color="blue" width="1" />
+    OverlayXML("<links />", R"( A line begins at each robot that receives a message
+in the present tick and ends half-way to its sender, so that links in both directions are whole lines.)") +
+        R"(  <links medium="rab" color="blue" width="1" />
 
   medium  id of a range-and-bearing medium. Default: all of them.
   color   default a dark blue.

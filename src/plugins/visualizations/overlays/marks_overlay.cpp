@@ -2,6 +2,7 @@
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/visualization/overlay.h>
 #include <argos3/plugins/simulator/visualizations/overlays/color_rule.h>
+#include <argos3/plugins/simulator/visualizations/overlays/overlay_attributes.h>
 #include <argos3/plugins/simulator/visualizations/overlays/robots_in_view.h>
 
 #include <algorithm>
@@ -38,15 +39,7 @@ class CMarksOverlay : public COverlay {
 
 REGISTER_OVERLAY(CMarksOverlay, "marks", "the authors of this project", "1.0",
                  "Colours robots by a disc on top of each.",
-                 R"(REQUIRED XML CONFIGURATION
-
-  <overlays> <marks /> </overlays>
-
-in the element of a view that draws pictures, such as <offscreen>.
-
-OPTIONAL XML CONFIGURATION
-
-  <marks of="foot-bot" color_by="team" />
+                 OverlayXML("<marks />") + R"(  <marks of="foot-bot" color_by="team" />
   <marks color_by="value:food" min="0" max="5" />
 
   of        types of robots, separated by commas: "foot-bot,e-puck". Default: all robots.

@@ -79,6 +79,19 @@ void ReadLineWidth(TConfigurationNode& node, Real& width) {
   }
 }
 
+std::string OverlayXML(const std::string& element, const std::string& more) {
+  return fmt::format(R"(REQUIRED XML CONFIGURATION
+
+  <overlays> {} </overlays>
+
+in the element of a view that draws pictures, such as <offscreen>.{}
+
+OPTIONAL XML CONFIGURATION
+
+)",
+                     element, more);
+}
+
 Real RoundLengthDown(Real length) {
   const Real power = std::pow(10.0, std::floor(std::log10(length)));
   // 1e-9: a length that is such a number but for rounding is kept

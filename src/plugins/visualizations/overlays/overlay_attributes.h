@@ -41,6 +41,12 @@ CColor GetInk(TConfigurationNode& overlay);
 /** Reads the optional attribute `width` (pixels). @throws CARGoSException if it is not > 0. */
 void ReadLineWidth(TConfigurationNode& node, Real& width);
 
+/**
+ * The beginning of an overlay's manual, up to its optional attributes.
+ * @param element  the smallest one. @param more  follows the sentence that says where it is.
+ */
+std::string OverlayXML(const std::string& element, const std::string& more = "");
+
 /** The greatest of 1, 2 and 5 times a power of ten that is not above a length (m, > 0). */
 Real RoundLengthDown(Real length);
 

@@ -125,17 +125,11 @@ class CRegionsOverlay : public COverlay {
 
 REGISTER_OVERLAY(CRegionsOverlay, "regions", "the authors of this project", "1.0",
                  "Draws the regions of the physics engines, with the ids of the engines.",
-                 R"(REQUIRED XML CONFIGURATION
-
-  <overlays> <regions /> </overlays>
-
-in the element of a view that draws pictures, such as <offscreen>. It shows how several engines share space, also those of
+                 OverlayXML("<regions />",
+                            R"( It shows how several engines share space, also those of
 <auto_partition>, as far as they are inside the arena. Each engine has a colour; lines lie a little inside of the region, so that both sides of a border are seen. An
-engine without <boundaries> that have sides has no line.
-
-OPTIONAL XML CONFIGURATION
-
-  <regions color="black" width="3" ids="true" size="24" />
+engine without <boundaries> that have sides has no line.)") +
+                     R"(  <regions color="black" width="3" ids="true" size="24" />
 
   color  of lines and ids; default: one of seven colours for each engine.
   width  of lines, pixels, > 0, default 3.

@@ -52,15 +52,8 @@ REGISTER_OVERLAY(
     R"(The bar lies along x, outside of the arena at its corner of least x and y, where nothing covers it, at z = 0, so that
 it is true to scale in any view.
 
-REQUIRED XML CONFIGURATION
-
-  <overlays> <scale_bar /> </overlays>
-
-in the element of a view that draws pictures, such as <offscreen>.
-
-OPTIONAL XML CONFIGURATION
-
-  <scale_bar length="1" color="black" width="3" size="24" />
+)" + OverlayXML("<scale_bar />") +
+        R"(  <scale_bar length="1" color="black" width="3" size="24" />
 
   length  m, > 0. Default: 1, 2 or 5 times a power of ten, at most a quarter of the arena.
   color   of bar and text, default black, or white in a dark view.

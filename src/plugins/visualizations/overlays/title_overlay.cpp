@@ -30,15 +30,8 @@ class CTitleOverlay : public COverlay {
 
 REGISTER_OVERLAY(CTitleOverlay, "title", "the authors of this project", "1.0",
                  "Writes a title at the top of the picture.",
-                 R"(REQUIRED XML CONFIGURATION
-
-  <overlays> <title text="Flocking, 20 foot-bots" /> </overlays>
-
-in the element of a view that draws pictures, such as <offscreen>.
-
-OPTIONAL XML CONFIGURATION
-
-  <title text="Flocking, 20 foot-bots" color="black" size="24" />
+                 OverlayXML(R"(<title text="Flocking, 20 foot-bots" />)") +
+                     R"(  <title text="Flocking, 20 foot-bots" color="black" size="24" />
 
   text   UTF-8, required.
   color  default black, or white in a dark view.

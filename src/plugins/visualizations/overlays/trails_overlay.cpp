@@ -140,16 +140,10 @@ void CTrailsOverlay::Draw(CSimulator& simulator, CDrawing& drawing) {
 
 REGISTER_OVERLAY(CTrailsOverlay, "trails", "the authors of this project", "1.0",
                  "Draws the paths that robots have taken.",
-                 R"(REQUIRED XML CONFIGURATION
-
-  <overlays> <trails /> </overlays>
-
-in the element of a view that draws pictures, such as <offscreen>. A path has a point wherever its robot has moved by 5 mm
-since the last one, and is interrupted where a robot was placed elsewhere.
-
-OPTIONAL XML CONFIGURATION
-
-  <trails of="foot-bot" duration="10" fade="true" width="2" color="blue" />
+                 OverlayXML("<trails />",
+                            R"( A path has a point wherever its robot has moved by 5 mm
+since the last one, and is interrupted where a robot was placed elsewhere.)") +
+                     R"(  <trails of="foot-bot" duration="10" fade="true" width="2" color="blue" />
   <trails color_by="battery" min="0" max="1" />
 
   of        types of robots, separated by commas: "foot-bot,e-puck". Default: all robots.
