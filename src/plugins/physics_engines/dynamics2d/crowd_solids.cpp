@@ -110,20 +110,8 @@ void CCrowdSolids::PairWithDiscs(UInt32 number, CDiscPairs& discPairs, Real disc
 
 // Lists the parts in a circle, of all images of solids.
 void CCrowdSolids::FindPartsNear(Real x, Real y, Real radius) {
-  m_cells.Find(m_grid, x, y, radius, m_found);
-  if (!m_period.IsOn()) {
-    return;
-  }
   // parts are listed farther than they are
-  const Real far = 2.0 * radius;
-  m_period.ForDisplacements({x - far, y - far, x + far, y + far}, [&](Real dx, Real dy) {
-    if (dx != 0.0 || dy != 0.0) {
-      m_cells.ForNear(m_grid, x + dx, y + dy, radius,
-                      [this](UInt32 part) { m_found.push_back(part); });
-    }
-  });
-  std::sort(m_found.begin(), m_found.end());
-  m_found.erase(std::unique(m_found.begin(), m_found.end()), m_found.end());
+  m_cells.FindImages(m_grid, m_period, x, y, radius, 2.0 * radius, m_found);
 }
 
 // Each pair once.

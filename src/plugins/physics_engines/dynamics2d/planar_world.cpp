@@ -1,11 +1,11 @@
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_world.h>
 
 #include <argos3/core/simulator/geometry/body_description.h>
-#include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/memory/load_ahead.h>
 #include <argos3/core/utility/threads/thread_pool.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/drive_motion.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_limits.h>
+#include <argos3/plugins/simulator/physics_engines/planar/planar_body.h>
 #include <argos3/plugins/simulator/physics_engines/robot_bodies/robot_components.h>
 
 #include <algorithm>
@@ -178,16 +178,8 @@ void CPlanarWorld::FindMeetings(CThreadPool& pool) {
 
 // Two bodies can meet on one side only, and an image of an obstacle is where a body may meet it.
 void CPlanarWorld::CheckPeriod() const {
-  const SPeriodicity& period = m_store.GetSettings().Period;
   const Real necessary = 4.0 * (m_store.GetWidestMovable() + kSolidReach * GetReach());
-  for (const SPeriodicAxis* axis : {&period.X, &period.Y}) {
-    if (axis->IsOn() && !(axis->Period > necessary)) {
-      THROW_ARGOSEXCEPTION(
-          "a periodic arena must be wider than four times what a body and its "
-          "path in a tick need, "
-          << necessary << " m here; found " << axis->Period << " m");
-    }
-  }
+  RequirePeriod(m_store.GetSettings().Period, necessary);
 }
 
 // by the present speeds of bodies that have no drive, and by what grips move

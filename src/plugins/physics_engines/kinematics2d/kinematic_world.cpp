@@ -1,7 +1,7 @@
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/kinematic_world.h>
 
 #include <argos3/core/simulator/geometry/body_description.h>
-#include <argos3/core/utility/errors/argos_exception.h>
+#include <argos3/plugins/simulator/physics_engines/planar/planar_body.h>
 
 #include <algorithm>
 
@@ -144,14 +144,7 @@ void CKinematicWorld::CheckPeriod() const {
   // solids are pushed as far as discs move, or move by less than their size
   const Real solids = widest > 0.0 ? widest + std::max(discs, widest) : 0.0;
   const Real necessary = 4.0 * std::max(discs, solids);
-  for (const SPeriodicAxis* axis : {&m_period.X, &m_period.Y}) {
-    if (axis->IsOn() && !(axis->Period > necessary)) {
-      THROW_ARGOSEXCEPTION(
-          "a periodic arena must be wider than four times what a body and its "
-          "path in a tick need, "
-          << necessary << " m here; found " << axis->Period << " m");
-    }
-  }
+  RequirePeriod(m_period, necessary);
 }
 
 void CKinematicWorld::Advance(CThreadPool& pool, const SSubstep& substep) {

@@ -25,16 +25,9 @@ UInt32 CPushParts::Solve(std::span<SBody> bodies, std::span<SContact> contacts, 
     FindParts(bodies, contacts);
     const auto most = static_cast<UInt32>(std::max(1.0, mostSweeps - sweeps));
     for (size_t body = 0, contact = 0; body < m_bodyOrder.size();) {
-      const UInt32 part = m_bodyOrder[body].Part;
-      const auto take = [part](const std::vector<SMember>& order, size_t& next) {
-        const size_t first = next;
-        while (next < order.size() && order[next].Part == part) {
-          ++next;
-        }
-        return std::span(order).subspan(first, next - first);
-      };
-      const auto ofBodies = take(m_bodyOrder, body);
-      const auto ofContacts = take(m_contactOrder, contact);
+      const UInt32 part = m_bodyOrder[body].Root;
+      const auto ofBodies = TakeTree(m_bodyOrder, part, body);
+      const auto ofContacts = TakeTree(m_contactOrder, part, contact);
       if (!ofContacts.empty()) {
         const UInt32 made =
             SolvePart(bodies, contacts, ofBodies, ofContacts, kPartTolerance * tolerance, most);

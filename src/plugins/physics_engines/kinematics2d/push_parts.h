@@ -6,7 +6,6 @@
 #include <argos3/plugins/simulator/physics_engines/planar/contact_island.h>
 
 #include <span>
-#include <tuple>
 #include <vector>
 
 namespace argos {
@@ -35,12 +34,7 @@ class CPushParts {
  private:
   static constexpr size_t kLarge = 64;
   /** A body or contact, in the order of parts. */
-  struct SMember {
-    UInt32 Part, Number;
-    friend bool operator<(const SMember& a, const SMember& b) {
-      return std::tie(a.Part, a.Number) < std::tie(b.Part, b.Number);
-    }
-  };
+  typedef SForestMember SMember;
 
   void FindParts(std::span<const SBody> bodies, std::span<const SContact> contacts);
   UInt32 SolvePart(std::span<SBody> bodies, std::span<SContact> contacts,

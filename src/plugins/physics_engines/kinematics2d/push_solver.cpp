@@ -167,16 +167,9 @@ void CPushSolver::SortByIslands() {
 
 // @param body,contact  the first ones of the island; then those behind it.
 CPushSolver::SIsland CPushSolver::TakeIsland(size_t& body, size_t& contact) const {
-  const UInt32 number = m_bodyOrder[body].Island;
-  const auto take = [number](const std::vector<SMember>& order, size_t& next) {
-    const size_t first = next;
-    while (next < order.size() && order[next].Island == number) {
-      ++next;
-    }
-    return std::span(order).subspan(first, next - first);
-  };
-  const auto bodies = take(m_bodyOrder, body);
-  return {bodies, take(m_contactOrder, contact), 0.0};
+  const UInt32 root = m_bodyOrder[body].Root;
+  const auto bodies = TakeTree(m_bodyOrder, root, body);
+  return {bodies, TakeTree(m_contactOrder, root, contact), 0.0};
 }
 
 // @return the number of sweeps.

@@ -11,7 +11,6 @@
 
 #include <limits>
 #include <span>
-#include <tuple>
 #include <vector>
 
 namespace argos {
@@ -124,13 +123,7 @@ class CPushSolver {
     UInt32 Known = kNone;  // in the list of known bodies
   };
   /** A body or contact, in the order of islands. */
-  struct SMember {
-    UInt32 Island, Number;
-    friend bool operator==(const SMember&, const SMember&) = default;
-    friend bool operator<(const SMember& a, const SMember& b) {
-      return std::tie(a.Island, a.Number) < std::tie(b.Island, b.Number);
-    }
-  };
+  typedef SForestMember SMember;
   /** Bodies that are connected by contacts. */
   struct SIsland {
     std::span<const SMember> Bodies, Contacts;

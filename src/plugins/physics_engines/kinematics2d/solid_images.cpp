@@ -37,18 +37,7 @@ Real CSolids::ComputeWidest() const {
 
 // Lists the footprints that any image of a body may have in a circle.
 void CSolids::FindSolidsNear(Real x, Real y, Real reach) {
-  m_solidCells.Find(m_grid, x, y, reach, m_found);
-  if (!m_period.IsOn()) {
-    return;
-  }
-  m_period.ForDisplacements({x - reach, y - reach, x + reach, y + reach}, [&](Real dx, Real dy) {
-    if (dx != 0.0 || dy != 0.0) {
-      m_solidCells.ForNear(m_grid, x + dx, y + dy, reach,
-                           [this](UInt32 number) { m_found.push_back(number); });
-    }
-  });
-  std::sort(m_found.begin(), m_found.end());
-  m_found.erase(std::unique(m_found.begin(), m_found.end()), m_found.end());
+  m_solidCells.FindImages(m_grid, m_period, x, y, reach, reach, m_found);
 }
 
 }  // namespace argos

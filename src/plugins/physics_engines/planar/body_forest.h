@@ -4,6 +4,8 @@
 #include <argos3/core/utility/datatypes/datatypes.h>
 
 #include <algorithm>
+#include <compare>
+#include <span>
 #include <vector>
 
 namespace argos {
@@ -33,6 +35,22 @@ inline void Connect(TBodyForest& parents, UInt32 a, UInt32 b) {
   a = FindRootOf(parents, a);
   b = FindRootOf(parents, b);
   parents[std::max(a, b)] = std::min(a, b);
+}
+
+/** A body, or a contact of one, in a list that is sorted by the roots of bodies. */
+struct SForestMember {
+  UInt32 Root, Number;
+  friend auto operator<=>(const SForestMember&, const SForestMember&) = default;
+};
+
+/** @return the members with that root. @param next  the first of them; then what follows them. */
+inline std::span<const SForestMember> TakeTree(const std::vector<SForestMember>& members,
+                                               UInt32 root, size_t& next) {
+  const size_t first = next;
+  while (next < members.size() && members[next].Root == root) {
+    ++next;
+  }
+  return std::span(members).subspan(first, next - first);
 }
 
 }  // namespace argos

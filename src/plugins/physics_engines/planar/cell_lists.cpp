@@ -20,12 +20,35 @@ void CCellLists::List(const CFramedGrid& grid, std::span<const SFootprint> footp
   });
 }
 
+namespace {
+
+void KeepEachOnce(std::vector<UInt32>& numbers) {
+  std::sort(numbers.begin(), numbers.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+}
+
+}  // namespace
+
 void CCellLists::Find(const CFramedGrid& grid, Real x, Real y, Real radius,
                       std::vector<UInt32>& numbers) const {
   numbers.clear();
   ForNear(grid, x, y, radius, [&numbers](UInt32 number) { numbers.push_back(number); });
-  std::sort(numbers.begin(), numbers.end());
-  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+  KeepEachOnce(numbers);
+}
+
+void CCellLists::FindImages(const CFramedGrid& grid, const SPeriodicity& period, Real x, Real y,
+                            Real radius, Real reach, std::vector<UInt32>& numbers) const {
+  Find(grid, x, y, radius, numbers);
+  if (!period.IsOn()) {
+    return;
+  }
+  period.ForDisplacements({x - reach, y - reach, x + reach, y + reach}, [&](Real dx, Real dy) {
+    if (dx != 0.0 || dy != 0.0) {
+      ForNear(grid, x + dx, y + dy, radius,
+              [&numbers](UInt32 number) { numbers.push_back(number); });
+    }
+  });
+  KeepEachOnce(numbers);
 }
 
 }  // namespace argos

@@ -1,6 +1,7 @@
 #ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_PLANAR_CELL_LISTS_H
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_PLANAR_CELL_LISTS_H
 
+#include <argos3/core/simulator/geometry/periodicity.h>
 #include <argos3/core/utility/configuration/argos_exception.h>
 #include <argos3/core/utility/spatial/cell_items.h>
 #include <argos3/core/utility/spatial/planar_grid.h>
@@ -48,6 +49,12 @@ class CCellLists {
   /** Collects the numbers of the same footprints in ascending order, each once. */
   void Find(const CFramedGrid& grid, Real x, Real y, Real radius,
             std::vector<UInt32>& numbers) const;
+  /**
+   * The same for all images of the point in a periodic space.
+   * @param reach  m: how far from the point footprints may be listed.
+   */
+  void FindImages(const CFramedGrid& grid, const SPeriodicity& period, Real x, Real y, Real radius,
+                  Real reach, std::vector<UInt32>& numbers) const;
 
  private:
   std::span<const SFootprint> m_footprints;

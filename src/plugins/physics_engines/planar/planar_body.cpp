@@ -3,6 +3,7 @@
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/geometry/body_description.h>
+#include <argos3/core/simulator/geometry/periodicity.h>
 #include <argos3/core/simulator/physics_engine/described_body_model.h>
 #include <argos3/core/utility/configuration/value_range.h>
 #include <argos3/core/utility/spatial/planar_grid.h>
@@ -120,6 +121,17 @@ SGroundFriction ChooseGroundFriction(const SBodyDescription& description,
   const SGroundFriction& ofEngine = isBox ? box : cylinder;
   return {described.MaxForce.value_or(ofEngine.Force),
           described.MaxTorque.value_or(ofEngine.Torque)};
+}
+
+void RequirePeriod(const SPeriodicity& period, Real necessary) {
+  for (const SPeriodicAxis* axis : {&period.X, &period.Y}) {
+    if (axis->IsOn() && !(axis->Period > necessary)) {
+      THROW_ARGOSEXCEPTION(
+          "a periodic arena must be wider than four times what a body and its "
+          "path in a tick need, "
+          << necessary << " m here; found " << axis->Period << " m");
+    }
+  }
 }
 
 void CheckPlanarBody(const CEmbodiedEntity& body) {

@@ -8,6 +8,8 @@
 
 namespace argos {
 
+struct SPeriodicity;
+
 // Shared by the 2D engines: XML parameters and acceptance checks.
 
 /** Bounds of the friction of passive bodies on the ground. */
@@ -41,6 +43,9 @@ SGroundFriction ChooseGroundFriction(const SBodyDescription& description,
 
 /** @throws CARGoSException if the description is impossible, or the body too large or too far. */
 void CheckPlanarBody(const CEmbodiedEntity& body);
+
+/** @throws CARGoSException if a period is not greater than @p necessary, m. */
+void RequirePeriod(const SPeriodicity& period, Real necessary);
 
 /** @return true if the body stands on a plane at height @p elevation, m. */
 bool IsOnPlane(const CEmbodiedEntity& body, Real elevation);
