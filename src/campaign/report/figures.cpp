@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace argos {
 
@@ -98,28 +99,22 @@ SFigureDraft MakeFigure(const CReportData& data, const SFigureRequest& request) 
     draft.Caption += " Only runs with " + MakeLine(request.Where) + '.';
     return draft;
   }
-  if (request.Kind == "boxplot") {
-    return MakeBoxplot(data, request);
+  using TMake = SFigureDraft (*)(const CReportData&, const SFigureRequest&);
+  static constexpr std::pair<const char*, TMake> kKinds[] = {{"boxplot", &MakeBoxplot},
+                                                             {"series", &MakeSeriesFigure},
+                                                             {"difference", &MakeDifferenceFigure},
+                                                             {"means", &MakeMeansFigure},
+                                                             {"scaling", &MakeScalingFigure},
+                                                             {"heatmap", &MakeHeatmap}};
+  std::vector<std::string> known;
+  for (const auto& [kind, make] : kKinds) {
+    if (request.Kind == kind) {
+      return make(data, request);
+    }
+    known.emplace_back(kind);
   }
-  if (request.Kind == "series") {
-    return MakeSeriesFigure(data, request);
-  }
-  if (request.Kind == "difference") {
-    return MakeDifferenceFigure(data, request);
-  }
-  if (request.Kind == "means") {
-    return MakeMeansFigure(data, request);
-  }
-  if (request.Kind == "scaling") {
-    return MakeScalingFigure(data, request);
-  }
-  if (request.Kind == "heatmap") {
-    return MakeHeatmap(data, request);
-  }
-  THROW_ARGOSEXCEPTION("there is no kind of figure \""
-                       << request.Kind << '"'
-                       << DidYouMean(request.Kind, {"boxplot", "series", "difference", "means",
-                                                    "scaling", "heatmap"}));
+  THROW_ARGOSEXCEPTION("there is no kind of figure \"" << request.Kind << '"'
+                                                       << DidYouMean(request.Kind, known));
 }
 
 std::string MakeFigureName(const SFigureRequest& request) {
