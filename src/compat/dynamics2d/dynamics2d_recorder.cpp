@@ -1,8 +1,7 @@
-#include <argos3/plugins/simulator/physics_engines/dynamics2d/dynamics2d_recorder.h>
-
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/geometry/body_description.h>
+#include <argos3/core/simulator/physics_engine/recorded_body.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/utility/plugins/factory.h>
 #include <argos3/core/utility/text/string_utilities.h>
@@ -13,6 +12,7 @@
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/dynamics2d_velocity_control.h>
 
 #include <cmath>
+#include <memory>
 #include <utility>
 
 namespace argos {
@@ -253,6 +253,21 @@ class CRecordedDynamics2DBody : public CRecordedBody {
   CDynamics2DVelocityControl* m_control = nullptr;  // of the model
   CDynamics2DGripper* m_gripper = nullptr;  // of the model
   CDynamics2DGrippable* m_grippable = nullptr;  // of the model
+};
+
+/**
+ * Describes the bodies of entities for which users have registered a model for dynamics2d
+ * (REGISTER_STANDARD_DYNAMICS2D_OPERATIONS_ON_ENTITY), in every engine.
+ *
+ * A model needs an engine of its type. In other engines, one that has no bodies stands in.
+ */
+class CDynamics2DRecorder : public CBodyRecorder {
+ public:
+  std::unique_ptr<CRecordedBody> Record(CDescribedBodyEngine& engine, CEntity& root) override;
+
+ private:
+  // made when it is necessary; models refer to it
+  std::shared_ptr<CDynamics2DEngine> m_standIn;
 };
 
 std::unique_ptr<CRecordedBody> CDynamics2DRecorder::Record(CDescribedBodyEngine& engine,

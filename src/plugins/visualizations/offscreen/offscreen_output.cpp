@@ -1,6 +1,14 @@
-#include <argos3/plugins/simulator/visualizations/offscreen/offscreen_output.h>
+#include <argos3/plugins/simulator/visualizations/offscreen/frame_output.h>
 
 namespace argos {
+
+/** Draws the arena into image files, with OpenGL and without a display: `<offscreen>`. */
+class COffscreenOutput : public CFrameOutput {
+ public:
+  /** Reads the attributes that the plug-in's description lists. @throws CARGoSException with file
+   * and line. */
+  void Init(TConfigurationNode& tree) override { InitAsOffscreen(tree); }
+};
 
 REGISTER_RUN_OUTPUT(
     COffscreenOutput, "offscreen", "the authors of this project", "1.0",
