@@ -8,6 +8,7 @@
 #include <argos3/core/simulator/visualization/view_drawing.h>
 #include <argos3/core/utility/logging/log_control.h>
 #include <argos3/core/utility/text/string_utilities.h>
+#include <argos3/plugins/simulator/entities/value_checks.h>
 #include <argos3/plugins/simulator/outputs/recording/capture.h>
 #include <argos3/plugins/simulator/outputs/recording/format/drawing_coding.h>
 #include <argos3/plugins/simulator/outputs/recording/format/recorded_frame.h>
@@ -84,23 +85,20 @@ void CRecordingOutput::Init(TConfigurationNode& tree) {
   m_location += '>';
   GetNodeAttribute(tree, "file", m_file);
   if (m_file.empty()) {
-    THROW_ARGOSEXCEPTION(tree.GetLocation() << ": <" << tree.Value()
-                                            << ">: attribute \"file\" is empty; it must be the "
-                                               "name of the recording, such as \"run.rec\"");
+    THROW_ARGOSEXCEPTION(OwnerOf(tree) << ": attribute \"file\" is empty; it must be the "
+                                          "name of the recording, such as \"run.rec\"");
   }
   GetNodeAttributeOrDefault(tree, "every", m_every, m_every);
   if (m_every == 0) {
-    THROW_ARGOSEXCEPTION(tree.GetLocation()
-                         << ": <" << tree.Value()
-                         << ">: attribute \"every\" (ticks) must be at least 1, found 0");
+    THROW_ARGOSEXCEPTION(OwnerOf(tree)
+                         << ": attribute \"every\" (ticks) must be at least 1, found 0");
   }
   std::string precision = CurrentContext().IsExactReplay ? "exact" : "grid";
   GetNodeAttributeOrDefault(tree, "precision", precision, precision);
   if (precision != "grid" && precision != "exact") {
-    THROW_ARGOSEXCEPTION(tree.GetLocation()
-                         << ": <" << tree.Value() << ">: attribute \"precision\" must be \"grid\" "
-                         << "or \"exact\", found \"" << precision << '"'
-                         << DidYouMean(precision, {"grid", "exact"}));
+    THROW_ARGOSEXCEPTION(OwnerOf(tree) << ": attribute \"precision\" must be \"grid\" "
+                                       << "or \"exact\", found \"" << precision << '"'
+                                       << DidYouMean(precision, {"grid", "exact"}));
   }
   m_precision = precision == "exact" ? EPrecision::Exact : EPrecision::Grid;
   GetNodeAttributeOrDefault(tree, "drawing", m_hasDrawing, CurrentContext().IsReplay);
@@ -127,8 +125,7 @@ void CRecordingOutput::Init(TConfigurationNode& tree) {
       Open();
     }
   } catch (std::exception& error) {
-    THROW_ARGOSEXCEPTION_NESTED(
-        tree.GetLocation() << ": <" << tree.Value() << ">: the run cannot be recorded", error);
+    THROW_ARGOSEXCEPTION_NESTED(OwnerOf(tree) << ": the run cannot be recorded", error);
   }
 }
 

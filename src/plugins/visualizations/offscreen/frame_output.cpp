@@ -5,6 +5,7 @@
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/math/eigen_bridge.h>
+#include <argos3/plugins/simulator/entities/value_checks.h>
 #include <argos3/plugins/simulator/visualizations/scene/camera_xml.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/frame_series.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/offscreen_xml.h>
@@ -51,8 +52,7 @@ void CFrameOutput::InitFrames(TConfigurationNode& tree, const SFrameSeriesSettin
   try {
     m_series = std::make_unique<CFrameSeries>(settings, camera, m_drawing);
   } catch (CARGoSException& ex) {
-    THROW_ARGOSEXCEPTION_NESTED(
-        tree.GetLocation() << ": <" << tree.Value() << "> cannot draw frames", ex);
+    THROW_ARGOSEXCEPTION_NESTED(OwnerOf(tree) << " cannot draw frames", ex);
   }
   m_drawing.Init(tree);
 }

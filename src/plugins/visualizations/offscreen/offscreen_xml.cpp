@@ -1,5 +1,7 @@
 #include <argos3/plugins/simulator/visualizations/offscreen/offscreen_xml.h>
 
+#include <argos3/plugins/simulator/entities/value_checks.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,8 +17,8 @@ void ReadSamples(TConfigurationNode& node, SRenderSettings& render) {
   UInt32 samples = static_cast<UInt32>(render.Samples);
   GetNodeAttributeOrDefault(node, "samples", samples, samples);
   if (std::find(kSampleCounts.begin(), kSampleCounts.end(), samples) == kSampleCounts.end()) {
-    THROW_ARGOSEXCEPTION(node.GetLocation() << ": <" << node.Value() << ">: attribute \"samples\": "
-                                            << samples << " is not 1, 2, 4, 8 or 16");
+    THROW_ARGOSEXCEPTION(OwnerOf(node)
+                         << ": attribute \"samples\": " << samples << " is not 1, 2, 4, 8 or 16");
   }
   render.Samples = static_cast<int>(samples);
 }
@@ -27,8 +29,7 @@ void ReadLook(TConfigurationNode& node, SRenderSettings& render) {
   try {
     render.Look = SLook::FromName(look);
   } catch (CARGoSException& ex) {
-    THROW_ARGOSEXCEPTION_NESTED(
-        node.GetLocation() << ": <" << node.Value() << ">: attribute \"look\" is not valid", ex);
+    THROW_ARGOSEXCEPTION_NESTED(OwnerOf(node) << ": attribute \"look\" is not valid", ex);
   }
 }
 
@@ -45,9 +46,8 @@ void ReadFilmNumber(TConfigurationNode& node, const std::string& attribute, doub
   GetNodeAttribute(node, attribute, value);
   constexpr double kSteps = 1e4;
   if (!(value >= 1.0 / kSteps) || !(value <= highest)) {
-    THROW_ARGOSEXCEPTION(node.GetLocation()
-                         << ": <" << node.Value() << ">: attribute \"" << attribute << "\" is "
-                         << value << "; it must be from 0.0001 to " << highest);
+    THROW_ARGOSEXCEPTION(OwnerOf(node) << ": attribute \"" << attribute << "\" is " << value
+                                       << "; it must be from 0.0001 to " << highest);
   }
   value = std::round(value * kSteps) / kSteps;
 }
@@ -63,9 +63,9 @@ void ReadFilmRate(TConfigurationNode& node, SFilmSettings& film) {
     double rate = 0.0;
     ReadFilmNumber(node, "fps", highest, rate);
     if (rate < kMinRate) {
-      THROW_ARGOSEXCEPTION(node.GetLocation() << ": <" << node.Value() << ">: attribute \"fps\" is "
-                                              << rate << "; it must be at least " << kMinRate
-                                              << ", frames of long duration are repeated");
+      THROW_ARGOSEXCEPTION(OwnerOf(node)
+                           << ": attribute \"fps\" is " << rate << "; it must be at least "
+                           << kMinRate << ", frames of long duration are repeated");
     }
     film.FramesPerSecond = rate;
   }
@@ -73,18 +73,16 @@ void ReadFilmRate(TConfigurationNode& node, SFilmSettings& film) {
 
 void CheckFilmQuality(const TConfigurationNode& node, int quality) {
   if (quality < -1 || quality > 100) {
-    THROW_ARGOSEXCEPTION(node.GetLocation()
-                         << ": <" << node.Value() << ">: attribute \"quality\" is " << quality
-                         << "; it must be from 0 to 100, or -1 for the format's own");
+    THROW_ARGOSEXCEPTION(OwnerOf(node) << ": attribute \"quality\" is " << quality
+                                       << "; it must be from 0 to 100, or -1 for the format's own");
   }
 }
 
 EFilmFormat FindFormatOfFilm(const TConfigurationNode& node, const std::string& file) {
   const std::optional<EFilmFormat> format = FindFilmFormatOfFile(file);
   if (!format) {
-    THROW_ARGOSEXCEPTION(node.GetLocation()
-                         << ": <" << node.Value() << ">: a film cannot be written to \"" << file
-                         << "\": its name must end in " << kFilmExtensions);
+    THROW_ARGOSEXCEPTION(OwnerOf(node) << ": a film cannot be written to \"" << file
+                                       << "\": its name must end in " << kFilmExtensions);
   }
   return *format;
 }
@@ -97,9 +95,8 @@ std::optional<SFilmSettings> ReadFilm(TConfigurationNode& node) {
   if (NodeAttributeExists(node, "file")) {
     for (const char* other : {"directory", "base_name", "format"}) {
       if (NodeAttributeExists(node, other)) {
-        THROW_ARGOSEXCEPTION(node.GetLocation()
-                             << ": <" << node.Value() << "> has both \"file\" and \"" << other
-                             << "\"; \"file\" is the path of a film");
+        THROW_ARGOSEXCEPTION(OwnerOf(node) << " has both \"file\" and \"" << other
+                                           << "\"; \"file\" is the path of a film");
       }
     }
     GetNodeAttribute(node, "file", film.File);
@@ -112,9 +109,8 @@ std::optional<SFilmSettings> ReadFilm(TConfigurationNode& node) {
   } else {
     for (const char* attribute : {"speed", "fps"}) {
       if (NodeAttributeExists(node, attribute)) {
-        THROW_ARGOSEXCEPTION(node.GetLocation()
-                             << ": <" << node.Value() << ">: attribute \"" << attribute
-                             << "\" is of films only; add file=\"film.mp4\"");
+        THROW_ARGOSEXCEPTION(OwnerOf(node) << ": attribute \"" << attribute
+                                           << "\" is of films only; add file=\"film.mp4\"");
       }
     }
     return std::nullopt;

@@ -3,6 +3,7 @@
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/simulator/visualization/view_drawing.h>
 #include <argos3/core/utility/math/eigen_bridge.h>
+#include <argos3/plugins/simulator/entities/value_checks.h>
 #include <argos3/plugins/simulator/visualizations/povray/povray_frame_series.h>
 #include <argos3/plugins/simulator/visualizations/povray/povray_xml.h>
 #include <argos3/plugins/simulator/visualizations/scene/camera_xml.h>
@@ -36,8 +37,7 @@ void CPovrayOutput::Init(TConfigurationNode& tree) {
   try {
     m_series = std::make_unique<CPovrayFrameSeries>(settings, camera, m_drawing);
   } catch (CARGoSException& ex) {
-    THROW_ARGOSEXCEPTION_NESTED(
-        tree.GetLocation() << ": <" << tree.Value() << "> cannot write scenes", ex);
+    THROW_ARGOSEXCEPTION_NESTED(OwnerOf(tree) << " cannot write scenes", ex);
   }
   m_drawing.Init(tree);
 }

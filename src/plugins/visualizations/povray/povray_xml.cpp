@@ -1,6 +1,7 @@
 #include <argos3/plugins/simulator/visualizations/povray/povray_xml.h>
 
 #include <argos3/core/utility/text/string_utilities.h>
+#include <argos3/plugins/simulator/entities/value_checks.h>
 
 #include <algorithm>
 #include <array>
@@ -28,9 +29,8 @@ void ReadChoice(TConfigurationNode& node, const std::string& attribute,
     for (const auto& choice : choices) {
       names.emplace_back(choice.first);
     }
-    THROW_ARGOSEXCEPTION(node.GetLocation()
-                         << ": <" << node.Value() << ">: attribute \"" << attribute << "\": \""
-                         << text << "\" is not valid" << DidYouMean(text, names));
+    THROW_ARGOSEXCEPTION(OwnerOf(node) << ": attribute \"" << attribute << "\": \"" << text
+                                       << "\" is not valid" << DidYouMean(text, names));
   }
   value = found->second;
 }
@@ -38,9 +38,8 @@ void ReadChoice(TConfigurationNode& node, const std::string& attribute,
 void ReadUpTo(TConfigurationNode& node, const std::string& attribute, UInt32 most, UInt32& value) {
   GetNodeAttributeOrDefault(node, attribute, value, value);
   if (value > most) {
-    THROW_ARGOSEXCEPTION(node.GetLocation()
-                         << ": <" << node.Value() << ">: attribute \"" << attribute
-                         << "\": " << value << " is out of range; it must be at most " << most);
+    THROW_ARGOSEXCEPTION(OwnerOf(node) << ": attribute \"" << attribute << "\": " << value
+                                       << " is out of range; it must be at most " << most);
   }
 }
 

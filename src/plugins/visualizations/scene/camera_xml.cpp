@@ -5,6 +5,7 @@
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/math/eigen_bridge.h>
 #include <argos3/core/utility/math/vector3.h>
+#include <argos3/plugins/simulator/entities/value_checks.h>
 
 #include <algorithm>
 
@@ -17,9 +18,8 @@ constexpr Real kDefaultFocalLength = 20.0;  // mm
 // reaching an element marks it as read, so the warning about unused elements would not list it
 void WarnOfUnknownElement(const TConfigurationNode& node, const std::string& parent,
                           const std::vector<std::string>& known) {
-  LOGERR << "[WARNING] " << node.GetLocation() << ": <" << node.Value()
-         << "> has no meaning inside <" << parent << "> and is ignored"
-         << DidYouMean(node.Value(), known) << std::endl;
+  LOGERR << "[WARNING] " << OwnerOf(node) << " has no meaning inside <" << parent
+         << "> and is ignored" << DidYouMean(node.Value(), known) << std::endl;
 }
 
 void ReadPlacement(TConfigurationNode& node, CCameraTimeline& timeline) {

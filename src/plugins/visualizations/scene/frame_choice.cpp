@@ -1,5 +1,6 @@
 #include <argos3/plugins/simulator/visualizations/scene/frame_choice.h>
 
+#include <argos3/plugins/simulator/entities/value_checks.h>
 #include <argos3/plugins/simulator/visualizations/scene/ground_texture.h>
 
 #include <algorithm>
@@ -15,10 +16,9 @@ constexpr UInt32 kMaxSide = 16384;  // pixels; the limit of current drivers
 
 int CheckSide(const TConfigurationNode& node, const std::string& attribute, UInt32 pixels) {
   if (pixels < kMinSide || pixels > kMaxSide) {
-    THROW_ARGOSEXCEPTION(node.GetLocation()
-                         << ": <" << node.Value() << ">: attribute \"" << attribute
-                         << "\": " << pixels << " pixels are out of range; a side must have from "
-                         << kMinSide << " to " << kMaxSide << " pixels");
+    THROW_ARGOSEXCEPTION(OwnerOf(node) << ": attribute \"" << attribute << "\": " << pixels
+                                       << " pixels are out of range; a side must have from "
+                                       << kMinSide << " to " << kMaxSide << " pixels");
   }
   return static_cast<int>(pixels);
 }
@@ -42,16 +42,15 @@ void ReadTicks(TConfigurationNode& node, SFrameChoice& choice) {
                          last >= first &&
                          (choice.Ticks.empty() || first > choice.Ticks.back().second);
     if (!isValid) {
-      THROW_ARGOSEXCEPTION(node.GetLocation()
-                           << ": <" << node.Value() << ">: attribute \"ticks\": \"" << part
-                           << "\" in \"" << text << "\" is not valid; write ticks, or first and "
+      THROW_ARGOSEXCEPTION(OwnerOf(node)
+                           << ": attribute \"ticks\": \"" << part << "\" in \"" << text
+                           << "\" is not valid; write ticks, or first and "
                            << "last ticks, in increasing order, such as \"0-50,100,550-600\"");
     }
     choice.Ticks.emplace_back(first, last);
   }
   if (parts.empty() && NodeAttributeExists(node, "ticks")) {
-    THROW_ARGOSEXCEPTION(node.GetLocation()
-                         << ": <" << node.Value() << ">: attribute \"ticks\" is empty");
+    THROW_ARGOSEXCEPTION(OwnerOf(node) << ": attribute \"ticks\" is empty");
   }
 }
 
@@ -81,8 +80,8 @@ void ReadFrameContents(TConfigurationNode& node, SFrameContents& contents) {
 void ReadPositive(TConfigurationNode& node, const std::string& attribute, UInt32& value) {
   GetNodeAttributeOrDefault(node, attribute, value, value);
   if (value == 0) {
-    THROW_ARGOSEXCEPTION(node.GetLocation() << ": <" << node.Value() << ">: attribute \""
-                                            << attribute << "\" is 0; it must be at least 1");
+    THROW_ARGOSEXCEPTION(OwnerOf(node)
+                         << ": attribute \"" << attribute << "\" is 0; it must be at least 1");
   }
 }
 
@@ -96,9 +95,9 @@ void ReadSize(TConfigurationNode& node, const std::string& attribute, int& frame
   if (cross == std::string::npos ||
       ParseNumber(std::string_view(text).substr(0, cross), width) != ENumberParsing::Ok ||
       ParseNumber(std::string_view(text).substr(cross + 1), height) != ENumberParsing::Ok) {
-    THROW_ARGOSEXCEPTION(node.GetLocation()
-                         << ": <" << node.Value() << ">: attribute \"" << attribute << "\": \""
-                         << text << "\" is not a size; write width and height in pixels, such as "
+    THROW_ARGOSEXCEPTION(OwnerOf(node)
+                         << ": attribute \"" << attribute << "\": \"" << text
+                         << "\" is not a size; write width and height in pixels, such as "
                          << "\"1280x960\"");
   }
   frameWidth = CheckSide(node, attribute, width);
@@ -109,9 +108,8 @@ void ReadFrameSize(TConfigurationNode& node, int& frameWidth, int& frameHeight) 
   const bool hasSides = NodeAttributeExists(node, "width") || NodeAttributeExists(node, "height");
   if (NodeAttributeExists(node, "size")) {
     if (hasSides) {
-      THROW_ARGOSEXCEPTION(node.GetLocation()
-                           << ": <" << node.Value() << "> has both \"size\" and \"width\" or "
-                           << "\"height\"; give the frame's size once");
+      THROW_ARGOSEXCEPTION(OwnerOf(node) << " has both \"size\" and \"width\" or "
+                                         << "\"height\"; give the frame's size once");
     }
     ReadSize(node, "size", frameWidth, frameHeight);
     return;

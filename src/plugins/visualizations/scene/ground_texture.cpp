@@ -3,6 +3,7 @@
 #include <argos3/core/simulator/images/image_file.h>
 #include <argos3/core/utility/files/nearby_file.h>
 #include <argos3/core/utility/text/string_utilities.h>
+#include <argos3/plugins/simulator/entities/value_checks.h>
 
 #include <cmath>
 #include <memory>
@@ -28,9 +29,8 @@ SFloorImage ReadGroundTexture(TConfigurationNode& view) {
   SFloorImage ground;
   if (!NodeAttributeExists(view, "ground_texture")) {
     if (NodeAttributeExists(view, "ground_texture_size")) {
-      THROW_ARGOSEXCEPTION(view.GetLocation()
-                           << ": <" << view.Value()
-                           << "> has \"ground_texture_size\" without \"ground_texture\"");
+      THROW_ARGOSEXCEPTION(OwnerOf(view)
+                           << " has \"ground_texture_size\" without \"ground_texture\"");
     }
     return ground;
   }
@@ -40,9 +40,8 @@ SFloorImage ReadGroundTexture(TConfigurationNode& view) {
   if (NodeAttributeExists(view, "ground_texture_size")) {
     GetNodeAttribute(view, "ground_texture_size", size);
     if (!(size > 0.0) || !std::isfinite(size)) {
-      THROW_ARGOSEXCEPTION(view.GetLocation()
-                           << ": <" << view.Value()
-                           << ">: attribute \"ground_texture_size\" must be a positive number of "
+      THROW_ARGOSEXCEPTION(OwnerOf(view)
+                           << ": attribute \"ground_texture_size\" must be a positive number of "
                               "metres, found "
                            << size);
     }
@@ -55,8 +54,7 @@ SFloorImage ReadGroundTexture(TConfigurationNode& view) {
     ground.TileSize = {static_cast<float>(size),
                        static_cast<float>(size * ground.Height / ground.Width)};
   } catch (CARGoSException& ex) {
-    THROW_ARGOSEXCEPTION_NESTED(
-        view.GetLocation() << ": <" << view.Value() << ">: attribute \"ground_texture\"", ex);
+    THROW_ARGOSEXCEPTION_NESTED(OwnerOf(view) << ": attribute \"ground_texture\"", ex);
   }
   ground.IsSmooth = true;
   ground.Version = 1;
