@@ -19,6 +19,14 @@ std::string SCombination::ComputeKey() const {
   return key;
 }
 
+std::vector<std::string> SCampaign::ListFactors() const {
+  std::vector<std::string> names;
+  for (const SFactor& factor : Factors) {
+    names.push_back(factor.Name);
+  }
+  return names;
+}
+
 const std::vector<std::string>& ListBuiltInMetrics() {
   static const std::vector<std::string> kNames = {
       "dispersion",    "collisions", "messages",        "real_time_factor", "loop_wall_time",

@@ -129,6 +129,9 @@ struct SCampaign {
   std::vector<SComparison> Comparisons;
   SSlurmSettings Slurm;
   std::vector<std::string> Warnings; /**< "file:line: <tag>: ...", for the log */
+
+  /** The names of Factors. */
+  std::vector<std::string> ListFactors() const;
 };
 
 /** The built-in metrics that need no library of a user. */

@@ -44,16 +44,8 @@ const std::map<std::string, SFigureKind>& ListFigureKinds() {
   return kKinds;
 }
 
-std::vector<std::string> ListFactorNames(const SCampaign& campaign) {
-  std::vector<std::string> names;
-  for (const SFactor& factor : campaign.Factors) {
-    names.push_back(factor.Name);
-  }
-  return names;
-}
-
 std::string FindFactorProblem(const SCampaign& campaign, const std::string& name) {
-  const std::vector<std::string> names = ListFactorNames(campaign);
+  const std::vector<std::string> names = campaign.ListFactors();
   return std::find(names.begin(), names.end(), name) != names.end()
              ? ""
              : "there is no factor \"" + name + '"' + DidYouMean(name, names);

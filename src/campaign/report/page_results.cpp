@@ -9,21 +9,13 @@ namespace argos {
 
 namespace {
 
-std::vector<std::string> ListFactorNames(const SCampaign& campaign) {
-  std::vector<std::string> names;
-  for (const SFactor& factor : campaign.Factors) {
-    names.push_back(factor.Name);
-  }
-  return names;
-}
-
 std::string FormatInterval(const std::optional<SConfidenceInterval>& interval) {
   return interval ? FormatRange(interval->Lower, interval->Upper) : "-";
 }
 
 std::string MakeMetricTable(const CReportData& data, const std::string& metric) {
   const SCampaign& campaign = data.GetCampaign();
-  std::vector<std::string> titles = ListFactorNames(campaign);
+  std::vector<std::string> titles = campaign.ListFactors();
   for (const char* title : {"n", "missing", "mean", "sd", "median", "quartiles",
                             "95 % t interval of the mean", "95 % BCa interval of the mean"}) {
     titles.emplace_back(title);
@@ -132,7 +124,7 @@ std::string MakeMetricTables(const CReportData& data) {
 
 std::string MakeSuccessTable(const CReportData& data) {
   const SCampaign& campaign = data.GetCampaign();
-  std::vector<std::string> titles = ListFactorNames(campaign);
+  std::vector<std::string> titles = campaign.ListFactors();
   for (const char* title : {"runs", "done", "success rate", "95 % Wilson interval"}) {
     titles.emplace_back(title);
   }

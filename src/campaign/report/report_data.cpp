@@ -97,10 +97,7 @@ void CReportData::FindLevels() {
 }
 
 size_t CReportData::FindFactor(const std::string& name) const {
-  std::vector<std::string> names;
-  for (const SFactor& factor : m_campaign.Factors) {
-    names.push_back(factor.Name);
-  }
+  const std::vector<std::string> names = m_campaign.ListFactors();
   const auto place = std::find(names.begin(), names.end(), name);
   if (place == names.end()) {
     THROW_ARGOSEXCEPTION("there is no factor \"" << name << '"' << DidYouMean(name, names));

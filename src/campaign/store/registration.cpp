@@ -50,10 +50,7 @@ std::string DescribeCollected(const SCampaign& campaign) {
 }
 
 void RegisterFactors(CDatabase& database, const CResultStore& store, const SCampaign& campaign) {
-  std::vector<std::string> names;
-  for (const SFactor& factor : campaign.Factors) {
-    names.push_back(factor.Name);
-  }
+  const std::vector<std::string> names = campaign.ListFactors();
   const bool isNew = database.QueryNumber("SELECT count(*) FROM generations") == 0;
   const std::vector<std::string> stored = store.ListFactors();
   if (!isNew && stored != names) {
