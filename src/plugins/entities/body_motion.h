@@ -5,6 +5,8 @@
 #include <argos3/core/simulator/context/simulation_context.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
 
+#include <cmath>
+
 namespace argos {
 
 /** The motion of a body since a stored pose. For the sources of components. */
@@ -49,6 +51,22 @@ class CBodyMotion {
   CVector3 m_position;  // of the origin anchor, world frame, m
   CQuaternion m_orientation;
 };
+
+/** Half the angle of a turn about the vertical, from -pi/2 to pi/2. */
+inline Real ComputeHalfAngle(const CQuaternion& turn) {
+  return 0.5 * std::remainder(2.0 * std::atan2(turn.GetZ(), turn.GetW()), 2.0 * ARGOS_PI);
+}
+
+/**
+ * The length of the arc of a body that turns and moves at constant speeds, m. Its chord has the
+ * direction of the heading half-way, and is sin(a/2) / (a/2) times as long for a turn by a.
+ * @param x, y  displacement in the frame of the beginning, m; what is across the chord is ignored.
+ */
+inline Real ComputeArcLength(Real x, Real y, Real halfAngle) {
+  const Real sine = std::sin(halfAngle);
+  const Real chord = x * std::cos(halfAngle) + y * sine;
+  return halfAngle == 0.0 ? chord : chord * halfAngle / sine;
+}
 
 }  // namespace argos
 

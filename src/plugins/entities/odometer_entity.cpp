@@ -8,7 +8,6 @@
 #include <argos3/plugins/simulator/entities/wheeled_entity.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace argos {
 
@@ -53,9 +52,8 @@ SDriveCommand COdometerEntity::ReadCommand() const {
           (speeds[1] - speeds[0]) / (wheels[0].GetY() - wheels[1].GetY())};
 }
 
-// A body that turns by the angle a at constant speeds moves its origin along a chord, in the
-// direction of its heading half-way; the chord is sin(a/2) / (a/2) times as long as the path. This
-// applies to the difference between the body's step and that of the arcs that its drive commands.
+// ComputeArcLength() applies to the difference between the body's step and that of the arcs that
+// its drive commands.
 void COdometerEntity::Measure() {
   const SDriveCommand command = ReadCommand();
   const CEmbodiedEntity& body = m_motion.GetBody();
@@ -68,12 +66,9 @@ void COdometerEntity::Measure() {
   m_lastCommand = command;
 
   const CVector3 step = m_motion.ComputeStep();
-  const CQuaternion turn = m_motion.ComputeTurn();
-  const Real halfAngle =
-      0.5 * std::remainder(2.0 * std::atan2(turn.GetZ(), turn.GetW()), 2.0 * ARGOS_PI);
-  const Real sine = std::sin(halfAngle);
-  const Real chord = (step.GetX() - arcs.DX) * std::cos(halfAngle) + (step.GetY() - arcs.DY) * sine;
-  const Real way = commandedWay + (halfAngle == 0.0 ? chord : chord * halfAngle / sine);
+  const Real halfAngle = ComputeHalfAngle(m_motion.ComputeTurn());
+  const Real way =
+      commandedWay + ComputeArcLength(step.GetX() - arcs.DX, step.GetY() - arcs.DY, halfAngle);
   const CVector3* const wheels = m_wheels->GetWheelPositions();
   for (size_t i = 0; i < m_distances.size(); ++i) {
     m_distances[i] = way - 2.0 * halfAngle * wheels[i].GetY();

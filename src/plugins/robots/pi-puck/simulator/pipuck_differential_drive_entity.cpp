@@ -4,8 +4,6 @@
 #include <argos3/core/simulator/space/space_operations.h>
 #include <argos3/plugins/robots/pi-puck/simulator/pipuck_measures.h>
 
-#include <cmath>
-
 namespace argos {
 
 CPiPuckDifferentialDriveEntity::CPiPuckDifferentialDriveEntity(CComposableEntity* parent)
@@ -34,17 +32,11 @@ void CPiPuckDifferentialDriveEntity::SetTarget(EWheel wheel, Real velocity) {
   SetVelocities(velocities);
 }
 
-// A body that turns by the angle a at constant speeds moves along a chord in the direction of its
-// heading half-way; the chord is sin(a/2) / (a/2) times as long as the path.
 void CPiPuckDifferentialDriveEntity::Update() {
   if (m_tick.IsNewTick()) {
     const CVector3 step = m_motion.ComputeStep();
-    const CQuaternion turn = m_motion.ComputeTurn();
-    const Real halfAngle =
-        0.5 * std::remainder(2.0 * std::atan2(turn.GetZ(), turn.GetW()), 2.0 * ARGOS_PI);
-    const Real sine = std::sin(halfAngle);
-    const Real chord = step.GetX() * std::cos(halfAngle) + step.GetY() * sine;
-    const Real way = halfAngle == 0.0 ? chord : chord * halfAngle / sine;
+    const Real halfAngle = ComputeHalfAngle(m_motion.ComputeTurn());
+    const Real way = ComputeArcLength(step.GetX(), step.GetY(), halfAngle);
     const Real difference = halfAngle * pipuck::kInterwheelDistance;
     const Real tick = m_tick.GetTickLength();
     m_velocities[LEFT] = (way - difference) / tick;
