@@ -41,6 +41,12 @@ void AddMethod(lua_State* state, const char* name, CLuaSimulation& simulation) {
   lua_setfield(state, -2, name);
 }
 
+// problem: "has no LEDs"
+[[noreturn]] void ThrowUnfit(const CEntity& entity, const char* problem) {
+  THROW_ARGOSEXCEPTION("\"" << entity.GetId() << "\" (<" << entity.GetTypeDescription() << ">) "
+                            << problem);
+}
+
 /** A component of a root entity; null if it has none of that type. */
 template <typename COMPONENT>
 COMPONENT* FindComponent(CEntity& entity, const char* type) {
@@ -67,8 +73,7 @@ bool TryGetPose(CEntity& entity, SPose& pose) {
 SPose GetPose(CEntity& entity) {
   SPose pose;
   if (!TryGetPose(entity, pose)) {
-    THROW_ARGOSEXCEPTION("\"" << entity.GetId() << "\" (<" << entity.GetTypeDescription()
-                              << ">) has no position");
+    ThrowUnfit(entity, "has no position");
   }
   return pose;
 }
@@ -145,8 +150,7 @@ CLuaController& GetLuaController(CEntity& entity) {
   auto* const controller =
       robot != nullptr ? dynamic_cast<CLuaController*>(&robot->GetController()) : nullptr;
   if (controller == nullptr || controller->GetLuaState() == nullptr) {
-    THROW_ARGOSEXCEPTION("\"" << entity.GetId() << "\" (<" << entity.GetTypeDescription()
-                              << ">) runs no Lua script");
+    ThrowUnfit(entity, "runs no Lua script");
   }
   return *controller;
 }
@@ -183,8 +187,7 @@ void CopyValue(lua_State* from, lua_State* to) {
 CControllableEntity& GetRobot(CEntity& entity) {
   auto* const robot = FindComponent<CControllableEntity>(entity, "controller");
   if (robot == nullptr) {
-    THROW_ARGOSEXCEPTION("\"" << entity.GetId() << "\" (<" << entity.GetTypeDescription()
-                              << ">) is no robot");
+    ThrowUnfit(entity, "is no robot");
   }
   return *robot;
 }
@@ -199,8 +202,7 @@ void SetRobotEnabled(CControllableEntity& robot, bool isEnabled) {
 CBatteryEquippedEntity& GetBatteryOf(CEntity& entity) {
   auto* const battery = FindComponent<CBatteryEquippedEntity>(entity, "battery");
   if (battery == nullptr) {
-    THROW_ARGOSEXCEPTION("\"" << entity.GetId() << "\" (<" << entity.GetTypeDescription()
-                              << ">) has no battery");
+    ThrowUnfit(entity, "has no battery");
   }
   return *battery;
 }
@@ -208,8 +210,7 @@ CBatteryEquippedEntity& GetBatteryOf(CEntity& entity) {
 CLEDEquippedEntity& GetLEDs(CEntity& entity) {
   auto* const leds = FindComponent<CLEDEquippedEntity>(entity, "leds");
   if (leds == nullptr || leds->GetNumLEDs() == 0) {
-    THROW_ARGOSEXCEPTION("\"" << entity.GetId() << "\" (<" << entity.GetTypeDescription()
-                              << ">) has no LEDs");
+    ThrowUnfit(entity, "has no LEDs");
   }
   return *leds;
 }

@@ -79,10 +79,7 @@ void TakeCommands(CSpace& space, SFrameUpdate& update) {
 }  // namespace
 
 void CRecordingOutput::Init(TConfigurationNode& tree) {
-  m_location = tree.GetLocation();
-  m_location += ": <";
-  m_location += tree.Value();
-  m_location += '>';
+  m_location = OwnerOf(tree);
   GetNodeAttribute(tree, "file", m_file);
   if (m_file.empty()) {
     THROW_ARGOSEXCEPTION(OwnerOf(tree) << ": attribute \"file\" is empty; it must be the "
