@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <cstdio>
 #include <fstream>
-#include <iterator>
 
 namespace argos {
 
@@ -16,17 +15,12 @@ namespace {
 
 constexpr char kMagic[] = "ARGOSREC";
 
-std::string ReadFile(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
-
 std::string ReadRecording(const std::string& path) {
-  const std::string problem = FindInputProblem(path);
-  if (!problem.empty()) {
+  std::string bytes;
+  std::string problem;
+  if (!ReadInputFile(path, bytes, problem)) {
     THROW_ARGOSEXCEPTION("cannot open the recording \"" << path << "\": " << problem);
   }
-  std::string bytes = ReadFile(path);
   if (bytes.compare(0, sizeof(kMagic) - 1, kMagic) != 0) {
     THROW_ARGOSEXCEPTION('"' << path << "\" is no recording: it does not begin with \"" << kMagic
                              << '"');
@@ -67,15 +61,16 @@ std::size_t FindPlace(const std::string& page) {
 
 void ExportPage(const std::string& recording, const std::string& file, const std::string& prefix) {
   const std::string path = prefix + "/share/argos3/live/index.html";
-  const std::string page = ReadFile(path);
-  if (page.empty()) {
+  std::string page;
+  std::string problem;
+  if (!ReadInputFile(path, page, problem)) {
     THROW_ARGOSEXCEPTION("--html needs the page of the live view, \""
                          << path
                          << "\", which is built where npm is installed (Debian: nodejs npm)");
   }
   const std::string data = ToBase64(ReadRecording(recording));
   const std::size_t place = FindPlace(page);
-  const std::string problem = FindOutputProblem(file, EMissingFolder::IsCreated);
+  problem = FindOutputProblem(file, EMissingFolder::IsCreated);
   if (!problem.empty()) {
     THROW_ARGOSEXCEPTION("cannot write \"" << file << "\": " << problem);
   }

@@ -1,12 +1,12 @@
 #include <argos3/program/catalogue/public_headers.h>
 
+#include <argos3/core/utility/files/input_file.h>
 #include <argos3/core/utility/plugins/registration.h>
 #include <argos3/program/catalogue/header_scanner.h>
 
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -83,13 +83,6 @@ STypeText DescribeEnum(const std::string& name, const SHeaderItem& type) {
   return text;
 }
 
-std::string ReadFile(const fs::path& path) {
-  std::ifstream file(path);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
 }  // namespace
 
 std::string FindInstallation() {
@@ -141,13 +134,17 @@ void CPublicHeaders::AddFolder(const std::string& folder, bool onlyInterfaces) {
     }
   }
   for (const fs::path& header : headers) {
+    std::string text;
+    std::string problem;
     // users include it so; a build has further folders above "argos3"
     const std::string path = header.string();
     const size_t start = path.rfind("/argos3/");
-    AddHeader(onlyInterfaces && start != std::string::npos
-                  ? path.substr(start + 1)
-                  : header.lexically_relative(folder).string(),
-              ReadFile(header));
+    if (ReadInputFile(path, text, problem)) {
+      AddHeader(onlyInterfaces && start != std::string::npos
+                    ? path.substr(start + 1)
+                    : header.lexically_relative(folder).string(),
+                text);
+    }
   }
 }
 
