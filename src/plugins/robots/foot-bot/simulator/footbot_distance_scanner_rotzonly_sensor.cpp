@@ -16,7 +16,8 @@ namespace {
 constexpr int kHeadsOfARange = 2;
 constexpr int kSamplesOfATick = 6;  // number while it rotates
 constexpr size_t kMaxBeams = 2 * kHeadsOfARange * kSamplesOfATick;
-static_assert(kMaxBeams <= CRayCaster::kMaxRays, "all beams are cast with one query");
+constexpr Real kRounding = 1e-9;  // m
+static_assert(kSamplesOfATick <= SRayBlock::kSize, "the beams of a head are one block");
 
 // @return the same angle in [0, 2 PI)
 Real WrapTurn(Real angle) {
@@ -37,6 +38,54 @@ SSensorRay MakeBeam(const CFootBotDistanceScannerEquippedEntity::SMount& mount,
   beam.Offset = outward * mount.Radius + CVector3(0.0, 0.0, mount.Elevation);
   beam.Direction = outward * range;
   return beam;
+}
+
+// the beams of one head in a tick; those of the heads of a range alternate
+struct SHeadBeams {
+  const SSensorRay* First;
+  size_t Count;
+
+  const SSensorRay& operator[](size_t sample) const { return First[sample * kHeadsOfARange]; }
+};
+
+// a circle around the mean of the middles of the beams
+SRayBounds ComputeBounds(const SHeadBeams& beams) {
+  SRayBounds bounds;
+  for (size_t i = 0; i < beams.Count; ++i) {
+    const CVector3 middle = beams[i].Offset + 0.5 * beams[i].Direction;
+    bounds.CenterX += middle.GetX() / static_cast<Real>(beams.Count);
+    bounds.CenterY += middle.GetY() / static_cast<Real>(beams.Count);
+    bounds.Include(beams[i], i == 0);
+  }
+  Real squareReach = 0.0;
+  for (size_t i = 0; i < beams.Count; ++i) {
+    const Real startX = beams[i].Offset.GetX() - bounds.CenterX;
+    const Real startY = beams[i].Offset.GetY() - bounds.CenterY;
+    const Real endX = startX + beams[i].Direction.GetX();
+    const Real endY = startY + beams[i].Direction.GetY();
+    squareReach =
+        std::max({squareReach, startX * startX + startY * startY, endX * endX + endY * endY});
+  }
+  bounds.Reach = std::sqrt(squareReach) + kRounding;
+  return bounds;
+}
+
+// writes the fractions of the beams at the same distances from each other as the beams
+void CastHead(const CRayCaster& caster, const SAnchor& origin, const SHeadBeams& beams,
+              Real* fractions) {
+  SSensorRay rays[kSamplesOfATick];
+  for (size_t i = 0; i < beams.Count; ++i) {
+    rays[i] = beams[i];
+  }
+  SRayBlock block;
+  FillBlocks(rays, beams.Count, &block);
+  const SRayBounds bounds = ComputeBounds(beams);
+  const SAnchor* const anchor = &origin;
+  Real found[kSamplesOfATick];
+  caster.Cast({rays, &block, beams.Count, bounds, &anchor, origin}, found);
+  for (size_t i = 0; i < beams.Count; ++i) {
+    fractions[i * kHeadsOfARange] = found[i];
+  }
 }
 
 }  // namespace
@@ -89,6 +138,7 @@ void CFootBotDistanceScannerRotZOnlySensor::Cast() {
   }
   const CFootBotDistanceScannerEquippedEntity::SMount& mount = m_scanner->GetMount();
   SSensorRay beams[kMaxBeams];
+  Real fractions[kMaxBeams];
   size_t count = 0;
   for (const SReading& reading : m_shortReadings) {
     beams[count++] = MakeBeam(mount, reading.Angle, footbot::kDistanceScannerShortMax);
@@ -96,19 +146,18 @@ void CFootBotDistanceScannerRotZOnlySensor::Cast() {
   for (const SReading& reading : m_longReadings) {
     beams[count++] = MakeBeam(mount, reading.Angle, footbot::kDistanceScannerLongMax);
   }
-  SRayBounds bounds;
-  bounds.Reach = mount.Radius + footbot::kDistanceScannerLongMax;
-  for (size_t i = 0; i < count; ++i) {
-    bounds.Include(beams[i], i == 0);
+  // heads look in different directions: few bodies are near the beams of any one of them
+  const SAnchor& origin = m_caster.GetBody().GetOriginAnchor();
+  for (size_t range = 0; range < count; range += count / 2) {
+    for (size_t head = 0; head < kHeadsOfARange; ++head) {
+      CastHead(m_caster, origin, {beams + range + head, count / (2 * kHeadsOfARange)},
+               fractions + range + head);
+    }
   }
-  SRayBlock blocks[SRayBlock::GetNumBlocks(kMaxBeams)];
-  FillBlocks(beams, count, blocks);
-  const SAnchor* const origin = &m_caster.GetBody().GetOriginAnchor();
-  const SRayBundle bundle{beams, blocks, count, bounds, &origin, *origin};
-  Real fractions[kMaxBeams];
-  m_caster.Cast(bundle, fractions);
   if (m_showRays) {
-    m_caster.Show(bundle, fractions);
+    const SRayBounds bounds;
+    const SAnchor* const anchor = &origin;
+    m_caster.Show({beams, nullptr, count, bounds, &anchor, origin}, fractions);
   }
   const Real* fraction = fractions;
   for (SReading& reading : m_shortReadings) {
