@@ -22,8 +22,10 @@ void FillBlocks(const SSensorRay* rays, size_t count, SRayBlock* blocks) {
     const size_t place = i % SRayBlock::kSize;
     block.OffsetX[place] = ray.Offset.GetX();
     block.OffsetY[place] = ray.Offset.GetY();
+    block.OffsetZ[place] = ray.Offset.GetZ();
     block.DirectionX[place] = ray.Direction.GetX();
     block.DirectionY[place] = ray.Direction.GetY();
+    block.DirectionZ[place] = ray.Direction.GetZ();
   }
 }
 

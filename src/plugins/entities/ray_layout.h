@@ -29,12 +29,14 @@ inline CVector3 WithLength(CVector3 direction, Real length) {
   return direction.Normalize() *= length;
 }
 
-/** Eight rays seen from above, in arrays over which loops are vectorized. */
+/** Eight rays, in arrays over which loops are vectorized. */
 struct SRayBlock {
   static constexpr size_t kSize = 8;
 
-  Real OffsetX[kSize], OffsetY[kSize]; /**< start in the anchor's frame, m */
-  Real DirectionX[kSize], DirectionY[kSize]; /**< lead from start to end in the anchor's frame, m */
+  // start in the anchor's frame, m
+  Real OffsetX[kSize], OffsetY[kSize], OffsetZ[kSize];
+  // lead from start to end in the anchor's frame, m
+  Real DirectionX[kSize], DirectionY[kSize], DirectionZ[kSize];
 
   static constexpr size_t GetNumBlocks(size_t rays) { return (rays + kSize - 1) / kSize; }
 };

@@ -59,8 +59,7 @@ bool CAngularLight::ComputeBeam(size_t light, SBeam& beam) {
     return false;
   }
   const CRay3 ray(origin.Position, place);
-  Real fraction = 1.0;
-  const bool blocked = m_caster.FindHit(ray, fraction);
+  const bool blocked = m_caster.IsBlocked(ray);
   if (m_showRays) {
     m_caster.GetRobot().AddCheckedRay(blocked, ray);
   }

@@ -6,6 +6,7 @@
 #include <argos3/core/simulator/geometry/body_index.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/plugins/robots/generic/simulator/device_manual.h>
+#include <argos3/plugins/robots/generic/simulator/light_eyes.h>
 #include <argos3/plugins/robots/generic/simulator/planar_rays.h>
 #include <argos3/plugins/simulator/entities/light_entity.h>
 #include <argos3/plugins/simulator/entities/light_sensor_equipped_entity.h>
@@ -18,11 +19,6 @@
 namespace argos {
 
 namespace {
-
-constexpr size_t kBatch = CRayCaster::kMaxRays;
-// sine of the angle below the horizon at which a light still counts as visible: much larger than
-// the rounding error of a robot's pose, so that mirrored sensors decide alike
-constexpr Real kGrazing = 1e-9;
 
 // segments from several sensors to one light: at a fraction f of the segment from their centre,
 // their distance from it is at most (1 - f) times the radius of the sensors around their centre
@@ -69,52 +65,19 @@ struct SBeam {
 
 }  // namespace
 
-struct CLightDefaultSensor::SEyeBatch {
-  enum class ESight : UInt8 { Behind, Clear, Blocked };
+struct CLightDefaultSensor::SEyes : SLightEyes {
+  // from the sensors to a light, for SPlanarRays
+  using TLines = SPlanarRays<kCapacity>;
 
-  size_t Count = 0;
-  CVector3 Positions[kBatch];  // world frame, m
-  CVector3 Directions[kBatch];  // world frame, of length 1
-  CVector3 Center;  // world frame, m
-  Real Reach = 0.0;  // m, planar radius of the positions around the centre
-  Real MinZ = HUGE_VAL, MaxZ = -HUGE_VAL;  // m, of the positions
-  Real Distances[kBatch];  // distances to the light, m
-  ESight Sights[kBatch];  // say if the light is visible
-  SPlanarRays<kBatch> Lines;  // lines to the light
-  Real Readings[kBatch];
-
-  SEyeBatch(const SRayLayout& layout, const SAnchor* const* anchors, size_t first, size_t count);
-  bool HasClearSight() const {
-    return std::any_of(Sights, Sights + Count, [](ESight sight) { return sight == ESight::Clear; });
+  TLines MakeLines() const {
+    TLines lines;
+    lines.SetCenter(Center.GetX(), Center.GetY());
+    for (size_t i = 0; i < Count; ++i) {
+      lines.Set(i, X[i], Y[i], DX[i], DY[i]);
+    }
+    return lines;
   }
 };
-
-CLightDefaultSensor::SEyeBatch::SEyeBatch(const SRayLayout& layout, const SAnchor* const* anchors,
-                                          size_t first, size_t count)
-    : Count(count) {
-  for (size_t i = 0; i < Count; ++i) {
-    const SSensorRay& sensor = layout.Rays[first + i];
-    const SAnchor& anchor = *anchors[sensor.Anchor];
-    Positions[i] = sensor.Offset;
-    Positions[i].Rotate(anchor.Orientation);
-    Positions[i] += anchor.Position;
-    Directions[i] = sensor.Direction;
-    Directions[i].Rotate(anchor.Orientation).Normalize();
-    Center += Positions[i];
-    Readings[i] = 0.0;
-  }
-  Center /= static_cast<Real>(Count);
-  Real squareReach = 0.0;
-  for (size_t i = 0; i < Count; ++i) {
-    const CVector3 offset = Positions[i] - Center;
-    squareReach =
-        std::max(squareReach, offset.GetX() * offset.GetX() + offset.GetY() * offset.GetY());
-    MinZ = std::min(MinZ, Positions[i].GetZ());
-    MaxZ = std::max(MaxZ, Positions[i].GetZ());
-  }
-  Reach = std::sqrt(squareReach);
-  Lines.SetCenter(Center.GetX(), Center.GetY());
-}
 
 CLightDefaultSensor::CLightDefaultSensor()
     : m_lights(&CurrentSpace().GetExtension<CLights>()),
@@ -132,7 +95,8 @@ void CLightDefaultSensor::FindParts(CComposableEntity& robot) {
 
 void CLightDefaultSensor::Configure(TConfigurationNode& tree) {
   GetNodeAttributeOrDefault(tree, "show_rays", m_bShowRays, m_bShowRays);
-  if (typeid(*this) == typeid(CLightDefaultSensor)) {
+  m_isPlain = typeid(*this) == typeid(CLightDefaultSensor);
+  if (m_isPlain) {
     m_noise.Init(tree, *m_pcControllableEntity, {"reading"}, {ReadNoiseLevel(tree)});
   } else {
     m_noise.Init(tree, *m_pcControllableEntity, {"reading"});
@@ -145,9 +109,10 @@ void CLightDefaultSensor::Update() {
   const SRayLayout& layout = m_pcLightEntity->GetLayout();
   m_tReadings.assign(layout.Rays.size(), 0.0);
   if (!m_lights->Get().empty()) {
-    for (size_t first = 0; first < m_tReadings.size(); first += kBatch) {
-      SEyeBatch eyes(layout, m_pcLightEntity->GetAnchors(), first,
-                     std::min(kBatch, m_tReadings.size() - first));
+    SEyes eyes;
+    for (size_t first = 0; first < m_tReadings.size(); first += SEyes::kCapacity) {
+      eyes.Place(layout, m_pcLightEntity->GetAnchors(), first,
+                 std::min(SEyes::kCapacity, m_tReadings.size() - first));
       AddLights(eyes);
       std::copy_n(eyes.Readings, eyes.Count, m_tReadings.begin() + static_cast<ptrdiff_t>(first));
     }
@@ -162,49 +127,42 @@ void CLightDefaultSensor::Update() {
   }
 }
 
-void CLightDefaultSensor::AddLights(SEyeBatch& eyes) {
+void CLightDefaultSensor::AddLights(SEyes& eyes) {
   for (const CLightEntity* light : m_lights->Get()) {
-    if (light->GetIntensity() <= 0.0) {
+    const Real intensity = light->GetIntensity();
+    if (intensity <= 0.0) {
       continue;
     }
     // a periodic arena has images of the light: the nearest one counts
     const CVector3 place =
         m_cSpace.GetContext().Arena.Period.FindNearest(light->GetPosition(), eyes.Center);
-    FindLightsAhead(place, eyes);
-    if (!eyes.HasClearSight()) {
+    const size_t numAhead = eyes.LookAt(place);
+    if (numAhead == 0) {
       continue;
     }
-    FindOccluded(place, eyes);
     if (m_bShowRays) {
-      Show(place, eyes);
+      FindOccludedAndShow(place, eyes, numAhead);
+    } else {
+      FindOccluded(place, eyes, numAhead);
+    }
+    if (m_isPlain) {
+      eyes.AddSquares(intensity);
+      continue;
     }
     for (size_t i = 0; i < eyes.Count; ++i) {
-      if (eyes.Sights[i] == SEyeBatch::ESight::Clear) {
-        eyes.Readings[i] += CalculateReading(eyes.Distances[i], light->GetIntensity());
+      if (eyes.IsClear[i] != 0) {
+        eyes.Readings[i] += CalculateReading(eyes.Distance[i], intensity);
       }
     }
   }
 }
 
-void CLightDefaultSensor::FindLightsAhead(const CVector3& light, SEyeBatch& eyes) const {
-  for (size_t i = 0; i < eyes.Count; ++i) {
-    const CVector3 towards = light - eyes.Positions[i];
-    eyes.Distances[i] = towards.Length();
-    eyes.Lines.Set(i, eyes.Positions[i].GetX(), eyes.Positions[i].GetY(), towards.GetX(),
-                   towards.GetY());
-    const bool behind = towards.DotProduct(eyes.Directions[i]) < -kGrazing * eyes.Distances[i];
-    eyes.Sights[i] = behind ? SEyeBatch::ESight::Behind : SEyeBatch::ESight::Clear;
-  }
-}
-
 // queries the index once for the solids near the segments, and tests all segments against them
-void CLightDefaultSensor::FindOccluded(const CVector3& light, SEyeBatch& eyes) const {
+void CLightDefaultSensor::FindOccluded(const CVector3& light, SEyes& eyes, size_t numClear) const {
   if (m_caster.AreBodiesOutsideIndex()) {
-    Real fraction = 1.0;
     for (size_t i = 0; i < eyes.Count; ++i) {
-      if (eyes.Sights[i] == SEyeBatch::ESight::Clear &&
-          m_caster.FindHit(CRay3(eyes.Positions[i], light), fraction)) {
-        eyes.Sights[i] = SEyeBatch::ESight::Blocked;
+      if (eyes.IsClear[i] != 0 && m_caster.IsBlocked(CRay3(eyes.GetPosition(i), light))) {
+        eyes.IsClear[i] = 0;
       }
     }
     return;
@@ -214,17 +172,22 @@ void CLightDefaultSensor::FindOccluded(const CVector3& light, SEyeBatch& eyes) c
   const SBeam beam = {eyes.Center, light, eyes.Reach, eyes.MinZ, eyes.MaxZ};
   const CBodyIndex::SRayReach reach(
       eyes.Reach, std::max(eyes.MaxZ - eyes.Center.GetZ(), eyes.Center.GetZ() - eyes.MinZ));
-  auto numClear = std::count(eyes.Sights, eyes.Sights + eyes.Count, SEyeBatch::ESight::Clear);
+  SEyes::TLines lines;
+  bool haveLines = false;
   const auto test = [&](const SIndexedShape& shape) {
     if (shape.Body == ownBody || !beam.MayIntersect(shape)) {
       return;
     }
-    float near[kBatch];
-    eyes.Lines.ComputeNearness(shape, eyes.Count, near);
+    if (!haveLines) {
+      lines = eyes.MakeLines();
+      haveLines = true;
+    }
+    float near[SEyes::kCapacity];
+    lines.ComputeNearness(shape, eyes.Count, near);
     for (size_t i = 0; i < eyes.Count; ++i) {
-      if (!(near[i] < 0.0F) && eyes.Sights[i] == SEyeBatch::ESight::Clear &&
-          index.Intersect(shape, CRay3(eyes.Positions[i], light)) <= 1.0) {
-        eyes.Sights[i] = SEyeBatch::ESight::Blocked;
+      if (!(near[i] < 0.0F) && eyes.IsClear[i] != 0 &&
+          index.Intersect(shape, CRay3(eyes.GetPosition(i), light)) <= 1.0) {
+        eyes.IsClear[i] = 0;
         --numClear;
       }
     }
@@ -233,11 +196,15 @@ void CLightDefaultSensor::FindOccluded(const CVector3& light, SEyeBatch& eyes) c
                           [&numClear] { return numClear == 0; });
 }
 
-void CLightDefaultSensor::Show(const CVector3& light, const SEyeBatch& eyes) const {
+// the lines to the light are shown of the sensors that it is not behind
+void CLightDefaultSensor::FindOccludedAndShow(const CVector3& light, SEyes& eyes,
+                                              size_t numClear) const {
+  UInt64 isAhead[SEyes::kCapacity];
+  std::copy_n(eyes.IsClear, eyes.Count, isAhead);
+  FindOccluded(light, eyes, numClear);
   for (size_t i = 0; i < eyes.Count; ++i) {
-    if (eyes.Sights[i] != SEyeBatch::ESight::Behind) {
-      m_caster.GetRobot().AddCheckedRay(eyes.Sights[i] == SEyeBatch::ESight::Blocked,
-                                        CRay3(eyes.Positions[i], light));
+    if (isAhead[i] != 0) {
+      m_caster.GetRobot().AddCheckedRay(eyes.IsClear[i] == 0, CRay3(eyes.GetPosition(i), light));
     }
   }
 }

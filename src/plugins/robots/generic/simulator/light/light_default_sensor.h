@@ -39,19 +39,20 @@ class CLightDefaultSensor : public CNoisySensor<CCI_LightSensor>, protected CInh
   void SetShowRays(bool show) { m_bShowRays = show; }
 
  private:
-  struct SEyeBatch;  // a batch of sensors, in the world frame
+  struct SEyes;  // some sensors, in the world frame
 
   void FindParts(CComposableEntity& robot) override;
   /** Also reads `show_rays`, `noise_level`. */
   void Configure(TConfigurationNode& tree) override;
   void ResetReading() override;
-  void AddLights(SEyeBatch& eyes);
-  void FindLightsAhead(const CVector3& light, SEyeBatch& eyes) const;
-  void FindOccluded(const CVector3& light, SEyeBatch& eyes) const;
-  void Show(const CVector3& light, const SEyeBatch& eyes) const;
+  void AddLights(SEyes& eyes);
+  // numClear: number of sensors that the light is not behind
+  void FindOccluded(const CVector3& light, SEyes& eyes, size_t numClear) const;
+  void FindOccludedAndShow(const CVector3& light, SEyes& eyes, size_t numClear) const;
 
   CRayCaster m_caster;
   const CLights* m_lights;  // all lights of the space
+  bool m_isPlain = false;  // its class defines no other response
 
  protected:
   // the first two refer to what the rays use

@@ -162,6 +162,31 @@ bool CRayCaster::FindHit(const CRay3& ray, Real& fraction) const {
   return found;
 }
 
+bool CRayCaster::IsBlocked(const CRay3& ray) const {
+  if (AreBodiesOutsideIndex()) {
+    Real fraction = 1.0;
+    return FindHit(ray, fraction);
+  }
+  const CBodyIndex& index = m_space->GetBodyIndex();
+  const UInt32 ownBody = m_body->GetBodyNumber();
+  const CVector3& start = ray.GetStart();
+  const CVector3 way = ray.GetEnd() - start;
+  const Real squareLength = way.GetX() * way.GetX() + way.GetY() * way.GetY();
+  bool isBlocked = false;
+  index.ForShapesAlongRay(
+      ray, SRayReach(0.0, 0.0),
+      [&](const SIndexedShape& shape) {
+        // rejects most solids, with a margin for rounding: the exact test decides
+        const bool isNear =
+            IsCircleOnLine(shape.X - start.GetX(), shape.Y - start.GetY(), way.GetX(), way.GetY(),
+                           shape.Radius * shape.Radius, squareLength * (1.0 + 1e-6));
+        isBlocked =
+            isBlocked || (isNear && shape.Body != ownBody && index.Intersect(shape, ray) <= 1.0);
+      },
+      [&isBlocked] { return isBlocked; });
+  return isBlocked;
+}
+
 bool CRayCaster::AreBodiesOutsideIndex() const {
   return m_space->AreBodiesOutsideIndex();
 }

@@ -56,6 +56,8 @@ class CRayCaster {
   void Show(const SRayBundle& bundle, const Real* fractions) const;
   /** @return true if @p ray hits another body, at @p fraction of its length, in [0,1]. */
   bool FindHit(const CRay3& ray, Real& fraction) const;
+  /** The same without the place, which takes less time. */
+  bool IsBlocked(const CRay3& ray) const;
   /** @return true if an engine has bodies that are not in the space's index. */
   bool AreBodiesOutsideIndex() const;
 
