@@ -1,6 +1,7 @@
 #ifndef ARGOS3_PLUGINS_MEDIA_ENTITY_POINTS_H
 #define ARGOS3_PLUGINS_MEDIA_ENTITY_POINTS_H
 
+#include <argos3/core/simulator/entity/entity.h>
 #include <argos3/core/simulator/physics_engine/physics_model.h>
 #include <argos3/core/utility/datatypes/datatypes.h>
 #include <argos3/core/utility/spatial/counting_sort.h>
@@ -22,6 +23,8 @@ class CEntityPoints {
   struct SPoint {
     CVector3 Position; /**< m, world frame, when it was added */
     ENTITY* Entity; /**< is not owned */
+    const CEntity* Root; /**< its root entity */
+    ssize_t Index; /**< its CEntity::GetIndex() */
   };
 
   /** Removes all points, and allocates for a number of them. */
@@ -35,7 +38,10 @@ class CEntityPoints {
       m_sort.Reserve(capacity, CPlanarGrid<>::MaxCells(capacity));
     }
   }
-  void Add(ENTITY& entity) { m_unsorted.push_back({entity.GetPosition(), &entity}); }
+  void Add(ENTITY& entity) {
+    m_unsorted.push_back(
+        {entity.GetPosition(), &entity, &entity.GetRootEntity(), entity.GetIndex()});
+  }
   /** Sorts the points. */
   void Finish() {
     SPlanarArea area = SPlanarArea::Empty();

@@ -432,25 +432,19 @@ SIndexedShape CBodyIndex::Pack(UInt32 body, UInt16 shape) const {
   const SShapeDescription& solid = owner.Description->Shapes[shape];
   if (owner.Links != nullptr) {
     const SBodyPose moved = PoseOf(owner, solid);
-    SIndexedShape packed =
-        Pack(solid, MakePose(moved.Position, moved.Orientation), moved.Orientation);
-    packed.Body = body;
-    packed.Shape = shape;
-    return packed;
+    return Pack(solid, MakePose(moved.Position, moved.Orientation), moved.Orientation, body, shape);
   }
   const SPose& pose = m_poses[body];
   // the entity, which is elsewhere in memory, is not read for upright solids
   const bool upright = pose.Upright && StandsUpright(solid);
-  SIndexedShape packed = Pack(solid, pose, upright ? CQuaternion() : owner.Origin->Orientation);
-  packed.Body = body;
-  packed.Shape = shape;
-  return packed;
+  return Pack(solid, pose, upright ? CQuaternion() : owner.Origin->Orientation, body, shape);
 }
 
 SIndexedShape CBodyIndex::Pack(const SShapeDescription& shape, const SPose& pose,
-                               const CQuaternion& orientation) {
+                               const CQuaternion& orientation, UInt32 body, UInt16 number) {
   SIndexedShape packed{};
-  packed.Body = kNoBody;
+  packed.Body = body;
+  packed.Shape = number;
   if (!pose.Upright || !StandsUpright(shape)) {
     // bounded by a sphere around the middle
     CVector3 middle = shape.ComputeMiddle();

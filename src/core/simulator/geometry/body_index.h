@@ -83,6 +83,8 @@ class CBodyIndex {
   /** Calls visit(CEmbodiedEntity&) for every body, by number. */
   template <typename VISIT>
   void ForEachBody(VISIT&& visit) const;
+  /** Heights between which all solids are; all heights if HasMovedBodies(). */
+  SHeightRange GetHeights() const;
   size_t GetNumBodies() const { return m_numAlive; }
   size_t GetEndOfNumbers() const { return m_bodies.size(); } /**< numbers of bodies are less */
 
@@ -193,7 +195,8 @@ class CBodyIndex {
   }
   static SPose MakePose(const CVector3& position, const CQuaternion& orientation);
   static SIndexedShape Pack(const SShapeDescription& shape, const SPose& pose,
-                            const CQuaternion& orientation);
+                            const CQuaternion& orientation, UInt32 body = kNoBody,
+                            UInt16 number = 0);
   SIndexedShape Pack(UInt32 body, UInt16 shape) const;
   SIndexedShape Unpack(size_t place) const;  // a solid in the order of the cells
   // pose of the body frame, moved along with the link of a solid

@@ -21,6 +21,12 @@ void CBodyIndex::ForEachBody(VISIT&& visit) const {
   }
 }
 
+inline SHeightRange CBodyIndex::GetHeights() const {
+  SHeightRange heights = HasMovedBodies() ? SHeightRange{-HUGE_VAL, HUGE_VAL} : m_smallHeights;
+  heights.Include(m_wideHeights.Min, m_wideHeights.Max);
+  return heights;
+}
+
 inline SIndexedShape CBodyIndex::Unpack(size_t place) const {
   const SPackedShape& packed = m_shapes[place];
   SBoxSides sides{1.0, 0.0, packed.Radius, packed.Radius};

@@ -4,6 +4,7 @@
 #include <argos3/core/simulator/context/simulation_context.h>
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/geometry/body_index.h>
+#include <argos3/core/simulator/geometry/height_range.h>
 #include <argos3/core/simulator/physics_engine/physics_model.h>
 #include <argos3/core/simulator/space/positional_indices/positional_index.h>
 #include <argos3/core/simulator/space/space.h>
@@ -87,24 +88,16 @@ class CEntitiesInSight {
   void Detect(MEDIUM& medium, const CVector3& eye, const SBoundingBox& field,
               MAY_CONTAIN&& mayContain, LOCATE&& locate, SEE&& see, bool show = false) {
     SScratch& scratch = GetScratch();
-    CSightLines& lines = scratch.Lines;
     m_eye = eye;
     Collect(scratch, medium, field, mayContain, locate);
-    scratch.RemoveOwn(*m_root);
     scratch.Sort();
-    lines.Start(m_robot, eye, NUM_POINTS);
-    for (const SPlace& place : scratch.Order) {
-      const SCandidate& candidate = scratch.Candidates[place.Candidate];
-      for (const SSightPoint& point : candidate.Points) {
-        lines.Add(point.Position, detail::FindBodyOpenBeneath(*candidate.Entity, 0));
-      }
-    }
-    lines.Trace(show);
-    for (size_t i = 0; show && i < lines.GetNumPoints(); ++i) {
-      lines.Show(i);
+    const SHeightRange heights = scratch.ComputeHeights(eye.GetZ());
+    const bool mayOcclude = show || CSightLines::MayOcclude(m_robot, heights.Min, heights.Max);
+    if (mayOcclude) {
+      Trace(scratch, show);
     }
     for (size_t i = 0; i < scratch.Order.size(); ++i) {
-      if (lines.IsGroupClear(i)) {
+      if (!mayOcclude || scratch.Lines.IsGroupClear(i)) {
         const SCandidate& candidate = scratch.Candidates[scratch.Order[i].Candidate];
         see(*candidate.Entity, candidate.Points.data());
       }
@@ -119,12 +112,12 @@ class CEntitiesInSight {
   // an entity in the field of view
   struct SCandidate {
     ENTITY* Entity;
-    const CEntity* Parent;  // null: none
+    ssize_t Index;  // its CEntity::GetIndex()
     std::array<SSightPoint, NUM_POINTS> Points;
   };
   // place of a candidate in the order of creation
   struct SPlace {
-    ssize_t Index;  // CEntity::GetIndex()
+    ssize_t Index;  // as above
     UInt32 Candidate;  // number
   };
 
@@ -139,8 +132,9 @@ class CEntitiesInSight {
       Candidates.reserve(kInitialCapacity);
       Order.reserve(kInitialCapacity);
     }
-    void RemoveOwn(const CEntity& root);
     void Sort();
+    // the heights of all points of the candidates and of the eye, m, world frame
+    SHeightRange ComputeHeights(Real eyeZ) const;
   };
 
   static SScratch& GetScratch() {
@@ -150,25 +144,30 @@ class CEntitiesInSight {
 
   // the entities near the camera are scattered in memory: gathers some, to prefetch their positions
   template <typename LOCATE>
-  class CCollect : public CPositionalIndex<ENTITY>::COperation {
+  class CCollect final : public CPositionalIndex<ENTITY>::COperation {
    public:
-    CCollect(SScratch& scratch, LOCATE& locate) : m_scratch(scratch), m_locate(locate) {}
+    CCollect(const CEntity& root, SScratch& scratch, LOCATE& locate)
+        : m_root(root), m_scratch(scratch), m_locate(locate) {}
     bool operator()(ENTITY& entity) override {
+      Add(entity, entity.GetRootEntity(), entity.GetIndex());
+      return true;
+    }
+    void Add(ENTITY& entity, const CEntity& root, ssize_t index) {
+      if (&root == &m_root) {
+        return;
+      }
       LoadAhead(entity.GetPosition());
-      m_batch[m_size++] = &entity;
+      m_batch[m_size++] = {&entity, index};
       if (m_size == kBatch) {
         Finish();
       }
-      return true;
     }
     void Finish() {
       for (size_t i = 0; i < m_size; ++i) {
         SCandidate& candidate = m_scratch.Candidates.emplace_back();
-        candidate.Entity = m_batch[i];
-        if (m_locate(*m_batch[i], candidate.Points.data())) {
-          // the search for its root reads it
-          LoadAhead(m_batch[i], 1);
-        } else {
+        candidate.Entity = m_batch[i].Entity;
+        candidate.Index = m_batch[i].Index;
+        if (!m_locate(*candidate.Entity, candidate.Points.data())) {
           m_scratch.Candidates.pop_back();
         }
       }
@@ -176,9 +175,15 @@ class CEntitiesInSight {
     }
 
    private:
+    struct SGathered {
+      ENTITY* Entity;
+      ssize_t Index;
+    };
+
+    const CEntity& m_root;  // of the camera's robot
     SScratch& m_scratch;
     LOCATE& m_locate;
-    std::array<ENTITY*, kBatch> m_batch;
+    std::array<SGathered, kBatch> m_batch;
     size_t m_size = 0;  // number in the batch
   };
 
@@ -186,7 +191,7 @@ class CEntitiesInSight {
   void Collect(SScratch& scratch, MEDIUM& medium, const SBoundingBox& field,
                MAY_CONTAIN&& mayContain, LOCATE&& locate) const {
     scratch.Candidates.clear();
-    CCollect<LOCATE> collect(scratch, locate);
+    CCollect<LOCATE> collect(*m_root, scratch, locate);
     if (!m_period->IsOn()) {
       CollectIn(medium, field, mayContain, collect);
     } else {
@@ -213,9 +218,25 @@ class CEntitiesInSight {
       const SBoundingBox wide = {field.MinCorner - margin, field.MaxCorner + margin};
       points->ForPointsNear(wide, [&](const typename CEntityPoints<ENTITY>::SPoint& point) {
         if (mayContain(point.Position + FindImage(point.Position))) {
-          collect(*point.Entity);
+          collect.Add(*point.Entity, *point.Root, point.Index);
         }
       });
+    }
+  }
+
+  // computes which candidates are visible, in their order
+  void Trace(SScratch& scratch, bool show) const {
+    CSightLines& lines = scratch.Lines;
+    lines.Start(m_robot, m_eye, NUM_POINTS);
+    for (const SPlace& place : scratch.Order) {
+      const SCandidate& candidate = scratch.Candidates[place.Candidate];
+      for (const SSightPoint& point : candidate.Points) {
+        lines.Add(point.Position, detail::FindBodyOpenBeneath(*candidate.Entity, 0));
+      }
+    }
+    lines.Trace(show);
+    for (size_t i = 0; show && i < lines.GetNumPoints(); ++i) {
+      lines.Show(i);
     }
   }
 
@@ -225,28 +246,12 @@ class CEntitiesInSight {
   CVector3 m_eye;  // m, world frame; of the present image
 };
 
-// removes the candidates that belong to the robot
-template <class ENTITY, size_t NUM_POINTS>
-void CEntitiesInSight<ENTITY, NUM_POINTS>::SScratch::RemoveOwn(const CEntity& root) {
-  for (SCandidate& candidate : Candidates) {
-    const ENTITY& entity = *candidate.Entity;
-    candidate.Parent = entity.HasParent() ? &entity.GetParent() : nullptr;
-    LoadAhead(candidate.Parent, 1);
-  }
-  Candidates.erase(std::remove_if(Candidates.begin(), Candidates.end(),
-                                  [&root](const SCandidate& candidate) {
-                                    return candidate.Parent != nullptr &&
-                                           &candidate.Parent->GetRootEntity() == &root;
-                                  }),
-                   Candidates.end());
-}
-
 // the index visits entities in another order than that of creation, and may visit one twice
 template <class ENTITY, size_t NUM_POINTS>
 void CEntitiesInSight<ENTITY, NUM_POINTS>::SScratch::Sort() {
   Order.clear();
   for (const SCandidate& candidate : Candidates) {
-    Order.push_back({candidate.Entity->GetIndex(), static_cast<UInt32>(Order.size())});
+    Order.push_back({candidate.Index, static_cast<UInt32>(Order.size())});
   }
   std::sort(Order.begin(), Order.end(),
             [](const SPlace& a, const SPlace& b) { return a.Index < b.Index; });
@@ -255,6 +260,17 @@ void CEntitiesInSight<ENTITY, NUM_POINTS>::SScratch::Sort() {
                             return Candidates[a.Candidate].Entity == Candidates[b.Candidate].Entity;
                           }),
               Order.end());
+}
+
+template <class ENTITY, size_t NUM_POINTS>
+SHeightRange CEntitiesInSight<ENTITY, NUM_POINTS>::SScratch::ComputeHeights(Real eyeZ) const {
+  SHeightRange heights{eyeZ, eyeZ};
+  for (const SCandidate& candidate : Candidates) {
+    for (const SSightPoint& point : candidate.Points) {
+      heights.Include(point.Position.GetZ(), point.Position.GetZ());
+    }
+  }
+  return heights;
 }
 
 }  // namespace argos

@@ -1,6 +1,7 @@
 #ifndef ARGOS3_PLUGINS_ROBOTS_GENERIC_SIMULATOR_RAYS_SIGHT_LINES_H
 #define ARGOS3_PLUGINS_ROBOTS_GENERIC_SIMULATOR_RAYS_SIGHT_LINES_H
 
+#include <argos3/core/utility/datatypes/datatypes.h>
 #include <argos3/core/utility/math/vector3.h>
 #include <argos3/plugins/robots/generic/simulator/ray_caster.h>
 
@@ -27,6 +28,12 @@ class CSightLines {
  public:
   static constexpr Real kTouch =
       1e-9;  // m; much larger than rounding errors, much smaller than any body
+
+  CSightLines();
+  ~CSightLines();
+
+  /** @return false if there is no body between two heights, m, world frame. */
+  static bool MayOcclude(const CRayCaster& robot, Real minZ, Real maxZ);
 
   /**
    * Removes all points.
@@ -63,34 +70,20 @@ class CSightLines {
   struct SLine {
     CVector3 End;  // m, world frame
     const CEmbodiedEntity* Open;  // does not occlude the end; null if all others do
-    Real DX, DY;  // vector from the eye to the end, m
+    Real DX, DY, DZ;  // vector from the eye to the end, m
     Real SquareLengthXY;  // m^2
     Real Limit;  // fraction of the length from which on bodies do not occlude the end
     Real Hit;  // fraction at which the line hits the first body; 1 if none
 
     bool IsClear() const { return Hit >= Limit; }
   };
-  // The groups have one array for each property, so that the compiler can vectorize loops. The axis
-  // is the line to the first point.
-  struct SGroups {
-    std::vector<float> DX, DY;  // vector of the axis, from the eye, m
-    std::vector<float> SquareLength;  // square of the axis' length, m^2
-    std::vector<float> Spread;  // m, of the other points around the first, seen from above
-    std::vector<float> Near;  // scratch of ComputeNearness()
-
-    size_t GetSize() const { return DX.size(); }
-    void Clear();
-    void Reserve(size_t num);
-    void Add(Real dx, Real dy);
-    void Widen(Real dx, Real dy);
-    void ComputeNearness(Real x, Real y, Real radius);
-  };
-
+  struct SBlock;
   struct SDisc;
 
   void TraceShape(const CBodyIndex& index, const SIndexedShape& shape, bool all);
   void TraceGroup(const CBodyIndex& index, const SIndexedShape& shape, const SDisc& disc,
                   size_t group);
+  void AddToGroup(const SLine& line);
   void TraceOneByOne();
   Real FindHitBesides(const CEmbodiedEntity& open, const CRay3& ray) const;
 
@@ -99,7 +92,7 @@ class CSightLines {
   Real m_minZ = 0.0, m_maxZ = 0.0;  // m, world frame, of the eye and all points
   size_t m_groupSize = 1;
   std::vector<SLine> m_lines;
-  SGroups m_groups;
+  std::vector<SBlock> m_blocks;  // of groups
 };
 
 }  // namespace argos
