@@ -240,7 +240,6 @@ void CRABRouting::ExaminePairsOf(size_t place, SScratch& scratch, const CLineOfS
     const bool isMutual = dx * dx + dy * dy + dz * dz < other.Range * other.Range;
     *next++ = other.Device | (isMutual ? kMutual : 0);
   }
-  std::sort(first, next, [](THearing a, THearing b) { return (a & ~kMutual) < (b & ~kMutual); });
   m_numHearings[place] = static_cast<UInt32>(next - first);
   ARGOS_ASSERT(m_pairStart[place] + m_numHearings[place] <= m_pairStart[place + 1],
                "a device has more hearings than pairs: " << m_numHearings[place]);
@@ -254,42 +253,55 @@ void CRABRouting::ExaminePairs(CThreadPool& pool, const CLineOfSight* sight) {
   });
 }
 
-// calls visit(receiver, sender), by the number of the examining device, then by that of the other
+// calls visit(examining device, hearing), by the number of the device
 template <typename VISIT>
 void CRABRouting::ForHearings(VISIT&& visit) const {
   for (const UInt32 device : m_finite) {
     const UInt32 place = m_placeOf[device];
     const THearing* const first = m_hearings.data() + m_pairStart[place];
-    std::for_each(first, first + m_numHearings[place], [&](THearing hearing) {
-      visit(hearing & ~kMutual, device);
-      if ((hearing & kMutual) != 0) {
-        visit(device, hearing & ~kMutual);
-      }
-    });
+    std::for_each(first, first + m_numHearings[place],
+                  [&](THearing hearing) { visit(device, hearing); });
   }
 }
 
 void CRABRouting::CollectByReceiver(CThreadPool& pool) {
   const size_t num = m_devices.GetSize();
   m_senderStart.assign(num + 1, 0);
-  ForHearings([this](UInt32 receiver, UInt32) { ++m_senderStart[receiver + 1]; });
+  ForHearings([this](UInt32 device, THearing hearing) {
+    ++m_senderStart[(hearing & ~kMutual) + 1];
+    m_senderStart[device + 1] += (hearing & kMutual) != 0 ? 1 : 0;
+  });
   m_cursor.resize(num);
   for (size_t device = 0; device < num; ++device) {
     m_senderStart[device + 1] += m_senderStart[device];
     m_cursor[device] = m_senderStart[device];
   }
   ResizeWithSpare(m_senders, m_senderStart.back());
-  ForHearings([this](UInt32 receiver, UInt32 sender) { m_senders[m_cursor[receiver]++] = sender; });
-  // If all ranges are equal, the senders are ascending: first those with lower numbers, which
-  // examined, then those that the receiver examined itself.
-  if (!m_areRangesEqual) {
-    pool.ParallelFor(num, kPlacedPerTask, [this](size_t begin, size_t end, UInt32) {
-      for (size_t device = begin; device < end; ++device) {
-        std::sort(m_senders.begin() + m_senderStart[device],
-                  m_senders.begin() + m_senderStart[device + 1]);
+  const auto append = [this](UInt32 receiver, UInt32 sender) {
+    m_senders[m_cursor[receiver]++] = sender;
+  };
+  ForHearings([&](UInt32 device, THearing hearing) { append(hearing & ~kMutual, device); });
+  if (m_areRangesEqual) {
+    // All pairs are mutual, and the senders with lower numbers, which have examined theirs, are
+    // listed in order. Each device is now appended to the lists of these, in order, too.
+    for (const UInt32 device : m_finite) {
+      for (UInt32 i = m_senderStart[device], end = m_cursor[device]; i < end; ++i) {
+        append(m_senders[i], device);
       }
-    });
+    }
+    return;
   }
+  ForHearings([&](UInt32 device, THearing hearing) {
+    if ((hearing & kMutual) != 0) {
+      append(device, hearing & ~kMutual);
+    }
+  });
+  pool.ParallelFor(num, kPlacedPerTask, [this](size_t begin, size_t end, UInt32) {
+    for (size_t device = begin; device < end; ++device) {
+      std::sort(m_senders.begin() + m_senderStart[device],
+                m_senders.begin() + m_senderStart[device + 1]);
+    }
+  });
 }
 
 }  // namespace argos

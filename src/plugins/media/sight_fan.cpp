@@ -1,6 +1,7 @@
 #include <argos3/plugins/simulator/media/sight_fan.h>
 
 #include <argos3/core/simulator/geometry/body_index.h>
+#include <argos3/core/utility/math/vectorized.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,14 +20,12 @@ constexpr UInt32 kMaxBuckets = 256;
 constexpr size_t kFewLines = 8;
 
 // A number in [0,4] that grows with the angle from the x axis, by 0.5 to 1 for each radian: within
-// a quadrant, y / (x + y).
-Real DirectionOf(Real x, Real y) {
+// a quadrant, y / (x + y). Without branches, for loops that are vectorized.
+inline Real DirectionOf(Real x, Real y) {
   const Real sum = std::abs(x) + std::abs(y);
-  const Real part = sum > 0.0 ? y / sum : 0.0;
-  if (x < 0.0) {
-    return 2.0 - part;
-  }
-  return part < 0.0 ? 4.0 + part : part;
+  const Real part = y / (sum > 0.0 ? sum : 1.0);
+  const Real ahead = part < 0.0 ? 4.0 + part : part;
+  return x < 0.0 ? 2.0 - part : ahead;
 }
 
 }  // namespace
@@ -36,6 +35,25 @@ struct CSightFan::SCircle {
   Real X, Y;  // m
   Real SquareDistance;  // m^2
   Real Outer, Inner;  // m^2, square of the radius with a margin
+  Real From, To;  // directions of its tangents, unless the eye is inside; perhaps not in [0,4]
+
+  static SCircle Make(Real x, Real y, Real radius) {
+    SCircle circle;
+    circle.X = x;
+    circle.Y = y;
+    circle.SquareDistance = x * x + y * y;
+    circle.Outer = radius * radius * kMore;
+    circle.Inner = radius * radius * kLess;
+    // The tangents are at an angle of asin(sine) from the centre, which is at most this for every
+    // sine in [0,1]: the difference is 0 at both ends and has no other sign between them.
+    const bool isOutside = circle.SquareDistance > circle.Outer;
+    const Real sine = std::sqrt(circle.Outer / (isOutside ? circle.SquareDistance : circle.Outer));
+    const Real width = sine * (1.0 + (0.5 * ARGOS_PI - 1.0) * sine * sine) + kMargin;
+    const Real middle = DirectionOf(x, y);
+    circle.From = middle - width;
+    circle.To = middle + width;
+    return circle;
+  }
 
   // false if the segment does not meet the circle, with a margin
   bool IsNear(const SLine& line, Real squareCross, Real along) const {
@@ -50,6 +68,37 @@ struct CSightFan::SCircle {
     return along < line.SquareLength || toEndX * toEndX + toEndY * toEndY <= Outer;
   }
 };
+
+// the circles of a list of discs, in arrays over which loops are vectorized
+struct CSightFan::SCircles {
+  static constexpr size_t kCapacity = SDiscList::kCapacity;
+
+  Real X[kCapacity], Y[kCapacity], SquareDistance[kCapacity], Outer[kCapacity], Inner[kCapacity];
+  Real From[kCapacity], To[kCapacity];
+
+  static void Compute(const SDiscList& discs, const SEnd& eye, SCircles& circles);
+  SCircle Get(size_t i) const {
+    return {X[i], Y[i], SquareDistance[i], Outer[i], Inner[i], From[i], To[i]};
+  }
+};
+
+ARGOS_VECTORIZED
+void CSightFan::SCircles::Compute(const SDiscList& __restrict discs, const SEnd& eye,
+                                  SCircles& __restrict circles) {
+  const Real eyeX = eye.X;
+  const Real eyeY = eye.Y;
+  const size_t size = discs.Size;
+  for (size_t i = 0; i < size; ++i) {
+    const SCircle circle = SCircle::Make(discs.X[i] - eyeX, discs.Y[i] - eyeY, discs.Radius[i]);
+    circles.X[i] = circle.X;
+    circles.Y[i] = circle.Y;
+    circles.SquareDistance[i] = circle.SquareDistance;
+    circles.Outer[i] = circle.Outer;
+    circles.Inner[i] = circle.Inner;
+    circles.From[i] = circle.From;
+    circles.To[i] = circle.To;
+  }
+}
 
 Real CSightFan::ComputeReach(const CLineOfSight& sight, const CLineOfSight::SEnd& body, Real x,
                              Real y) {
@@ -180,46 +229,100 @@ inline CSightFan::EState CSightFan::TraceLine(const SIndexedShape& shape, const 
   return isInside ? heights : std::min(heights, EState::Doubtful);
 }
 
-inline void CSightFan::TraceLines(const SIndexedShape& shape, const SCircle& circle, UInt32 first,
-                                  UInt32 last) {
+// the same for a disc at all heights of the lines
+inline CSightFan::EState CSightFan::TraceDisc(const SCircle& circle, const SLine& line) {
+  const Real cross = circle.X * line.DY - circle.Y * line.DX;
+  const Real squareCross = cross * cross;
+  const Real along = circle.X * line.DX + circle.Y * line.DY;
+  if (!circle.IsNear(line, squareCross, along)) {
+    return EState::Clear;
+  }
+  const bool isInside =
+      squareCross <= circle.Inner * line.SquareLength && along > line.First && along < line.Last;
+  return isInside ? EState::Blocked : EState::Doubtful;
+}
+
+// test(const SLine&): the EState of a line with a solid of that body
+template <typename TEST>
+inline void CSightFan::TraceLines(UInt32 first, UInt32 last, UInt32 body, TEST&& test) {
   for (UInt32 i = first; i < last; ++i) {
     SLine& line = m_lines[i];
-    if (line.State == EState::Blocked || line.Body == shape.Body) {
+    if (line.State == EState::Blocked || line.Body == body) {
       continue;
     }
-    const EState state = TraceLine(shape, circle, line);
+    const EState state = test(line);
     line.State = std::max(line.State, state);
     m_numOpen -= state == EState::Blocked ? 1 : 0;
   }
 }
 
-inline void CSightFan::TraceDirections(const SIndexedShape& shape, const SCircle& circle, Real from,
-                                       Real to) {
-  TraceLines(shape, circle, m_bucketStart[BucketOf(from)], m_bucketStart[BucketOf(to) + 1]);
+template <typename TEST>
+inline void CSightFan::TraceDirections(Real from, Real to, UInt32 body, TEST&& test) {
+  TraceLines(m_bucketStart[BucketOf(from)], m_bucketStart[BucketOf(to) + 1], body, test);
+}
+
+// tests the lines that may meet a circle
+template <typename TEST>
+inline void CSightFan::TraceCircle(const SCircle& circle, UInt32 body, TEST&& test) {
+  if (m_numBuckets == 1 || circle.SquareDistance <= circle.Outer) {
+    TraceLines(0, static_cast<UInt32>(m_lines.size()), body, test);
+    return;
+  }
+  TraceDirections(std::max(0.0, circle.From), std::min(4.0, circle.To), body, test);
+  // across the x axis
+  if (circle.From < 0.0) {
+    TraceDirections(circle.From + 4.0, 4.0, body, test);
+  } else if (circle.To > 4.0) {
+    TraceDirections(0.0, circle.To - 4.0, body, test);
+  }
 }
 
 inline void CSightFan::TraceShape(const SIndexedShape& shape) {
-  const Real square = shape.Radius * shape.Radius;
-  SCircle circle{shape.X - m_eye->X, shape.Y - m_eye->Y, 0.0, square * kMore, square * kLess};
-  circle.SquareDistance = circle.X * circle.X + circle.Y * circle.Y;
-  if (m_numBuckets == 1 || circle.SquareDistance <= circle.Outer) {
-    TraceLines(shape, circle, 0, static_cast<UInt32>(m_lines.size()));
-    return;
+  const SCircle circle = SCircle::Make(shape.X - m_eye->X, shape.Y - m_eye->Y, shape.Radius);
+  TraceCircle(circle, shape.Body,
+              [&](const SLine& line) { return TraceLine(shape, circle, line); });
+}
+
+void CSightFan::TraceDiscs(const SDiscList& discs) {
+  SCircles circles;
+  SCircles::Compute(discs, *m_eye, circles);
+  for (size_t i = 0; i < discs.Size && m_numOpen > 0; ++i) {
+    const SCircle circle = circles.Get(i);
+    TraceCircle(circle, discs.Body[i],
+                [&circle](const SLine& line) { return TraceDisc(circle, line); });
   }
-  // The tangents are at an angle of asin(sine) from the centre, which is at most this for every
-  // sine in [0,1]: the difference is 0 at both ends and has no other sign between them.
-  const Real sine = std::min(1.0, std::sqrt(circle.Outer / circle.SquareDistance));
-  const Real width = sine * (1.0 + (0.5 * ARGOS_PI - 1.0) * sine * sine) + kMargin;
-  const Real middle = DirectionOf(circle.X, circle.Y);
-  const Real from = middle - width;
-  const Real to = middle + width;
-  TraceDirections(shape, circle, std::max(0.0, from), std::min(4.0, to));
-  // across the x axis
-  if (from < 0.0) {
-    TraceDirections(shape, circle, from + 4.0, 4.0);
-  } else if (to > 4.0) {
-    TraceDirections(shape, circle, 0.0, to - 4.0);
+}
+
+void CSightFan::TraceIndex(const CBodyIndex& index) {
+  Real squareReach = 0.0;
+  Real lowest = 0.0;
+  Real highest = 0.0;
+  for (const SLine& line : m_lines) {
+    squareReach = std::max(squareReach, line.SquareLength);
+    lowest = std::min(lowest, line.DZ);
+    highest = std::max(highest, line.DZ);
   }
+  const Real reach = std::sqrt(squareReach) * kMore + kMargin;
+  const SDiscQuery query = {m_eye->X,
+                            m_eye->Y,
+                            reach,
+                            m_eye->Z + lowest - 2.0 * kHeightMargin,
+                            m_eye->Z + highest + 2.0 * kHeightMargin,
+                            m_eye->Body.Number};
+  SDiscList discs;
+  const auto traceDiscs = [this, &discs] {
+    TraceDiscs(discs);
+    discs.Size = 0;
+  };
+  index.ListDiscsNear(query, discs, traceDiscs, [&](const SIndexedShape& shape) {
+    const Real dx = shape.X - m_eye->X;
+    const Real dy = shape.Y - m_eye->Y;
+    const Real far = reach + shape.Radius;
+    if (shape.Body != m_eye->Body.Number && m_numOpen > 0 && dx * dx + dy * dy <= far * far) {
+      TraceShape(shape);
+    }
+  });
+  traceDiscs();
 }
 
 void CSightFan::Trace(const CLineOfSight& sight) {
@@ -231,16 +334,7 @@ void CSightFan::Trace(const CLineOfSight& sight) {
       line.State = EState::Doubtful;
     }
   } else {
-    Real squareReach = 0.0;
-    for (const SLine& line : m_lines) {
-      squareReach = std::max(squareReach, line.SquareLength);
-    }
-    sight.GetIndex().ForShapesNear(m_eye->X, m_eye->Y, std::sqrt(squareReach) * kMore + kMargin,
-                                   [this](const SIndexedShape& shape) {
-                                     if (shape.Body != m_eye->Body.Number && m_numOpen > 0) {
-                                       TraceShape(shape);
-                                     }
-                                   });
+    TraceIndex(sight.GetIndex());
   }
   for (const SLine& line : m_lines) {
     const SAdded& added = m_added[line.Number];

@@ -8,6 +8,7 @@
 
 namespace argos {
 
+struct SDiscList;
 struct SIndexedShape;
 
 /**
@@ -68,11 +69,19 @@ class CSightFan {
     EState State;
   };
   struct SCircle;
+  struct SCircles;
 
   void SortLines();
+  void TraceIndex(const CBodyIndex& index);
+  void TraceDiscs(const SDiscList& discs);
   void TraceShape(const SIndexedShape& shape);
-  void TraceDirections(const SIndexedShape& shape, const SCircle& circle, Real from, Real to);
-  void TraceLines(const SIndexedShape& shape, const SCircle& circle, UInt32 first, UInt32 last);
+  template <typename TEST>
+  void TraceCircle(const SCircle& circle, UInt32 body, TEST&& test);
+  template <typename TEST>
+  void TraceDirections(Real from, Real to, UInt32 body, TEST&& test);
+  template <typename TEST>
+  void TraceLines(UInt32 first, UInt32 last, UInt32 body, TEST&& test);
+  static EState TraceDisc(const SCircle& circle, const SLine& line);
   EState TraceLine(const SIndexedShape& shape, const SCircle& circle, const SLine& line) const;
   EState TraceBox(const SIndexedShape& box, const SLine& line) const;
   EState CheckHeights(const SIndexedShape& shape, const SLine& line, Real first, Real inside,

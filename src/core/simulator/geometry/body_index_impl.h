@@ -139,6 +139,7 @@ void CBodyIndex::ListSmall(const SCellRange& cells, const SDiscQuery& query, SDi
         discs.X[size] = shape.X;
         discs.Y[size] = shape.Y;
         discs.Radius[size] = shape.Radius;
+        discs.Body[size] = shape.Body;
         size += isListed & isNear & counts;
         numOthers += isListed ^ 1;
       }

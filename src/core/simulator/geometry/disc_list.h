@@ -13,6 +13,7 @@ struct SDiscList {
   static constexpr size_t kCapacity = 64;
 
   Real X[kCapacity], Y[kCapacity], Radius[kCapacity];
+  UInt32 Body[kCapacity]; /**< numbers in the index */
   size_t Size = 0;
 };
 
