@@ -7,7 +7,27 @@
 #include <argos3/plugins/simulator/entities/anchor_use.h>
 #include <argos3/plugins/simulator/entities/read_medium.h>
 
+#include <cmath>
+
 namespace argos {
+
+namespace {
+
+constexpr Real kRounding = 1e-9;  // of the square length of unit quaternions
+constexpr Real kFar = 1e6;  // m; farther poses are checked
+
+bool IsNear(const CVector3& position) {
+  return std::abs(position.GetX()) < kFar && std::abs(position.GetY()) < kFar &&
+         std::abs(position.GetZ()) < kFar;
+}
+
+CVector3 ComputePosition(const CLEDEquippedEntity::SActuator& actuator) {
+  CVector3 position = actuator.Offset;
+  position.Rotate(actuator.Anchor.Orientation);
+  return position + actuator.Anchor.Position;
+}
+
+}  // namespace
 
 void CLEDEquippedEntity::SLayout::AddLED(const CVector3& offset, const CColor& color,
                                          UInt32 anchor) {
@@ -66,9 +86,23 @@ void CLEDEquippedEntity::Reset() {
 }
 
 void CLEDEquippedEntity::UpdateComponents() {
-  if (m_entities != nullptr) {
-    for (SActuator* actuator : m_entities->List) {
-      PlaceLED(*actuator);
+  if (m_entities == nullptr) {
+    return;
+  }
+  // what MoveTo() checks, once for the LEDs of an anchor
+  const bool isShared = CRobotsCode::MayRun();
+  const SAnchor* anchor = nullptr;
+  bool isSound = false;
+  for (SActuator* actuator : m_entities->List) {
+    if (&actuator->Anchor != anchor) {
+      anchor = &actuator->Anchor;
+      isSound = !isShared && std::abs(anchor->Orientation.SquareLength() - 1.0) <= kRounding;
+    }
+    const CVector3 position = ComputePosition(*actuator);
+    if (isSound && IsNear(position)) {
+      actuator->LED.Follow(position, anchor->Orientation);
+    } else {
+      actuator->LED.MoveTo(position, anchor->Orientation);
     }
   }
 }
@@ -157,9 +191,7 @@ CLEDEntity& CLEDEquippedEntity::MakeLED(size_t index) {
 }
 
 void CLEDEquippedEntity::PlaceLED(SActuator& actuator) const {
-  CVector3 position = actuator.Offset;
-  position.Rotate(actuator.Anchor.Orientation);
-  actuator.LED.MoveTo(position + actuator.Anchor.Position, actuator.Anchor.Orientation);
+  actuator.LED.MoveTo(ComputePosition(actuator), actuator.Anchor.Orientation);
 }
 
 void CLEDEquippedEntity::Materialize() {
@@ -247,8 +279,12 @@ void CLEDEquippedEntity::SetAllLEDsColors(const std::vector<CColor>& colors) {
     THROW_ARGOSEXCEPTION("LEDs \"" << GetContext() << GetId() << "\": got " << colors.size()
                                    << " colors for " << GetNumLEDs() << " LEDs");
   }
+  const bool isShared = CRobotsCode::MayRun();
   for (size_t i = 0; i < colors.size(); ++i) {
-    SetLEDColor(static_cast<UInt32>(i), colors[i]);
+    // most keep their colours
+    if (m_entities == nullptr || isShared || m_entities->List[i]->LED.GetColor() != colors[i]) {
+      SetLEDColor(static_cast<UInt32>(i), colors[i]);
+    }
   }
 }
 

@@ -40,6 +40,11 @@ class CPositionalEntity : public CEntity {
   void SetInitOrientation(const CQuaternion orientation) { m_cInitOrientation = orientation; }
 
   virtual void MoveTo(const CVector3& position, const CQuaternion& orientation);
+  /** The same without checks, for parts that follow their body in each tick. */
+  void Follow(const CVector3& position, const CQuaternion& orientation) {
+    m_cPosition = position;
+    m_cOrientation = orientation;
+  }
 
   void UpdateDigest(CDigest& digest) const override;
 
