@@ -57,6 +57,52 @@ struct STraits<CQuaternion> {
   }
 };
 
+/** Pushes the metatable; creates it if necessary. */
+template <typename VALUE>
+void PushMetatable(lua_State* state);
+
+// Functions of a type have its metatable as their first upvalue, which spares a look-up in the
+// registry for each argument and result. CLuaType::Create() has no upvalues.
+constexpr int kMetatable = 1;
+constexpr int kMethods = 2;  // upvalue of __index
+
+template <typename VALUE>
+void PushOwnMetatable(lua_State* state) {
+  lua_pushvalue(state, lua_upvalueindex(kMetatable));
+  if (lua_isnil(state, -1)) {
+    lua_pop(state, 1);
+    PushMetatable<VALUE>(state);
+  }
+}
+
+/** As CLuaType<VALUE>::Test(), in functions of the type. */
+template <typename VALUE>
+VALUE* TestOwn(lua_State* state, int index) {
+  if (lua_type(state, index) != LUA_TUSERDATA || lua_getmetatable(state, index) == 0) {
+    return nullptr;
+  }
+  PushOwnMetatable<VALUE>(state);
+  const bool isSame = lua_topointer(state, -1) == lua_topointer(state, -2);
+  lua_pop(state, 2);
+  return isSame ? static_cast<VALUE*>(lua_touserdata(state, index)) : nullptr;
+}
+
+/** Pushes a copy, without its metatable. */
+template <typename VALUE>
+void PushBare(lua_State* state, const VALUE& value) {
+  static_assert(std::is_trivially_destructible_v<VALUE>, "there is no __gc");
+  const VALUE copy = value;  // the allocation may collect the userdata that holds it
+  std::construct_at(static_cast<VALUE*>(lua_newuserdatauv(state, sizeof(VALUE), 0)), copy);
+}
+
+/** As CLuaType<VALUE>::Push(), in functions of the type. */
+template <typename VALUE>
+void PushOwn(lua_State* state, const VALUE& value) {
+  PushBare(state, value);
+  PushOwnMetatable<VALUE>(state);
+  lua_setmetatable(state, -2);
+}
+
 /** Raises "vector2:dot: argument 1 must be a vector2, got nil". */
 template <typename VALUE>
 [[noreturn]] void RaiseArgument(lua_State* state, const char* function, int index,
@@ -69,7 +115,7 @@ template <typename VALUE>
 
 template <typename VALUE>
 VALUE& CheckSelf(lua_State* state, const char* function, int numArguments) {
-  VALUE* const self = CLuaType<VALUE>::Test(state, 1);
+  VALUE* const self = TestOwn<VALUE>(state, 1);
   if (self == nullptr) {
     luaL_error(state, "%s:%s must be called on a %s with a colon, got %s", STraits<VALUE>::kName,
                function, STraits<VALUE>::kName, GetLuaTypeName(state, 1));
@@ -91,7 +137,12 @@ Real CheckNumber(lua_State* state, const char* function, int index) {
 
 template <typename VALUE, typename OTHER>
 const OTHER& CheckValue(lua_State* state, const char* function, int index) {
-  const OTHER* const other = CLuaType<OTHER>::Test(state, index);
+  const OTHER* other = nullptr;
+  if constexpr (std::is_same_v<VALUE, OTHER>) {
+    other = TestOwn<OTHER>(state, index);
+  } else {
+    other = CLuaType<OTHER>::Test(state, index);
+  }
   if (other == nullptr) {
     char expected[32];
     std::snprintf(expected, sizeof expected, "a %s", STraits<OTHER>::kName);
@@ -129,7 +180,7 @@ bool ConstructFromSame(lua_State* state, VALUE& value) {
   if (count == 0) {
     return true;
   }
-  if (const VALUE* other = CLuaType<VALUE>::Test(state, 1); count == 1 && other != nullptr) {
+  if (const VALUE* other = TestOwn<VALUE>(state, 1); count == 1 && other != nullptr) {
     value = *other;
     return true;
   }
@@ -148,7 +199,7 @@ int Construct2(lua_State* state) {
   if (!ConstructFromSame(state, value)) {
     RaiseConstructor(state, "vector2 takes nothing, a vector2, or the numbers x, y");
   }
-  CLuaType<CVector2>::Push(state, value);
+  PushOwn(state, value);
   return 1;
 }
 
@@ -157,7 +208,7 @@ int Construct3(lua_State* state) {
   if (!ConstructFromSame(state, value)) {
     RaiseConstructor(state, "vector3 takes nothing, a vector3, or the numbers x, y, z");
   }
-  CLuaType<CVector3>::Push(state, value);
+  PushOwn(state, value);
   return 1;
 }
 
@@ -177,7 +228,7 @@ int ConstructQuaternion(lua_State* state) {
     }
     value.FromAngleAxis(CRadians(lua_tonumber(state, 1)), *axis / length);
   }
-  CLuaType<CQuaternion>::Push(state, value);
+  PushOwn(state, value);
   return 1;
 }
 
@@ -206,20 +257,20 @@ bool IsLetter(lua_State* state, const char*& key) {
 
 template <typename VALUE>
 int Index(lua_State* state) {
-  const VALUE* const self = CLuaType<VALUE>::Test(state, 1);
+  const VALUE* const self = TestOwn<VALUE>(state, 1);
   const char* key = nullptr;
   if (self != nullptr && IsLetter(state, key)) {
     lua_pushnumber(state, STraits<VALUE>::Get(*self, FindComponent<VALUE>(state, key)));
     return 1;
   }
   lua_settop(state, 2);
-  lua_rawget(state, lua_upvalueindex(1));  // the methods
+  lua_rawget(state, lua_upvalueindex(kMethods));
   return 1;
 }
 
 template <typename VALUE>
 int NewIndex(lua_State* state) {
-  VALUE* const self = CLuaType<VALUE>::Test(state, 1);
+  VALUE* const self = TestOwn<VALUE>(state, 1);
   const char* key = nullptr;
   if (self == nullptr || !IsLetter(state, key)) {
     return luaL_error(state, "a %s has only the components of \"%s\"", STraits<VALUE>::kName,
@@ -256,8 +307,8 @@ int ToString(lua_State* state) {
 
 template <typename VALUE>
 int Equal(lua_State* state) {
-  const VALUE* const a = CLuaType<VALUE>::Test(state, 1);
-  const VALUE* const b = CLuaType<VALUE>::Test(state, 2);
+  const VALUE* const a = TestOwn<VALUE>(state, 1);
+  const VALUE* const b = TestOwn<VALUE>(state, 2);
   lua_pushboolean(state, a != nullptr && b != nullptr && *a == *b);
   return 1;
 }
@@ -269,59 +320,59 @@ int Equal(lua_State* state) {
 
 template <typename VALUE>
 int Add(lua_State* state) {
-  const VALUE* const a = CLuaType<VALUE>::Test(state, 1);
-  const VALUE* const b = CLuaType<VALUE>::Test(state, 2);
+  const VALUE* const a = TestOwn<VALUE>(state, 1);
+  const VALUE* const b = TestOwn<VALUE>(state, 2);
   if (a == nullptr || b == nullptr) {
     RaiseOperands(state, "a vector can be added to one of its kind");
   }
-  CLuaType<VALUE>::Push(state, *a + *b);
+  PushOwn(state, *a + *b);
   return 1;
 }
 
 template <typename VALUE>
 int Subtract(lua_State* state) {
-  const VALUE* const a = CLuaType<VALUE>::Test(state, 1);
-  const VALUE* const b = CLuaType<VALUE>::Test(state, 2);
+  const VALUE* const a = TestOwn<VALUE>(state, 1);
+  const VALUE* const b = TestOwn<VALUE>(state, 2);
   if (a == nullptr || b == nullptr) {
     RaiseOperands(state, "a vector can be subtracted from one of its kind");
   }
-  CLuaType<VALUE>::Push(state, *a - *b);
+  PushOwn(state, *a - *b);
   return 1;
 }
 
 template <typename VALUE>
 int Negate(lua_State* state) {
-  const VALUE* const vector = CLuaType<VALUE>::Test(state, 1);
+  const VALUE* const vector = TestOwn<VALUE>(state, 1);
   if (vector == nullptr) {
     return luaL_error(state, "%s:__unm takes a %s, got %s", STraits<VALUE>::kName,
                       STraits<VALUE>::kName, GetLuaTypeName(state, 1));
   }
-  CLuaType<VALUE>::Push(state, -*vector);
+  PushOwn(state, -*vector);
   return 1;
 }
 
 template <typename VALUE>
 int Scale(lua_State* state) {
-  const VALUE* vector = CLuaType<VALUE>::Test(state, 1);
+  const VALUE* vector = TestOwn<VALUE>(state, 1);
   int factor = 2;
   if (vector == nullptr) {
-    vector = CLuaType<VALUE>::Test(state, 2);
+    vector = TestOwn<VALUE>(state, 2);
     factor = 1;
   }
   if (vector == nullptr || lua_type(state, factor) != LUA_TNUMBER) {
     RaiseOperands(state, "a vector can be multiplied by a number");
   }
-  CLuaType<VALUE>::Push(state, *vector * lua_tonumber(state, factor));
+  PushOwn(state, *vector * lua_tonumber(state, factor));
   return 1;
 }
 
 int MultiplyQuaternions(lua_State* state) {
-  const CQuaternion* const a = CLuaType<CQuaternion>::Test(state, 1);
-  const CQuaternion* const b = CLuaType<CQuaternion>::Test(state, 2);
+  const CQuaternion* const a = TestOwn<CQuaternion>(state, 1);
+  const CQuaternion* const b = TestOwn<CQuaternion>(state, 2);
   if (a == nullptr || b == nullptr) {
     RaiseOperands(state, "a quaternion can be multiplied by a quaternion");
   }
-  CLuaType<CQuaternion>::Push(state, *a * *b);
+  PushOwn(state, *a * *b);
   return 1;
 }
 
@@ -381,7 +432,7 @@ int Cross3(lua_State* state) {
 }
 
 int Inverse(lua_State* state) {
-  CLuaType<CQuaternion>::Push(state, CheckSelf<CQuaternion>(state, "inverse", 0).Inverse());
+  PushOwn(state, CheckSelf<CQuaternion>(state, "inverse", 0).Inverse());
   return 1;
 }
 
@@ -430,7 +481,12 @@ constexpr luaL_Reg kVectorOperators[] = {{"__add", Add<VALUE>},
 
 constexpr luaL_Reg kQuaternionOperators[] = {{"__mul", MultiplyQuaternions}, {nullptr, nullptr}};
 
-/** Pushes the metatable; creates it if necessary. */
+/** Sets functions of the type in the table on top of the stack. @param metatable  its index. */
+void SetFunctions(lua_State* state, const luaL_Reg* functions, int metatable) {
+  lua_pushvalue(state, metatable);
+  luaL_setfuncs(state, functions, kMetatable);
+}
+
 template <typename VALUE>
 void PushMetatable(lua_State* state) {
   if (lua_rawgetp(state, LUA_REGISTRYINDEX, &kMetatableKey<VALUE>) == LUA_TTABLE) {
@@ -438,25 +494,26 @@ void PushMetatable(lua_State* state) {
   }
   lua_pop(state, 1);
   lua_createtable(state, 0, 10);
-  constexpr bool kIsQuaternion = std::is_same_v<VALUE, CQuaternion>;
-  if constexpr (kIsQuaternion) {
-    luaL_setfuncs(state, kQuaternionOperators, 0);
-    luaL_newlib(state, kMethodsQuaternion);
+  const int metatable = lua_gettop(state);
+  const luaL_Reg* operators = nullptr;
+  const luaL_Reg* methods = kMethodsQuaternion;
+  if constexpr (std::is_same_v<VALUE, CQuaternion>) {
+    operators = kQuaternionOperators;
   } else {
-    luaL_setfuncs(state, kVectorOperators<VALUE>, 0);
-    if constexpr (std::is_same_v<VALUE, CVector2>) {
-      luaL_newlib(state, kMethods2);
-    } else {
-      luaL_newlib(state, kMethods3);
-    }
+    operators = kVectorOperators<VALUE>;
+    methods = std::is_same_v<VALUE, CVector2> ? kMethods2 : kMethods3;
   }
-  lua_pushcclosure(state, Index<VALUE>, 1);
-  lua_setfield(state, -2, "__index");
+  SetFunctions(state, operators, metatable);
+  lua_pushvalue(state, metatable);
+  lua_createtable(state, 0, 5);
+  SetFunctions(state, methods, metatable);
+  lua_pushcclosure(state, Index<VALUE>, kMethods);
+  lua_setfield(state, metatable, "__index");
   constexpr luaL_Reg kCommon[] = {{"__newindex", NewIndex<VALUE>},
                                   {"__tostring", ToString<VALUE>},
                                   {"__eq", Equal<VALUE>},
                                   {nullptr, nullptr}};
-  luaL_setfuncs(state, kCommon, 0);
+  SetFunctions(state, kCommon, metatable);
   lua_pushstring(state, STraits<VALUE>::kName);
   lua_setfield(state, -2, "__name");
   // found by address here, and by name in users' code
@@ -471,16 +528,13 @@ void PushMetatable(lua_State* state) {
 template <typename VALUE>
 void CLuaType<VALUE>::Register(lua_State* state) {
   PushMetatable<VALUE>(state);
-  lua_pop(state, 1);
-  lua_pushcfunction(state, &CLuaType::Create);
+  lua_pushcclosure(state, &CLuaType::Create, kMetatable);
   lua_setglobal(state, STraits<VALUE>::kName);
 }
 
 template <typename VALUE>
 void CLuaType<VALUE>::Push(lua_State* state, const VALUE& value) {
-  static_assert(std::is_trivially_destructible_v<VALUE>, "there is no __gc");
-  const VALUE copy = value;  // the allocation may collect the userdata that holds it
-  std::construct_at(static_cast<VALUE*>(lua_newuserdatauv(state, sizeof(VALUE), 0)), copy);
+  PushBare(state, value);
   PushMetatable<VALUE>(state);
   lua_setmetatable(state, -2);
 }
@@ -524,7 +578,7 @@ int CLuaType<VALUE>::Call(lua_State* state, const char* method) {
   if (method[0] != '_') {
     // __index is a closure with the methods
     lua_getfield(state, -1, "__index");
-    lua_getupvalue(state, -1, 1);
+    lua_getupvalue(state, -1, kMethods);
     lua_replace(state, -3);
     lua_pop(state, 1);
   }
