@@ -96,6 +96,55 @@ TEST_CASE("half planes: after sorting, the result does not depend on the order o
   CHECK(a.Y == b.Y);
 }
 
+TEST_CASE("half planes: of parallel ones the tighter one counts", "[unit][kinematics2d]") {
+  const bool isTighterFirst = GENERATE(false, true);
+  CAPTURE(isTighterFirst);
+  CHalfPlanes planes;
+  planes.Add({{1.0, 0.0}, isTighterFirst ? 0.25 : 0.5, 0, 0.0});
+  planes.Add({{1.0, 0.0}, isTighterFirst ? 0.5 : 0.25, 1, 0.0});
+  // the opposite side, which is open
+  planes.Add({{-1.0, 0.0}, 0.125, 2, 0.0});
+  const SPlanarVector ahead = planes.FindNearest({1.0, 0.75});
+  CHECK(ahead.X == 0.25);
+  CHECK(ahead.Y == 0.75);
+  const SPlanarVector back = planes.FindNearest({-1.0, 0.75});
+  CHECK(back.X == -0.125);
+  CHECK(back.Y == 0.75);
+}
+
+TEST_CASE("half planes: in a corridor without any room a step goes along it as far as it is open",
+          "[unit][kinematics2d]") {
+  CHalfPlanes planes;
+  planes.Add({{0.0, 1.0}, 0.0, 0, 0.0});
+  planes.Add({{0.0, -1.0}, 0.0, 1, 0.0});
+  planes.Add({{1.0, 0.0}, 0.5, 2, 0.0});
+  const SPlanarVector step = planes.FindNearest({1.0, 0.0});
+  CHECK(step.X == 0.5);
+  CHECK(step.Y == 0.0);
+}
+
+TEST_CASE("half planes: where no step is allowed there is none", "[unit][kinematics2d]") {
+  // each side of a triangle is outside of the two others
+  CHalfPlanes planes;
+  const Real sine = std::sqrt(0.75);
+  planes.Add({{1.0, 0.0}, -0.01, 0, 0.0});
+  planes.Add({{-0.5, sine}, -0.01, 1, 0.0});
+  planes.Add({{-0.5, -sine}, -0.01, 2, 0.0});
+  const SPlanarVector step = planes.FindNearest({1.0, 0.25});
+  CHECK(step.X == 0.0);
+  CHECK(step.Y == 0.0);
+}
+
+TEST_CASE("half planes: pushes are opposite to the normals, and add up", "[unit][kinematics2d]") {
+  CHalfPlanes planes;
+  planes.Add({{1.0, 0.0}, 0.0, 0, 0.25});
+  planes.Add({{0.6, 0.8}, 0.0, 1, 0.5});
+  planes.Add({{0.0, 1.0}, 0.0, 2, 0.0});
+  const SPlanarVector sum = planes.SumPushes();
+  CHECK_THAT(sum.X, WithinAbs(-0.55, 1e-15));
+  CHECK_THAT(sum.Y, WithinAbs(-0.4, 1e-15));
+}
+
 TEST_CASE("half planes: the capacity is 64", "[unit][kinematics2d]") {
   CHalfPlanes planes;
   for (UInt32 i = 0; i < 64; ++i) {
