@@ -2,10 +2,13 @@
 
 #include <argos3/plugins/simulator/physics_engines/planar/contact_island.h>
 
+#include <argos3/core/utility/math/random_stream.h>
+
 #include <catch2/catch.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <vector>
 
 namespace argos::contact_island_test {
@@ -85,7 +88,9 @@ void CheckContact(const SIsland<NUMBER>& island, const SIslandContact<NUMBER>& c
   const NUMBER* const b = island.Bodies[contact.B].Velocity.Now;
   const NUMBER x = b[kAxisX] - a[kAxisX];
   const NUMBER y = b[kAxisY] - a[kAxisY];
-  const NUMBER approach = -(x * contact.NX + y * contact.NY) - contact.Approach;
+  const NUMBER approach = a[kAxisTurn] * contact.NormalLeverA -
+                          b[kAxisTurn] * contact.NormalLeverB - (x * contact.NX + y * contact.NY) -
+                          contact.Approach;
   const NUMBER slip = y * contact.NX - x * contact.NY + b[kAxisTurn] * contact.TangentLeverB -
                       a[kAxisTurn] * contact.TangentLeverA;
   const NUMBER normal = contact.Impulse.Now[kAxisNormal];
@@ -113,6 +118,67 @@ void CheckDrive(const SIslandBody<NUMBER>& body, NUMBER tolerance) {
   // at its bound it aims at the target
   CHECK(x * impulse[kAxisX] + y * impulse[kAxisY] >=
         std::hypot(x, y) * length - tolerance * body.Most);
+}
+
+// the same of its torque; @param tolerance  rad/s
+template <typename NUMBER>
+void CheckTorque(const SIslandBody<NUMBER>& body, NUMBER tolerance) {
+  const NUMBER turn = body.Target[kAxisTurn] - body.Velocity.Now[kAxisTurn];
+  const NUMBER impulse = body.Impulse.Now[kAxisTurn];
+  CAPTURE(turn, impulse, body.AngularMost);
+  CHECK(std::abs(impulse) <= body.AngularMost);
+  CHECK((std::abs(impulse) >= body.AngularMost * NUMBER(0.99999) || std::abs(turn) <= tolerance));
+  CHECK(turn * impulse >= -tolerance * body.AngularMost);
+}
+
+// Bodies with drives of any strength, or none, that touch each other, and something immovable, at
+// random places and angles, with and without friction.
+SIsland<Real> MakeRandomIsland(int numContacts, unsigned seed) {
+  CRandomStream random(seed, "test", "contact island", "random");
+  const auto pick = [&random](std::initializer_list<Real> values) {
+    const auto place = static_cast<size_t>(random.Uniform(0.0, static_cast<Real>(values.size())));
+    return values.begin()[std::min(place, values.size() - 1)];
+  };
+  SIsland<Real> island;
+  const int numBodies = std::max(2, 2 * numContacts / 3);
+  for (int i = 0; i < numBodies; ++i) {
+    const Real mass = pick({0.1, 1.0, 10.0});
+    SIslandBody<Real>& body = island.AddBody(mass, 0.005 * mass, pick({0.0, 0.02, 10.0}) * mass,
+                                             pick({0.0, 1e-4, 0.1}) * mass);
+    body.Velocity.Set(
+        {random.Uniform(-0.1, 0.1), random.Uniform(-0.1, 0.1), random.Uniform(-0.5, 0.5)});
+    for (Real& target : body.Target) {
+      target = random.Uniform(-0.1, 0.1);
+    }
+  }
+  island.AddBody(0, 0, 0, 0);
+  for (int i = 0; i < numContacts; ++i) {
+    SIslandContact<Real>& contact = island.Contacts.emplace_back();
+    contact.B = static_cast<UInt32>(i % numBodies);
+    // the last one is immovable
+    contact.A = (contact.B + 1 + static_cast<UInt32>(random.Uniform(0.0, numBodies))) %
+                static_cast<UInt32>(numBodies + 1);
+    const Real angle = random.Uniform(-4.0, 4.0);
+    contact.NX = std::cos(angle);
+    contact.NY = std::sin(angle);
+    for (Real* const lever : {&contact.NormalLeverA, &contact.TangentLeverA, &contact.NormalLeverB,
+                              &contact.TangentLeverB}) {
+      *lever = random.Uniform(-0.1, 0.1);
+    }
+    contact.Approach = pick({0.0, 0.01});
+    contact.Friction = pick({0.0, 0.3, 1.0});
+    const SIslandBody<Real>& a = island.Bodies[contact.A];
+    const SIslandBody<Real>& b = island.Bodies[contact.B];
+    const auto compute = [&](Real leverA, Real leverB) {
+      return a.InverseMass + b.InverseMass + a.InverseInertia * leverA * leverA +
+             b.InverseInertia * leverB * leverB;
+    };
+    contact.InverseMass = compute(contact.NormalLeverA, contact.NormalLeverB);
+    contact.InverseTangentMass = compute(contact.TangentLeverA, contact.TangentLeverB);
+    contact.Mass = 1.0 / contact.InverseMass;
+    contact.TangentMass = 1.0 / contact.InverseTangentMass;
+  }
+  return island;
 }
 
 template <typename NUMBER>
@@ -201,6 +267,31 @@ TEST_CASE("contact island: the forces are found on an object that two robots rub
           "[unit][planar]") {
   CheckRubbedCylinder<double>();
   CheckRubbedCylinder<float>();
+}
+
+TEST_CASE("contact island: any bodies with any contacts obey the laws", "[unit][planar]") {
+  // Newton's method has room for 96 contacts, or 48 that stick
+  const int numContacts = GENERATE(1, 2, 5, 20, 60, 120);
+  const unsigned seed = GENERATE(range(1U, 6U));
+  CAPTURE(numContacts, seed);
+  constexpr Real kTolerance = 1e-9;  // m/s
+  constexpr UInt32 kMostSweeps = 100000;
+  SIsland<Real> island = MakeRandomIsland(numContacts, seed);
+  CContactIsland<Real> solver(island.Bodies, island.Contacts);
+  CHECK(solver.Solve(kTolerance, kMostSweeps) < kMostSweeps);
+  CHECK(solver.GetChange() <= kTolerance);
+  const Real accuracy = 1e3 * kTolerance;
+  for (const SIslandContact<Real>& contact : island.Contacts) {
+    CheckContact(island, contact, accuracy);
+  }
+  for (size_t i = 0; i + 1 < island.Bodies.size(); ++i) {
+    CheckDrive(island.Bodies[i], accuracy);
+    CheckTorque(island.Bodies[i], 20.0 * accuracy);
+  }
+  // what is immovable has not moved
+  for (const Real speed : island.Bodies.back().Velocity.Now) {
+    CHECK(speed == 0.0);
+  }
 }
 
 TEST_CASE("contact island: a grip, the motor of its turret and both bodies agree",

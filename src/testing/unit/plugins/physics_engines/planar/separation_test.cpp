@@ -186,6 +186,92 @@ TEST_CASE("separation: a disc inside a rectangle leaves it by the shortest way",
   CHECK_THAT(line.Gap, WithinAbs(-0.2, kRounding));
 }
 
+TEST_CASE("separation: a centre inside a shape leaves it by the nearest side, whichever that is",
+          "[unit][kinematics2d]") {
+  const bool isPolygon = GENERATE(false, true);
+  // place of the centre; normal and point of the way out: 1 m x 0.5 m, 5 cm from a side or more
+  const auto [x, y, normalX, normalY, pointX, pointY] =
+      GENERATE(table<Real, Real, Real, Real, Real, Real>({{0.45, 0.1, -1.0, 0.0, 0.5, 0.1},
+                                                          {-0.45, 0.1, 1.0, 0.0, -0.5, 0.1},
+                                                          {0.3, 0.2, 0.0, -1.0, 0.3, 0.25},
+                                                          {0.3, -0.2, 0.0, 1.0, 0.3, -0.25},
+                                                          // on the border
+                                                          {0.5, 0.1, -1.0, 0.0, 0.5, 0.1},
+                                                          {0.3, -0.25, 0.0, 1.0, 0.3, -0.25}}));
+  CAPTURE(isPolygon, x, y);
+  const SFootprint box = MakeBox(0.0, 0.0, 0.0, 0.5, 0.25);
+  std::vector<CVector2> corners;
+  const SFootprint shape = isPolygon ? AsPolygon(box, corners) : box;
+  const SSeparation line = SeparateFromFootprint(x, y, 0.125, {0.3, 0.3}, shape);
+  CHECK_THAT(line.NormalX, WithinAbs(normalX, kRounding));
+  CHECK_THAT(line.NormalY, WithinAbs(normalY, kRounding));
+  const Real depth = std::abs(pointX - x) + std::abs(pointY - y);
+  CHECK_THAT(line.Gap, WithinAbs(-depth - 0.125, kRounding));
+  CHECK_THAT(line.PointX, WithinAbs(pointX, kRounding));
+  CHECK_THAT(line.PointY, WithinAbs(pointY, kRounding));
+}
+
+TEST_CASE("separation: discs with one centre are separated along x", "[unit][kinematics2d]") {
+  const SPlanarVector relative = GENERATE(SPlanarVector{0.0, 0.0}, SPlanarVector{0.0, 0.5});
+  const SSeparation line = SeparateDiscs({0.0, 0.0}, relative, 0.25);
+  CHECK(line.NormalX == 1.0);
+  CHECK(line.NormalY == 0.0);
+  CHECK(line.Gap == -0.25);
+}
+
+TEST_CASE("separation: a disc touches any shape in one point, in the one order or the other",
+          "[unit][kinematics2d]") {
+  const SFootprint disc = {0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.25};
+  const SFootprint other = {0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 0.5};
+  const SFootprint box = MakeBox(0.25, 1.0, 0.0, 1.0, 0.5);
+  // along y, 0.25 m apart; the point is of the second shape if the first one is a disc, else of
+  // the first one
+  for (const auto& [a, b, normal, point] :
+       {std::tuple(disc, other, 1.0, 0.5), std::tuple(other, disc, -1.0, 0.25),
+        std::tuple(disc, box, 1.0, 0.5), std::tuple(box, disc, -1.0, 0.5)}) {
+    SSeparation contacts[2];
+    REQUIRE(FindContacts(a, b, contacts) == 1);
+    CHECK_THAT(contacts[0].NormalX, WithinAbs(0.0, kRounding));
+    CHECK_THAT(contacts[0].NormalY, WithinAbs(normal, kRounding));
+    CHECK_THAT(contacts[0].Gap, WithinAbs(0.25, kRounding));
+    CHECK_THAT(contacts[0].PointX, WithinAbs(0.0, kRounding));
+    CHECK_THAT(contacts[0].PointY, WithinAbs(point, kRounding));
+  }
+}
+
+TEST_CASE("separation: of boxes that pass each other the nearest corners are compared",
+          "[unit][kinematics2d]") {
+  // the second box is ahead of the first one, and aside, and turned towards it
+  const Real side = GENERATE(-1.0, 1.0);
+  CAPTURE(side);
+  const SFootprint a = MakeBox(0.0, 0.0, 0.0, 0.5, 0.5);
+  const SFootprint b = MakeBox(2.0, 1.5 * side, -0.1 * side, 0.5, 0.5);
+  SSeparation contacts[2];
+  REQUIRE(FindContacts(a, b, contacts) == 1);
+  const SPlanarVector corner = RotateOutOfFrame(b, -0.5, -0.5 * side);
+  CHECK_THAT(contacts[0].NormalX, WithinAbs(1.0, kRounding));
+  CHECK_THAT(contacts[0].PointX, WithinAbs(b.X + corner.X, kRounding));
+  CHECK_THAT(contacts[0].PointY, WithinAbs(b.Y + corner.Y, kRounding));
+  CHECK_THAT(contacts[0].Gap, WithinAbs(b.X + corner.X - 0.5, kRounding));
+}
+
+TEST_CASE("separation: boxes that stand askew touch where their sides face each other",
+          "[unit][kinematics2d]") {
+  // of b's side x = 0.75, from y = 0.25 to 1.25, a's side reaches the lower half
+  const SFootprint a = MakeBox(0.0, 0.0, 0.0, 0.5, 0.75);
+  const SFootprint b = MakeBox(1.25, 0.75, 0.0, 0.5, 0.5);
+  SSeparation contacts[2];
+  REQUIRE(FindContacts(a, b, contacts) == 2);
+  const Real upper = std::max(contacts[0].PointY, contacts[1].PointY);
+  const Real lower = std::min(contacts[0].PointY, contacts[1].PointY);
+  CHECK_THAT(upper, WithinAbs(0.75, kRounding));
+  CHECK_THAT(lower, WithinAbs(0.25, kRounding));
+  for (const SSeparation& contact : contacts) {
+    CHECK_THAT(contact.PointX, WithinAbs(0.75, kRounding));
+    CHECK_THAT(contact.Gap, WithinAbs(0.25, kRounding));
+  }
+}
+
 TEST_CASE("separation: boxes face to face touch in two points", "[unit][kinematics2d]") {
   const Real yaw = GENERATE(0.0, 0.3, 2.0);
   CAPTURE(yaw);
