@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace pheromone_field_test {
 
@@ -277,6 +278,34 @@ TEST_CASE("pheromone field: no cell exceeds the maximum", "[media]") {
     field.Advance(NoThreads(), 0.1);
     REQUIRE(MomentsOf(field).Greatest < 7.0);
   }
+}
+
+TEST_CASE("pheromone field: cells are set to what they may contain", "[media]") {
+  CPheromoneField field(Cells(4, 3), 0.0, 0.0, 7.0);
+  field.SetCell(3, 2, 7.0);
+  field.SetCell(0, 0, 0.0);
+  CHECK(field.GetCell(3, 2) == 7.0);
+  CHECK_THAT(field.ComputeTotal(), WithinRel(0.07, 1e-12));
+  for (const auto& [i, j] : {std::pair<size_t, size_t>(4, 0), std::pair<size_t, size_t>(0, 3)}) {
+    CHECK_THROWS_WITH(field.SetCell(i, j, 1.0), Catch::Contains("among 4 x 3"));
+  }
+  for (const Real bad : {7.001, -1e-9, HUGE_VAL, std::nan("")}) {
+    CHECK_THROWS_WITH(field.SetCell(1, 1, bad), Catch::Contains("must be in [0,7]"));
+  }
+  CHECK_THAT(field.ComputeTotal(), WithinRel(0.07, 1e-12));
+}
+
+TEST_CASE("pheromone field: a field that is empty again spreads nothing", "[media]") {
+  CPheromoneField field(Cells(5, 5), 0.0, 0.01);
+  field.SetCell(2, 2, 0.0);
+  Advance(field, 3);
+  CHECK(field.ComputeTotal() == 0.0);
+  field.SetCell(2, 2, 1.0);
+  // what is set after that does not count as nothing
+  field.SetCell(0, 0, 0.0);
+  Advance(field, 3);
+  CHECK(field.GetCell(1, 2) > 0.0);
+  CHECK_THAT(field.ComputeTotal(), WithinRel(0.01, 1e-12));
 }
 
 TEST_CASE("pheromone field: evaporation below the smallest number gives 0, and new deposits stay",

@@ -97,6 +97,31 @@ TEST_CASE("rab routing: the range is exclusive, and only that of the sender coun
   CHECK(Heard(routing, 3) == expected);
 }
 
+TEST_CASE("rab routing: devices of one range hear each other, but not at that distance",
+          "[media]") {
+  CThreadPool pool(0, CreateSchedule("balance_quantity"));
+  CRABRouting routing;
+  routing.SetOptions(SIndexChoice(), kArena);
+  CRABRouting::SDevices& devices = routing.GetDevices();
+  Fill(devices, 300, 3);
+  devices.Range.assign(300, 0.8);
+  // exactly 0.5 apart along each axis, and of another size
+  devices.Resize(304);
+  for (size_t i = 300; i < 304; ++i) {
+    devices.X[i] = i == 301 ? 8.5 : 8.0;
+    devices.Y[i] = i == 302 ? 8.5 : 8.0;
+    devices.Z[i] = i == 303 ? 0.5 : 0.0;
+    devices.Range[i] = 0.8;
+    devices.MessageSize[i] = 10;
+  }
+  routing.Route(pool, nullptr);
+  CHECK(Heard(routing, 304) == ByBruteForce(devices));
+  devices.Range.assign(304, 0.5);
+  routing.Route(pool, nullptr);
+  CHECK(Heard(routing, 304) == ByBruteForce(devices));
+  CHECK(routing.GetSenders(300).size() == 0);
+}
+
 TEST_CASE("rab routing: devices at NaN or infinity neither receive nor are received", "[media]") {
   CThreadPool pool(0, CreateSchedule("balance_quantity"));
   CRABRouting routing;
