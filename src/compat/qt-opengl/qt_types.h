@@ -163,13 +163,17 @@ class QKeyEvent {
   QString text() const { return m_text; }
   int modifiers() const { return m_modifiers; }
   bool isAutoRepeat() const { return false; }
-  void accept() {}
-  void ignore() {}
+  /** An event is accepted until it is ignored: then the view may do something with the key. */
+  bool isAccepted() const { return m_isAccepted; }
+  void setAccepted(bool accepted) { m_isAccepted = accepted; }
+  void accept() { setAccepted(true); }
+  void ignore() { setAccepted(false); }
 
  private:
   int m_key;
   QString m_text;
   int m_modifiers;
+  bool m_isAccepted = true;
 };
 
 /** A button of the mouse was pressed or released, or the mouse moved. Pixels, y downwards. */

@@ -14,12 +14,25 @@ constexpr GLuint kRoundVertices = 20;
 
 // of Qt::Key, for a name of browsers; those of characters are their codes, of letters in upper case
 int ToQtKey(const std::string& key) {
-  static const std::map<std::string, int> named = {
-      {"Escape", Qt::Key_Escape}, {"Tab", Qt::Key_Tab},          {"Backspace", Qt::Key_Backspace},
-      {"Enter", Qt::Key_Return},  {"Insert", Qt::Key_Insert},    {"Delete", Qt::Key_Delete},
-      {"Home", Qt::Key_Home},     {"End", Qt::Key_End},          {"ArrowLeft", Qt::Key_Left},
-      {"ArrowUp", Qt::Key_Up},    {"ArrowRight", Qt::Key_Right}, {"ArrowDown", Qt::Key_Down},
-      {"PageUp", Qt::Key_PageUp}, {"PageDown", Qt::Key_PageDown}};
+  static const std::map<std::string, int> named = {{"Escape", Qt::Key_Escape},
+                                                   {"Tab", Qt::Key_Tab},
+                                                   {"Backspace", Qt::Key_Backspace},
+                                                   {"Enter", Qt::Key_Return},
+                                                   {"Insert", Qt::Key_Insert},
+                                                   {"Delete", Qt::Key_Delete},
+                                                   {"Home", Qt::Key_Home},
+                                                   {"End", Qt::Key_End},
+                                                   {"ArrowLeft", Qt::Key_Left},
+                                                   {"ArrowUp", Qt::Key_Up},
+                                                   {"ArrowRight", Qt::Key_Right},
+                                                   {"ArrowDown", Qt::Key_Down},
+                                                   {"PageUp", Qt::Key_PageUp},
+                                                   {"PageDown", Qt::Key_PageDown},
+                                                   {"Shift", Qt::Key_Shift},
+                                                   {"F1", Qt::Key_F1},
+                                                   {"F2", Qt::Key_F2},
+                                                   {"F3", Qt::Key_F3},
+                                                   {"F4", Qt::Key_F4}};
   if (key.size() == 1) {
     return std::toupper(static_cast<unsigned char>(key[0]));
   }
@@ -64,13 +77,14 @@ void CQTOpenGLUserFunctions::HandleMove(CEntity& root, const SBodyPose& before,
   }
 }
 
-void CQTOpenGLUserFunctions::HandleKey(const std::string& key, bool isDown) {
+bool CQTOpenGLUserFunctions::HandleKey(const std::string& key, bool isDown) {
   QKeyEvent event(ToQtKey(key), key.size() == 1 ? QString(key) : QString());
   if (isDown) {
     KeyPressed(&event);
   } else {
     KeyReleased(&event);
   }
+  return event.isAccepted();
 }
 
 CEntity* CQTOpenGLUserFunctions::GetSelectedEntity() {

@@ -25,7 +25,10 @@ class CQTOpenGLUserFunctions : public CDrawingFunctions {
  public:
   CQTOpenGLUserFunctions();
 
-  /** Input: called by views with a keyboard or a mouse. */
+  /**
+   * Input: called by views with a keyboard or a mouse. As in ARGoS 3, a key that is passed on to
+   * the widget, as these do, is left to the view; one that is not passed on was used here.
+   */
   virtual void KeyPressed(QKeyEvent* event);
   virtual void KeyReleased(QKeyEvent* event);
   virtual void MouseKeyPressed(QMouseEvent*) {}
@@ -50,7 +53,7 @@ class CQTOpenGLUserFunctions : public CDrawingFunctions {
   void HandleSelection(CEntity* root) override;
   void ForgetSelection() override;
   void HandleMove(CEntity& root, const SBodyPose& before, const SBodyPose& now) override;
-  void HandleKey(const std::string& key, bool isDown) override;
+  bool HandleKey(const std::string& key, bool isDown) override;
 
   /** Draws over the picture, in pixels from its upper left corner. */
   virtual void DrawOverlay(QPainter&) {}

@@ -45,8 +45,10 @@ class CQTOpenGLWidget : public QOpenGLWidget, protected QOpenGLFunctions {
   explicit CQTOpenGLWidget(CQTOpenGLUserFunctions& userFunctions)
       : m_userFunctions(userFunctions) {}
 
-  void KeyPressed(QKeyEvent*) {}
-  void KeyReleased(QKeyEvent*) {}
+  /** User functions pass on what they do not use: the event is ignored, so the view gets the key.
+   */
+  void KeyPressed(QKeyEvent* event) { event->ignore(); }
+  void KeyReleased(QKeyEvent* event) { event->ignore(); }
 
   /** The frame of what is drawn next: that of the entity. Only in hooks that draw. */
   void DrawEntity(CPositionalEntity& entity);

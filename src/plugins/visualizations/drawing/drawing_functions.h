@@ -50,8 +50,11 @@ class CDrawingFunctions : public CBaseConfigurableResource {
   virtual void ForgetSelection() {}
   virtual void HandleMove(CEntity& /*root*/, const SBodyPose& /*before*/,
                           const SBodyPose& /*now*/) {}
-  /** @param key  as browsers name it: the character, or "ArrowUp", "Enter", ... */
-  virtual void HandleKey(const std::string& /*key*/, bool /*isDown*/) {}
+  /**
+   * @param key  as browsers name it: the character, or "ArrowUp", "Enter", ...
+   * @return true if these functions have used the key: the view does nothing with it then.
+   */
+  virtual bool HandleKey(const std::string& /*key*/, bool /*isDown*/) { return false; }
 
   /**
    * The list that a hook draws to.

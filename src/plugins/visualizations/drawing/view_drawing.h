@@ -34,6 +34,8 @@ class CViewDrawing {
   /** Destroys functions and overlays, the last one first. */
   void Destroy();
 
+  /** True if the view's element has named user functions. */
+  bool HasFunctions() const { return !m_functions.empty(); }
   /** For interactive views: passes on what their user does. */
   void ForEachFunctions(const std::function<void(CDrawingFunctions&)>& call) const;
 

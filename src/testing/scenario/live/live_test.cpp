@@ -4,7 +4,6 @@
 
 #include <argos3/core/simulator/replay/replay.h>
 #include <argos3/core/simulator/space/space.h>
-#include <argos3/plugins/simulator/visualizations/qt-opengl/qtopengl_user_functions.h>
 #include <argos3/support/live_runs.h>
 #include <argos3/testing/support/experiment.h>
 #include <argos3/testing/support/temporary_folder.h>
@@ -33,53 +32,9 @@ using Catch::Contains;
 
 namespace {
 
-const SBodyPose& GetPose(const SRecordedFrame& frame, const std::string& id) {
-  size_t place = 0;
-  for (const SRecordedEntity& entity : frame.Entities) {
-    if (entity.Id == id) {
-      return frame.Poses.at(place);
-    }
-    place += frame.Types.at(entity.Type).GetNumPoses();
-  }
-  throw std::runtime_error("no " + id);
-}
-
 bool Has(const SRecordedFrame& frame, const std::string& id) {
   return std::any_of(frame.Entities.begin(), frame.Entities.end(),
                      [&](const SRecordedEntity& entity) { return entity.Id == id; });
-}
-
-/* Notes what it is told, as code for ARGoS 3 would get it. */
-class CNotingFunctions : public CQTOpenGLUserFunctions {
- public:
-  static std::vector<std::string> notes;  // on the thread of the run; read after its end
-
-  void EntitySelected(CEntity& entity) override { notes.push_back("selected " + entity.GetId()); }
-  void EntityDeselected(CEntity& entity) override {
-    notes.push_back("deselected " + entity.GetId());
-  }
-  void EntityMoved(CEntity& entity, const CVector3& before, const CVector3& now) override {
-    notes.push_back("moved " + entity.GetId() + " by " + ToString(now - before));
-  }
-  void KeyPressed(QKeyEvent* event) override {
-    notes.push_back("pressed " + std::to_string(event->key()));
-  }
-  void KeyReleased(QKeyEvent* event) override { notes.push_back("released " + event->text()); }
-};
-std::vector<std::string> CNotingFunctions::notes;
-REGISTER_QTOPENGL_USER_FUNCTIONS(CNotingFunctions, "live_test_notes")
-
-// a box, in a file with another view than <live>
-std::function<void(CSimulator&)> BoxWithNotes() {
-  SExperiment experiment;
-  experiment.Engines = "<dynamics2d id='dyn2d' />";
-  experiment.Arena =
-      "<box id='box' size='0.5,0.5,0.5' movable='true' mass='1'><body position='1,1,0' /></box>";
-  std::string xml = experiment.ToXml();
-  xml.insert(xml.find("</argos-configuration>"),
-             "<visualization><qt-opengl><user_functions label='live_test_notes' /></qt-opengl>"
-             "</visualization>");
-  return Loading(xml);
 }
 
 // ten robots, each of which logs 16 KB in each tick
@@ -447,24 +402,6 @@ TEST_CASE("live view: a viewer drives a robot, whatever its controller wants", "
   CHECK(IsOk(viewer->Do("drive", {{"entity", "fb0"}})));
   CHECK(IsOk(viewer->Do("end")));
   world.Finish();
-}
-
-TEST_CASE("live view: users' functions are told what a viewer does", "[live]") {
-  CNotingFunctions::notes.clear();
-  CLiveWorld world(kWaits, BoxWithNotes());
-  auto viewer = Join(world);
-  CHECK(IsOk(viewer->Do("user_select", {{"entity", "box"}})));
-  CHECK(IsOk(viewer->Do("move", {{"entity", "box"}, {"position", {2, 1, 0}}})));
-  CHECK(IsOk(viewer->Do("user_key", {{"key", "ArrowUp"}})));
-  CHECK(IsOk(viewer->Do("user_key", {{"key", "w"}, {"down", false}})));
-  CHECK_THAT(GetError(viewer->Do("user_key", {{"key", 7}})), Contains("no text"));
-  CHECK(IsOk(viewer->Do("remove", {{"entity", "box"}})));
-  CHECK(IsOk(viewer->Do("end")));
-  world.Finish();
-  CHECK(CNotingFunctions::notes ==
-        std::vector<std::string>{"selected box", "moved box by 1,0,0",
-                                 "pressed " + std::to_string(int{Qt::Key_Up}), "released w",
-                                 "deselected box"});
 }
 
 TEST_CASE("live view: a replay is played, and shown from any tick on", "[live]") {

@@ -4,6 +4,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <stdexcept>
+
 namespace argos {
 
 std::unique_ptr<CLiveClient> Join(const CLiveWorld& world) {
@@ -37,6 +39,17 @@ void StepTicks(CLiveClient& viewer, UInt32 ticks) {
   const UInt32 last = viewer.GetFrame().Tick + ticks;
   CHECK(IsOk(viewer.Do("step", {{"n", ticks}})));
   viewer.ReceiveUntil([&] { return viewer.GetFrame().Tick == last; });
+}
+
+const SBodyPose& GetPose(const SRecordedFrame& frame, const std::string& id) {
+  size_t place = 0;
+  for (const SRecordedEntity& entity : frame.Entities) {
+    if (entity.Id == id) {
+      return frame.Poses.at(place);
+    }
+    place += frame.Types.at(entity.Type).GetNumPoses();
+  }
+  throw std::runtime_error("the state has no " + id);
 }
 
 std::function<void(CSimulator&)> Loading(const std::string& xml) {

@@ -25,6 +25,9 @@ void PlayToEnd(CLiveClient& viewer);
 /** Does a number of ticks after the state that the viewer has, and sees the last one. */
 void StepTicks(CLiveClient& viewer, UInt32 ticks);
 
+/** The first pose of an entity. @throws std::runtime_error if the state does not have it. */
+const SBodyPose& GetPose(const SRecordedFrame& frame, const std::string& id);
+
 /** Loads an experiment from a text. */
 std::function<void(CSimulator&)> Loading(const std::string& xml);
 

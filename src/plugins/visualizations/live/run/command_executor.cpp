@@ -289,14 +289,36 @@ void CCommandExecutor::CheckSelection() {
 
 TJson CCommandExecutor::PressKey(const TJson& arguments) {
   constexpr size_t kMaxKeyBytes = 32;
+  constexpr size_t kMaxPressed = 64;
   const std::string key = ReadTextArgument(arguments, "key");
   const bool isDown = ReadFlagArgument(arguments, "down").value_or(true);
   if (key.size() > kMaxKeyBytes) {
     THROW_ARGOSEXCEPTION("\"key\" is the name of a key, such as \"a\" or \"ArrowUp\"");
   }
-  m_drawing.ForEachFunctions(
-      [&](CDrawingFunctions& functions) { functions.HandleKey(key, isDown); });
-  return TJson::object();
+  // released with the viewer's control, also if a function throws
+  if (!isDown) {
+    m_pressed.erase(key);
+  } else if (m_pressed.size() < kMaxPressed) {
+    m_pressed.insert(key);
+  }
+  bool isHandled = false;
+  m_drawing.ForEachFunctions([&](CDrawingFunctions& functions) {
+    isHandled = functions.HandleKey(key, isDown) || isHandled;
+  });
+  return {{"handled", isHandled}};
+}
+
+std::vector<TJson> CCommandExecutor::ListReleases() {
+  std::vector<TJson> commands;
+  for (const std::string& key : m_pressed) {
+    commands.push_back({{"do", "user_key"}, {"key", key}, {"down", false}});
+  }
+  for (const auto& [id, speeds] : m_driven) {
+    if (FindWheels(id) != nullptr) {
+      commands.push_back({{"do", "drive"}, {"entity", id}});
+    }
+  }
+  return commands;
 }
 
 TJson CCommandExecutor::Remove(const TJson& arguments) {

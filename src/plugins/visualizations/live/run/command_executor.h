@@ -45,6 +45,11 @@ class CCommandExecutor {
 
   /** To be called before each tick: robots that viewers drive go on as they were told. */
   void Drive();
+  /**
+   * Commands that let go what a viewer holds that is no longer in control: keys of users'
+   * functions that it has not released, and robots that it drives.
+   */
+  std::vector<TJson> ListReleases();
   /** The run begins again: no robot is driven. */
   void ForgetDrivers() { m_driven.clear(); }
   /** To be called after each tick and reset: forgets what is selected if it was removed. */
@@ -106,6 +111,7 @@ class CCommandExecutor {
   std::vector<TJson> m_removals;  // of others
   std::map<std::string, std::pair<Real, Real>>
       m_driven;  // id: speeds of left and right wheel, cm/s
+  std::set<std::string> m_pressed;  // keys
   std::string m_selected;  // id of a root entity; empty: none
   ssize_t m_selectedIndex = -1;  // of that entity
 };

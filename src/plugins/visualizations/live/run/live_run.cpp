@@ -109,6 +109,7 @@ TJson CLiveRun::MakeWelcome() {
             {"seek", isReplay},
             {"change", !isReplay},
             {"drive", !isReplay},
+            {"user_functions", !isReplay && m_capture.GetDrawing().HasFunctions()},
             {"redistribute", !isReplay}}},
           {"types_to_add", m_executor.ListTypesToAdd()}};
 }
@@ -327,10 +328,27 @@ CLiveRun::TAction CLiveRun::FindAction(const std::string& command) {
   return nullptr;
 }
 
-void CLiveRun::DoCommand(const SLiveCommand& command) {
-  // of the server, not of a viewer
-  if (command.Viewer == 0) {
+// of the server, not of a viewer
+void CLiveRun::DoServerCommand(const SLiveCommand& command) {
+  if (command.Do == "pinned") {
     m_pinned = command.Arguments["entities"].get<std::vector<std::string>>();
+    return;
+  }
+  // "release": another viewer has control, or none
+  for (const TJson& release : m_executor.ListReleases()) {
+    m_hasChanged = true;
+    RecordCommand(release);
+    try {
+      m_executor.Do(release["do"].get<std::string>(), release);
+    } catch (...) {
+      LOGERR << "[ERROR] " << WithoutMark(DescribeCurrentException()) << std::endl;
+    }
+  }
+}
+
+void CLiveRun::DoCommand(const SLiveCommand& command) {
+  if (command.Viewer == 0) {
+    DoServerCommand(command);
     return;
   }
   TJson answer = {{"re", command.Id}};

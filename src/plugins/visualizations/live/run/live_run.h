@@ -52,6 +52,7 @@ class CLiveRun : public CLiveEngine {
   void CallPostExperiment();
 
   void DoCommands();
+  void DoServerCommand(const SLiveCommand& command);
   void DoCommand(const SLiveCommand& command);
   static TAction FindAction(const std::string& command);
   void RecordCommand(TJson command);

@@ -73,10 +73,19 @@ void CViewerHub::ChooseControl() {
   if (!m_hasControl || m_viewers.count(m_control) > 0) {
     return;
   }
-  m_control = m_viewers.empty() ? 0 : m_viewers.begin()->first;
+  UInt32 next = m_viewers.empty() ? 0 : m_viewers.begin()->first;
   if (!m_asking.empty()) {
-    m_control = m_asking.front();
+    next = m_asking.front();
     m_asking.pop_front();
+  }
+  SetControl(next);
+}
+
+// what the other one holds, such as a key, it cannot let go any more
+void CViewerHub::SetControl(UInt32 viewer) {
+  if (viewer != m_control) {
+    m_control = viewer;
+    m_link.AddCommand({0, TJson(), "release", TJson::object()});
   }
 }
 
@@ -162,7 +171,7 @@ std::string CViewerHub::GiveControl(const TJson& message) {
       m_viewers.count(other->get<UInt32>()) == 0) {
     return "there is no such viewer";
   }
-  m_control = other->get<UInt32>();
+  SetControl(other->get<UInt32>());
   m_asking.erase(std::remove(m_asking.begin(), m_asking.end(), m_control), m_asking.end());
   SendStatus();
   return "";

@@ -85,6 +85,7 @@ class CViewerHub {
   std::string Pin(CViewerConnection& viewer, const TJson& message, bool pins);
   std::string GiveControl(const TJson& message);
   void ChooseControl();
+  void SetControl(UInt32 viewer);
   void UpdatePinned();
 
   SLiveAccess m_access;

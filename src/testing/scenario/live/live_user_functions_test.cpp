@@ -1,0 +1,184 @@
+// What users' functions are told of viewers of the live view, and what they leave to these.
+
+#include "live_viewer.h"
+
+#include <argos3/plugins/simulator/visualizations/qt-opengl/qtopengl_user_functions.h>
+#include <argos3/testing/support/experiment.h>
+#include <argos3/testing/support/temporary_folder.h>
+
+#include <catch2/catch.hpp>
+
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace live_user_functions_test {
+
+using namespace argos;
+using Catch::Contains;
+
+namespace {
+
+/* Notes what it is told, as code for ARGoS 3 would get it; Space and "i" are not its keys. */
+class CNotingFunctions : public CQTOpenGLUserFunctions {
+ public:
+  static std::vector<std::string> notes;  // on the thread of the run; read after its end
+
+  void EntitySelected(CEntity& entity) override { notes.push_back("selected " + entity.GetId()); }
+  void EntityDeselected(CEntity& entity) override {
+    notes.push_back("deselected " + entity.GetId());
+  }
+  void EntityMoved(CEntity& entity, const CVector3& before, const CVector3& now) override {
+    notes.push_back("moved " + entity.GetId() + " by " + ToString(now - before));
+  }
+  void KeyPressed(QKeyEvent* event) override {
+    notes.push_back("pressed " + std::to_string(event->key()));
+    switch (event->key()) {
+      case Qt::Key_Space:
+        GetQTOpenGLWidget().KeyPressed(event);
+        break;
+      case Qt::Key_I:
+        event->ignore();
+        break;
+      case Qt::Key_X:
+        throw std::runtime_error("x is no good key");
+      default:
+        break;
+    }
+  }
+  void KeyReleased(QKeyEvent* event) override { notes.push_back("released " + event->text()); }
+};
+std::vector<std::string> CNotingFunctions::notes;
+REGISTER_QTOPENGL_USER_FUNCTIONS(CNotingFunctions, "live_test_notes")
+
+/* Has no hooks of keys: those of the base class leave all to the view. */
+class CDrawingOnly : public CQTOpenGLUserFunctions {};
+REGISTER_QTOPENGL_USER_FUNCTIONS(CDrawingOnly, "live_test_drawing")
+
+// a box and a robot, in a file with another view than <live>
+// @param functions  labels
+std::function<void(CSimulator&)> WithFunctions(const std::vector<std::string>& functions,
+                                               const std::string& recording = "") {
+  SExperiment experiment;
+  experiment.Engines = "<dynamics2d id='dyn2d' />";
+  experiment.Arena =
+      "<box id='box' size='0.5,0.5,0.5' movable='true' mass='1'><body position='1,1,0' /></box>";
+  std::string view;
+  for (const std::string& label : functions) {
+    view += "<user_functions label='" + label + "' />";
+  }
+  std::string xml = experiment.ToXml();
+  xml.insert(xml.find("</argos-configuration>"),
+             "<visualization><qt-opengl>" + view + "</qt-opengl></visualization>");
+  return [load = Loading(xml), recording](CSimulator& simulator) {
+    if (!recording.empty()) {
+      simulator.AddOutput("recording", {{"file", recording}});
+    }
+    load(simulator);
+  };
+}
+
+}  // namespace
+
+TEST_CASE("live view: users' functions are told what a viewer does", "[live]") {
+  CNotingFunctions::notes.clear();
+  CLiveWorld world(kWaits, WithFunctions({"live_test_notes"}));
+  auto viewer = Join(world);
+  CHECK(IsOk(viewer->Do("user_select", {{"entity", "box"}})));
+  CHECK(IsOk(viewer->Do("move", {{"entity", "box"}, {"position", {2, 1, 0}}})));
+  CHECK(IsOk(viewer->Do("user_key", {{"key", "ArrowUp"}})));
+  CHECK(IsOk(viewer->Do("user_key", {{"key", "ArrowUp"}, {"down", false}})));
+  CHECK(IsOk(viewer->Do("user_key", {{"key", "w"}, {"down", false}})));
+  CHECK_THAT(GetError(viewer->Do("user_key", {{"key", 7}})), Contains("no text"));
+  CHECK(IsOk(viewer->Do("remove", {{"entity", "box"}})));
+  CHECK(IsOk(viewer->Do("end")));
+  world.Finish();
+  CHECK(CNotingFunctions::notes ==
+        std::vector<std::string>{"selected box", "moved box by 1,0,0",
+                                 "pressed " + std::to_string(int{Qt::Key_Up}), "released ",
+                                 "released w", "deselected box"});
+}
+
+TEST_CASE("live view: the answer says whether users' functions have used a key", "[live]") {
+  const bool hasNotes = GENERATE(true, false);
+  CAPTURE(hasNotes);
+  CLiveWorld world(kWaits, WithFunctions(hasNotes ? std::vector<std::string>{"live_test_drawing",
+                                                                             "live_test_notes"}
+                                                  : std::vector<std::string>{"live_test_drawing"}));
+  CLiveClient viewer(world.GetURL());
+  viewer.Hello();
+  CHECK(viewer.WaitFor("welcome")["can"]["user_functions"] == true);
+  const auto isUsed = [&](const char* key) {
+    const TJson answer = viewer.Do("user_key", {{"key", key}});
+    CHECK(IsOk(answer));
+    return answer.value("handled", !hasNotes);
+  };
+  CHECK(isUsed("w") == hasNotes);
+  CHECK(isUsed("ArrowLeft") == hasNotes);
+  // passed on to the widget, and ignored
+  CHECK_FALSE(isUsed(" "));
+  CHECK_FALSE(isUsed("i"));
+  if (hasNotes) {
+    CHECK_THAT(GetError(viewer.Do("user_key", {{"key", "x"}})), Contains("no good key"));
+  }
+  CHECK(IsOk(viewer.Do("end")));
+  world.Finish();
+}
+
+TEST_CASE("live view: viewers are told that there are no users' functions", "[live]") {
+  CLiveWorld world(kWaits, WithFunctions({}));
+  CLiveClient viewer(world.GetURL());
+  viewer.Hello();
+  CHECK(viewer.WaitFor("welcome")["can"]["user_functions"] == false);
+  CHECK(IsOk(viewer.Do("end")));
+  world.Finish();
+}
+
+TEST_CASE("live view: keys that a viewer holds are released with its control", "[live]") {
+  CNotingFunctions::notes.clear();
+  const CTemporaryFolder folder;
+  const std::string file = folder.Path("run.rec");
+  CLiveWorld world(kWaits, WithFunctions({"live_test_notes"}, file));
+  auto first = Join(world);
+  auto second = Join(world);
+  CHECK(IsOk(first->Do("user_key", {{"key", "a"}})));
+  CHECK(IsOk(first->Do("user_key", {{"key", "b"}})));
+  CHECK(IsOk(first->Do("user_key", {{"key", "b"}, {"down", false}})));
+  CHECK(IsOk(first->Do("give_control", {{"viewer", 2}})));
+  CHECK(IsOk(second->Do("user_key", {{"key", "c"}})));
+  second.reset();
+  first->ReceiveUntil([&] { return first->GetStatus().value("control", 0) == 1; });
+  CHECK(IsOk(first->Do("step")));
+  CHECK(IsOk(first->Do("end")));
+  world.Finish();
+  const auto pressed = [](char key) { return "pressed " + std::to_string(int{key}); };
+  const std::vector<std::string> expected = {pressed('A'), pressed('B'), "released b",
+                                             "released a", pressed('C'), "released c"};
+  CHECK(CNotingFunctions::notes == expected);
+  // a run that is repeated has the releases, too
+  CNotingFunctions::notes.clear();
+  RunHeadless([&](CSimulator& simulator) {
+    simulator.SetVisualization("live", {{"commands", file}});
+    WithFunctions({"live_test_notes"})(simulator);
+  });
+  CHECK(CNotingFunctions::notes == expected);
+}
+
+TEST_CASE("live view: a robot that a viewer drives is let go with its control", "[live]") {
+  CLiveWorld world(kWaits, Diffusion(3));
+  auto first = Join(world);
+  auto second = Join(world);
+  CHECK(IsOk(first->Do("drive", {{"entity", "fb0"}, {"left", 0}, {"right", 0}})));
+  StepTicks(*first, 2);
+  const SBodyPose start = GetPose(first->GetFrame(), "fb0");
+  CHECK(IsOk(first->Do("give_control", {{"viewer", 2}})));
+  CHECK(IsOk(second->Do("step", {{"n", 10}})));
+  first->ReceiveUntil([&] { return first->GetFrame().Tick == 12; });
+  // its controller drives it again, at 10 cm/s
+  CHECK(Distance(GetPose(first->GetFrame(), "fb0").Position, start.Position) > 0.01);
+  CHECK(IsOk(second->Do("end")));
+  world.Finish();
+}
+
+}  // namespace live_user_functions_test
