@@ -212,5 +212,7 @@ export class RecordingPlayer implements Session {
   move(): void {}
   remove(): void {}
   drive(): void {}
-  key(): void {}
+  key(): null {
+    return null;
+  }
 }

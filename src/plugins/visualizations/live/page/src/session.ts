@@ -53,6 +53,8 @@ export interface Parameter {
 export interface Answer {
   error?: string;
   line?: number;
+  /** User functions have used the key. */
+  handled?: boolean;
   file?: string;
   text?: string;
   robots?: number;
@@ -132,7 +134,8 @@ export interface Session {
   remove(id: string): void;
   /** Speeds of left and right wheel, cm/s; null: those of its controller count again. */
   drive(id: string, speeds: [number, number] | null): void;
-  key(key: string, isDown: boolean): void;
+  /** Tells user functions. Resolves with whether they have used the key; null: there are none to tell. */
+  key(key: string, isDown: boolean): Promise<boolean> | null;
   /** Once a picture. */
   update(now: number): void;
   close(): void;

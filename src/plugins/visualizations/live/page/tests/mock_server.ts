@@ -65,6 +65,8 @@ export class MockServer {
   /** All commands, in the order in which they came. */
   commands: Record<string, unknown>[] = [];
   run: "playing" | "paused" | "ended" = "paused";
+  /** Keys that user functions use; null: there are no user functions. */
+  usedKeys: Set<string> | null = null;
   private readonly parts;
   private readonly clients: Client[] = [];
   private readonly http: Server;
@@ -164,7 +166,7 @@ export class MockServer {
       version: "mock",
       experiment: "mock.argos",
       tick_length: 0.1,
-      can: { edit: false, replay: false, seek: false, change: true, drive: true },
+      can: { edit: false, replay: false, seek: false, change: true, drive: true, user_functions: this.usedKeys !== null },
       types_to_add: ["foot-bot", "box"],
       viewer: client.id,
     };
@@ -266,6 +268,9 @@ export class MockServer {
       case "give_control":
         this.control = message.viewer as number;
         break;
+      case "user_key":
+        answer({ ok: true, handled: this.usedKeys?.has(message.key as string) === true });
+        return;
       case "move":
         answer({ error: `"${message.entity as string}" would overlap with "wall_north"` });
         return;

@@ -256,7 +256,7 @@ test("page: a run is watched, played, stepped and reset", { skip, timeout: kTime
   await tab.button("Reset").or(tab.page.getByRole("button", { name: /^Reset/ })).first().click();
   await tab.waitForTick((tick) => tick === 0, "the reset");
   const names = server.commands.map((command) => command.do);
-  assert.deepEqual(names.filter((name) => name !== "user_select" && name !== "parameters"), ["play", "pause", "step", "reset"]);
+  assert.deepEqual(names.filter((name) => name !== "parameters"), ["play", "pause", "step", "reset"]);
   await tab.page.locator(".entities button").first().click();
   const card = tab.page.getByRole("region", { name: "fb0" });
   await tab.button("One tick ahead").click();
@@ -314,6 +314,80 @@ test("page: a driven robot is let go when another one is selected, or keys drive
       ["fb5", undefined, undefined],
     ],
   );
+  assert.deepEqual(await tab.close(), []);
+  await server.close();
+});
+
+const kPicture = "canvas.picture";
+
+async function waitFor(tab: Tab, what: string, isTrue: () => Promise<boolean> | boolean): Promise<void> {
+  for (let i = 0; i < 100; ++i) {
+    if (await isTrue()) {
+      return;
+    }
+    await tab.page.waitForTimeout(50);
+  }
+  assert.fail(`waited in vain for ${what}`);
+}
+
+test("page: user functions get the keys of the picture first, and the page acts on those that they leave", { skip, timeout: kTimeout }, async () => {
+  const server = await MockServer.start(recording, pageFile);
+  server.usedKeys = new Set(["ArrowRight", "s", "S"]);
+  const tab = await Tab.open(browser, server.url);
+  const { page } = tab;
+  await tab.waitForTick((tick) => tick === 0);
+  const told = (): string[] =>
+    server.commands.filter(({ do: name }) => name === "user_key").map(({ key, down }) => `${down === false ? "-" : "+"}${key as string}`);
+  const isChecked = (name: string): Promise<boolean> =>
+    page.evaluate((option) => (window as unknown as { argosView: { options: Record<string, boolean> } }).argosView.options[option]!, name);
+  const rays = await isChecked("rays");
+  await page.locator(kPicture).focus();
+  await page.keyboard.press("ArrowRight");
+  await page.keyboard.press("s");
+  await page.keyboard.press("i");
+  await waitFor(tab, "the ids", () => isChecked("ids"));
+  assert.deepEqual(told(), ["+ArrowRight", "-ArrowRight", "+s", "-s", "+i", "-i"]);
+  assert.equal(await tab.tick(), 0, "no step");
+  assert.equal(await isChecked("rays"), rays);
+  await page.keyboard.press("Space");
+  await tab.waitForTick((tick) => tick > 3, "the run, which Space has started");
+  await tab.button("Pause").click();
+  await tab.button("Play").waitFor();
+
+  // released where it was pressed, whatever its name and the focus are then
+  server.commands = [];
+  await page.locator(kPicture).focus();
+  await page.keyboard.down("Shift");
+  await page.keyboard.down("S");
+  await page.keyboard.up("Shift");
+  await page.getByRole("tab", { name: "Log" }).click();
+  await page.keyboard.up("s");
+  await waitFor(tab, "the release", () => told().length === 4);
+  assert.deepEqual(told(), ["+Shift", "+S", "-Shift", "-S"]);
+
+  // elsewhere keys are the page's, and Tab leads there
+  server.commands = [];
+  await page.locator(kPicture).focus();
+  await page.keyboard.press("Tab");
+  assert.equal(await page.evaluate(() => document.activeElement!.tagName), "BUTTON");
+  const before = await tab.tick();
+  await page.keyboard.press("ArrowRight");
+  await tab.waitForTick((tick) => tick === before + 1, "a step");
+  assert.deepEqual(told().filter((key) => !key.endsWith("Tab")), []);
+  assert.deepEqual(await tab.close(), []);
+  await server.close();
+});
+
+test("page: without user functions nothing is told of keys, and they act at once", { skip, timeout: kTimeout }, async () => {
+  const server = await MockServer.start(recording, pageFile);
+  const tab = await Tab.open(browser, server.url);
+  await tab.waitForTick((tick) => tick === 0);
+  const place = await tab.placeOf("fb3");
+  await tab.page.mouse.click(place.x, place.y);
+  await tab.page.getByRole("region", { name: "fb3" }).waitFor();
+  await tab.page.locator(kPicture).press("ArrowRight");
+  await tab.waitForTick((tick) => tick === 1, "a step");
+  assert.deepEqual(server.commands.filter(({ do: name }) => /^user_/.test(name as string)), []);
   assert.deepEqual(await tab.close(), []);
   await server.close();
 });

@@ -21,7 +21,7 @@ const kFirstRetry = 500; // ms
 const kLongestRetry = 8000;
 const kMaxPinned = 16; // of the protocol
 const kMaxReplaySpeed = 10; // of the past, if the run goes as fast as it can
-const kMoveCommands = new Set(["move", "drive", "user_key"]);
+const kMoveCommands = new Set(["move", "drive"]);
 
 interface Welcome {
   protocol?: number;
@@ -29,7 +29,7 @@ interface Welcome {
   experiment?: string;
   tick_length?: number;
   last_tick?: number;
-  can?: { control?: boolean; edit?: boolean; replay?: boolean; seek?: boolean; change?: boolean; drive?: boolean };
+  can?: Partial<Record<"control" | "edit" | "replay" | "seek" | "change" | "drive" | "user_functions", boolean>>;
   types_to_add?: string[];
   viewer?: number;
 }
@@ -491,7 +491,7 @@ export class LiveClient implements Session {
   }
 
   select(id: string | null): void {
-    if (this.hasControl) {
+    if (this.hasControl && this.can.user_functions === true) {
       this.command("user_select", id === null ? {} : { entity: id });
     }
   }
@@ -504,10 +504,18 @@ export class LiveClient implements Session {
   drive(entity: string, speeds: [number, number] | null): void {
     this.command("drive", speeds === null ? { entity } : { entity, left: speeds[0], right: speeds[1] });
   }
-  key(key: string, isDown: boolean): void {
-    if (this.hasControl) {
-      this.command("user_key", { key, down: isDown });
+  key(key: string, isDown: boolean): Promise<boolean> | null {
+    const hasFunctions = this.connection === "connected" && this.hasControl && this.can.user_functions === true;
+    // they know the present only; what was pressed there is released there
+    if (!hasFunctions || (isDown && this.isPast)) {
+      return null;
     }
+    return this.request("user_key", { key, down: isDown }).then(({ handled, error }) => {
+      if (error !== undefined) {
+        this.listener.notify(error, "error");
+      }
+      return handled === true || error !== undefined;
+    });
   }
 
   update(now: number): void {

@@ -25,6 +25,7 @@ import { PointerControl } from "./pointer";
 import { Film, download, makePage } from "./save";
 import { ScriptPanel } from "./script";
 import { Transport } from "./transport";
+import { UserKeys } from "./user_keys";
 
 type Theme = "auto" | "light" | "dark";
 type TabName = "inspect" | "metrics" | "script" | "log" | "info";
@@ -33,6 +34,7 @@ const kUiPeriod = 120; // ms
 const kSlowPeriod = 60; // ms from picture to picture
 const kMaxSlowPictures = 15; // pictures
 const kAddStep = 0.05; // of the distance of the camera
+const kKeysOfBrowsers = /^(Tab|F\d+)$/; // which would be missed
 
 const kOptionNames: [keyof ViewOptions, string, string][] = [
   ["ids", "Ids", "I"],
@@ -58,6 +60,7 @@ const kKeys: [string, string][] = [
   ["I R H S D U A B G C", "Ids, trails, headings, rays, devices, drawings, axes, scale bar, grid, saved time"],
   ["[ / ]", "Turn the selected robot or thing by 15°"],
   ["Esc", "Unselect"],
+  ["Click the picture", "From then on, keys go to user functions of the experiment first, if there are any, until Tab or a click elsewhere"],
   ["Drag", "Turn the camera; with Shift or the right button: move it"],
   ["Drag what is selected", "Move it; with Ctrl or Alt: turn it"],
   ["Wheel", "Zoom"],
@@ -146,6 +149,10 @@ export class App implements SessionListener {
   });
   private readonly help = this.makeHelp();
   private readonly drive: DriveKeys;
+  private readonly userKeys = new UserKeys({
+    tell: (key, isDown) => this.session?.key(key, isDown) ?? null,
+    act: (key) => this.runKey(key, this.canvas),
+  });
   private readonly addMenu = h("div", {});
   private readonly liveTools = h("div", { class: "tools live-tools", hidden: true });
   private addType: string | null = null;
@@ -203,7 +210,10 @@ export class App implements SessionListener {
       .addEventListener("change", () => this.applyTheme());
     document.addEventListener("keydown", (event) => this.keyDown(event));
     document.addEventListener("keyup", (event) => this.keyUp(event));
-    window.addEventListener("blur", () => this.drive.releaseKeys());
+    window.addEventListener("blur", () => {
+      this.drive.releaseKeys();
+      this.userKeys.releaseAll();
+    });
     // after a click of the mouse, the space bar is for the whole page again
     document.addEventListener("click", (event) => {
       const target = (event.target as HTMLElement).closest("button, summary, input[type=checkbox]");
@@ -915,8 +925,11 @@ export class App implements SessionListener {
       event.preventDefault();
       return;
     }
-    if (this.session?.kind === "live" && !event.repeat && target === this.canvas) {
-      this.session.key(event.key, true);
+    if (target === this.canvas && this.userKeys.press(event)) {
+      if (!kKeysOfBrowsers.test(event.key)) {
+        event.preventDefault();
+      }
+      return;
     }
     if (this.runKey(event.key, target)) {
       event.preventDefault();
@@ -924,11 +937,9 @@ export class App implements SessionListener {
   }
 
   private keyUp(event: KeyboardEvent): void {
-    if (this.drive.isOn && this.drive.key(event.key, false)) {
-      return;
-    }
-    if (this.session?.kind === "live" && event.target === this.canvas) {
-      this.session.key(event.key, false);
+    // wherever the focus is now
+    if (!this.userKeys.release(event) && this.drive.isOn) {
+      this.drive.key(event.key, false);
     }
   }
 
