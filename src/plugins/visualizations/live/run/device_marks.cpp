@@ -5,6 +5,7 @@
 #include <argos3/core/simulator/outputs/root_components.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_colored_blob_omnidirectional_camera_sensor.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_range_and_bearing_sensor.h>
+#include <argos3/plugins/simulator/visualizations/live/run/entity_values.h>
 
 namespace argos {
 
@@ -62,6 +63,15 @@ TJson ReadDeviceMarks(CEntity& root) {
     }
   }
   return marks;
+}
+
+TJson ReadLight(CEntity& root) {
+  const auto* const robot = FindExisting<CControllableEntity>(root);
+  if (robot == nullptr || !robot->HasController() ||
+      !robot->GetController().HasSensor("footbot_light")) {
+    return nullptr;
+  }
+  return ReadField(root, "readings:footbot_light");
 }
 
 }  // namespace argos

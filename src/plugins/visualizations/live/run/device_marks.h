@@ -14,6 +14,9 @@ class CEntity;
  */
 TJson ReadDeviceMarks(CEntity& root);
 
+/** The readings of a foot-bot's ring of light sensors, by column; null if it has none. */
+TJson ReadLight(CEntity& root);
+
 }  // namespace argos
 
 #endif

@@ -41,8 +41,20 @@ TJson ReadRow(const SFieldName& name, SBoundField& bound, size_t row) {
   return values;
 }
 
-TJson ReadField(CEntity& root, const std::string& text) {
-  const SFieldName name(text);
+TJson ListComponents(CEntity& root) {
+  TJson components = TJson::array();
+  if (const auto* const composable = dynamic_cast<const CComposableEntity*>(&root)) {
+    for (const CEntity* component : composable->GetExistingComponents()) {
+      components.push_back(component->GetId());
+    }
+  }
+  return components;
+}
+
+}  // namespace
+
+TJson ReadField(CEntity& root, const std::string& field) {
+  const SFieldName name(field);
   SBoundField bound = name.Bind(root);
   if (bound.Reader == nullptr) {
     return nullptr;
@@ -57,18 +69,6 @@ TJson ReadField(CEntity& root, const std::string& text) {
   }
   return rows;
 }
-
-TJson ListComponents(CEntity& root) {
-  TJson components = TJson::array();
-  if (const auto* const composable = dynamic_cast<const CComposableEntity*>(&root)) {
-    for (const CEntity* component : composable->GetExistingComponents()) {
-      components.push_back(component->GetId());
-    }
-  }
-  return components;
-}
-
-}  // namespace
 
 TJson ReadValues(CEntity& root, size_t maxBytes) {
   TJson tree = {{"type", root.GetTypeDescription()}, {"components", ListComponents(root)}};

@@ -15,6 +15,9 @@ class CEntity;
  */
 TJson ReadValues(CEntity& root, size_t maxBytes);
 
+/** The values of one field of an entity, as in ReadValues(); null if it does not have the field. */
+TJson ReadField(CEntity& root, const std::string& field);
+
 }  // namespace argos
 
 #endif

@@ -258,6 +258,8 @@ void CLiveRun::Serve(TClock::time_point now) {
 }
 
 void CLiveRun::CaptureState() {
+  // first: a viewer that gets the state then has what belongs to it
+  SendPerceptions();
   std::unique_ptr<SLiveState> state = m_link.MakeState();
   m_capture.Take(m_cSimulator, *state);
   m_hasChanged = false;
@@ -280,21 +282,37 @@ void CLiveRun::SendValues() {
       continue;
     }
     TJson tree;
-    TJson marks = TJson::array();
     try {
-      marks = ReadDeviceMarks(entity->GetRootEntity());
       tree = ReadValues(entity->GetRootEntity(), kMaxValueBytes);
     } catch (...) {
       // what viewers look at does not end the run
       tree = {{"error", WithoutMark(DescribeCurrentException())}};
     }
-    m_link.PutEvent({0,
-                     ToText({{"values",
-                              {{"entity", id},
-                               {"tick", m_cSpace.GetSimulationClock()},
-                               {"tree", tree},
-                               {"marks", marks}}}}),
-                     id});
+    m_link.PutEvent(
+        {0,
+         ToText({{"values",
+                  {{"entity", id}, {"tick", m_cSpace.GetSimulationClock()}, {"tree", tree}}}}),
+         id});
+  }
+}
+
+// what pinned robots perceive at the present tick
+void CLiveRun::SendPerceptions() {
+  for (const std::string& id : m_pinned) {
+    CEntity* const entity = m_cSpace.TryGetEntity(id);
+    if (entity == nullptr) {
+      continue;
+    }
+    TJson perceived = {{"entity", id}, {"tick", m_cSpace.GetSimulationClock()}};
+    try {
+      perceived["marks"] = ReadDeviceMarks(entity->GetRootEntity());
+      perceived["light"] = ReadLight(entity->GetRootEntity());
+    } catch (...) {
+      // values say why they cannot be read
+      perceived["marks"] = TJson::array();
+      perceived["light"] = nullptr;
+    }
+    m_link.PutEvent({0, ToText({{"perceived", perceived}}), id});
   }
 }
 
@@ -332,6 +350,7 @@ CLiveRun::TAction CLiveRun::FindAction(const std::string& command) {
 void CLiveRun::DoServerCommand(const SLiveCommand& command) {
   if (command.Do == "pinned") {
     m_pinned = command.Arguments["entities"].get<std::vector<std::string>>();
+    SendPerceptions();
     return;
   }
   // "release": another viewer has control, or none

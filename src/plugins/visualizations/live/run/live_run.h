@@ -48,6 +48,7 @@ class CLiveRun : public CLiveEngine {
   void Serve(TClock::time_point now);
   void CaptureState();
   void SendValues();
+  void SendPerceptions();
   void SendStatus();
   void CallPostExperiment();
 

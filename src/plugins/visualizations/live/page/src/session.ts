@@ -41,6 +41,14 @@ export interface Mark {
   color?: [number, number, number];
 }
 
+/** What a robot perceives at a tick. */
+export interface Perception {
+  tick: number;
+  marks: Mark[];
+  /** Readings of a foot-bot's ring of light sensors; null: it has none. */
+  light: Tree | null;
+}
+
 export interface Parameter {
   name: string;
   value: number;
@@ -80,7 +88,9 @@ export interface SessionListener {
   setBlend(blend: number): void;
   changed(): void;
   addLog(lines: LogLine[]): void;
-  values(entity: string, tick: number, tree: Tree, marks: Mark[]): void;
+  values(entity: string, tick: number, tree: Tree): void;
+  /** Comes before the state of its tick. */
+  perceived(entity: string, perception: Perception): void;
   notify(text: string, kind: "info" | "error"): void;
 }
 

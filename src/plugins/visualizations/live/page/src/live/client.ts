@@ -8,7 +8,7 @@ import type {
   Abilities,
   Answer,
   LogLine,
-  Mark,
+  Perception,
   RunState,
   Session,
   SessionListener,
@@ -47,7 +47,8 @@ interface ServerMessage {
   welcome?: Welcome;
   status?: Status;
   log?: LogLine[];
-  values?: { entity: string; tick: number; tree: Tree; marks?: Mark[] };
+  values?: { entity: string; tick: number; tree: Tree };
+  perceived?: { entity: string } & Perception;
   error?: string | undefined;
   re?: number;
   ok?: boolean;
@@ -318,8 +319,11 @@ export class LiveClient implements Session {
       this.listener.addLog(message.log);
     }
     if (message.values !== undefined) {
-      const { entity, tick, tree, marks } = message.values;
-      this.listener.values(entity, tick, tree, marks ?? []);
+      const { entity, tick, tree } = message.values;
+      this.listener.values(entity, tick, tree);
+    }
+    if (message.perceived !== undefined) {
+      this.listener.perceived(message.perceived.entity, message.perceived);
     }
   }
 

@@ -7,7 +7,7 @@ import { arenaAround, readArena } from "../experiment";
 import { LiveClient } from "../live/client";
 import { RecordingPlayer } from "../player";
 import { Scan } from "../scan";
-import type { LogLine, Mark, Session, SessionListener, Tree } from "../session";
+import type { LogLine, Perception, Session, SessionListener, Tree } from "../session";
 import { type CameraMode } from "../view/camera";
 import { addDevices } from "../view/devices";
 import { kDarkLook, kLightLook } from "../view/looks";
@@ -34,6 +34,7 @@ const kUiPeriod = 120; // ms
 const kSlowPeriod = 60; // ms from picture to picture
 const kMaxSlowPictures = 15; // pictures
 const kAddStep = 0.05; // of the distance of the camera
+const kMaxPerceptions = 64; // of an entity; more states are not on their way
 const kKeysOfBrowsers = /^(Tab|F\d+)$/; // which would be missed
 
 const kOptionNames: [keyof ViewOptions, string, string][] = [
@@ -313,7 +314,7 @@ export class App implements SessionListener {
     this.frame = null;
     this.inspector.clear();
     this.script.clear();
-    this.sensed.clear();
+    this.perceptions.clear();
     this.metricPlots.forEach((plot) => plot.destroy());
     this.metricPlots.clear();
     this.metricArea.replaceChildren();
@@ -447,29 +448,44 @@ export class App implements SessionListener {
     this.script.addLog(lines);
   }
 
-  private readonly sensed = new Map<string, { marks: Mark[]; tree: Tree }>();
-
-  values(entity: string, _tick: number, tree: Tree, marks: Mark[]): void {
-    this.sensed.set(entity, { marks, tree });
+  values(entity: string, _tick: number, tree: Tree): void {
     this.inspector.setTree(entity, tree);
-    this.updateDevices();
   }
 
-  // of what is selected, at present
+  // of each entity the last ones, by tick: those of states that are shown, and of states that will come
+  private readonly perceptions = new Map<string, Map<number, Perception>>();
+
+  perceived(entity: string, perception: Perception): void {
+    const { tick } = perception;
+    let known = this.perceptions.get(entity);
+    if (known === undefined || tick < Math.max(...known.keys())) {
+      known = new Map(); // the run was reset, or it is the first one
+      this.perceptions.set(entity, known);
+    }
+    known.set(tick, perception);
+    if (known.size > kMaxPerceptions) {
+      known.delete(known.keys().next().value!);
+    }
+    if (tick === this.frame?.tick) {
+      this.updateDevices();
+    }
+  }
+
+  // of what is selected, at present; only what belongs to the state that is shown
   private updateDevices(): void {
     const lines: Line[] = [];
     const dots: Dot[] = [];
     if (this.view.options.devices && this.session?.isPast === false) {
       for (const id of this.inspector.pinned) {
-        const sensed = this.sensed.get(id);
+        const perception = this.perceptions.get(id)?.get(this.frame.tick);
         const number = this.view.find(id);
-        if (sensed !== undefined && number >= 0) {
+        if (perception !== undefined && number >= 0) {
           const owner = {
             pose: this.view.entity(number)!.firstPose,
             radius: this.view.radiusOf(number),
             top: this.view.topOf(number),
           };
-          addDevices(owner, sensed.marks, sensed.tree, lines, dots);
+          addDevices(owner, perception, lines, dots);
         }
       }
     }
@@ -623,8 +639,8 @@ export class App implements SessionListener {
       this.stopFollowing();
     }
     this.updateModes();
-    for (const id of [...this.sensed.keys()].filter((id) => !ids.includes(id))) {
-      this.sensed.delete(id);
+    for (const id of [...this.perceptions.keys()].filter((id) => !ids.includes(id))) {
+      this.perceptions.delete(id);
     }
     this.updateDevices();
     this.script.update();

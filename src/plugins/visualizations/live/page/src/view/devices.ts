@@ -1,7 +1,7 @@
 // What sensors of the selected robots perceive: messages, blobs of cameras, light.
 
 import type { Color, Vector } from "../decode/types";
-import type { Mark, Tree } from "../session";
+import type { Mark, Perception, Tree } from "../session";
 import type { Dot, Line } from "./marks";
 
 const kMessage: Color = [124, 77, 219, 210];
@@ -25,11 +25,7 @@ function at(mark: Mark, height: number): Vector {
   ];
 }
 
-function addLight(owner: DeviceOwner, tree: Tree, lines: Line[]): void {
-  const readings = tree["readings:footbot_light"];
-  if (readings === undefined || readings === null || typeof readings !== "object" || Array.isArray(readings)) {
-    return;
-  }
+function addLight(owner: DeviceOwner, readings: Tree, lines: Line[]): void {
   const { pose, radius, top } = owner;
   let [x, y] = [0, 0];
   for (let i = 0; i < kLightSensors; ++i) {
@@ -51,7 +47,7 @@ function addLight(owner: DeviceOwner, tree: Tree, lines: Line[]): void {
 }
 
 /** Appends what is drawn of a robot. */
-export function addDevices(owner: DeviceOwner, marks: Mark[], tree: Tree, lines: Line[], dots: Dot[]): void {
+export function addDevices(owner: DeviceOwner, { marks, light }: Perception, lines: Line[], dots: Dot[]): void {
   const { pose, top } = owner;
   for (const mark of marks) {
     const isBlob = mark.kind === "blob";
@@ -61,5 +57,7 @@ export function addDevices(owner: DeviceOwner, marks: Mark[], tree: Tree, lines:
     lines.push({ pose, start: [0, 0, height], end, color: [color[0], color[1], color[2], isBlob ? 150 : 210], width: isBlob ? 1.2 : 2 });
     dots.push({ pose, position: end, color, radius: 0, pixels: isBlob ? 9 : 6 });
   }
-  addLight(owner, tree, lines);
+  if (light !== null) {
+    addLight(owner, light, lines);
+  }
 }
