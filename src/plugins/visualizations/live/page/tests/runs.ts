@@ -51,12 +51,18 @@ interface LiveRun {
   url: string;
   /** Resolves with the exit status. */
   ended: Promise<number | null>;
+  /** Ends it as a fault would. */
+  kill(): void;
 }
 
 /** Runs an experiment of the tree, or a file, with a live view. */
 export function startRun(name: string, ...args: string[]): Promise<LiveRun> {
-  const source = existsSync(name) ? name : experiment(name);
-  const program = spawn(argos3, [source, "--live", ...args], { cwd: folder });
+  return startLive(existsSync(name) ? name : experiment(name), "--live", ...args);
+}
+
+/** Runs argos3 with arguments that ask for a live view. */
+export function startLive(...args: string[]): Promise<LiveRun> {
+  const program = spawn(argos3, args, { cwd: folder });
   programs.push(program);
   const ended = new Promise<number | null>((resolve) => program.on("exit", resolve));
   return new Promise((resolve, reject) => {
@@ -65,7 +71,7 @@ export function startRun(name: string, ...args: string[]): Promise<LiveRun> {
       text += String(data);
       const url = /Live view: (http:\S+)/.exec(text)?.[1];
       if (url !== undefined) {
-        resolve({ url, ended });
+        resolve({ url, ended, kill: () => void program.kill("SIGKILL") });
       }
     };
     program.stdout.on("data", read);

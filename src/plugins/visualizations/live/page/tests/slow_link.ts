@@ -27,10 +27,10 @@ export class SlowLink {
     });
   }
 
-  /** To a port; the delay, ms, is that of one way. */
-  static async open(port: number, bytesPerSecond: number, delay: number): Promise<SlowLink> {
+  /** To a port, from another one or any; the delay, ms, is that of one way. */
+  static async open(port: number, bytesPerSecond: number, delay: number, ownPort = 0): Promise<SlowLink> {
     const link = new SlowLink(port, bytesPerSecond, delay);
-    await new Promise<void>((resolve) => link.server.listen(0, "127.0.0.1", resolve));
+    await new Promise<void>((resolve) => link.server.listen(ownPort, "127.0.0.1", resolve));
     return link;
   }
 
