@@ -172,8 +172,12 @@ test("page: a browser without WebGL 2 is told, and nothing else fails", { skip, 
 
 // The measure: the mean difference of a colour channel, and the share of pixels whose colour differs
 // by more than 48 of 255 in any channel. Lines and edges differ by their smoothing.
-test("page: the picture is that of the off-screen view, within 3.5 grey levels", { skip, timeout: kTimeout }, async () => {
-  const tab = await Tab.open(browser, `${url}?detail=full`, { width: 1280, height: 800 });
+for (const size of [{ width: 1280, height: 800 }, { width: 390, height: 844 }]) {
+  test(`page: the picture is that of the off-screen view, within 3.5 grey levels, at ${size.width} pixels`, { skip, timeout: kTimeout }, () => comparePictures(size));
+}
+
+async function comparePictures(size: { width: number; height: number }): Promise<void> {
+  const tab = await Tab.open(browser, `${url}?detail=full`, size);
   await tab.openRecording(recording);
   await tab.page.keyboard.press("End");
   await tab.waitForTick((tick) => tick === 80, "the end");
@@ -187,7 +191,7 @@ test("page: the picture is that of the off-screen view, within 3.5 grey levels",
     return { position: [x, y, z], target: view.camera.target, size: [canvas.width, canvas.height] };
   });
   await tab.page.waitForTimeout(1500);
-  const pictures = join(folder, "pictures");
+  const pictures = join(folder, `pictures_${size.width}`);
   const changed = changedExperiment("diffusion_10", (xml) =>
     xml.replace(
       /<visualization>[^]*<\/visualization>/,
@@ -230,12 +234,12 @@ test("page: the picture is that of the off-screen view, within 3.5 grey levels",
     return { mean: sum / (0.75 * a.length), share: different / (a.length / 4) };
   }, expected);
   if (shots !== undefined) {
-    await shoot(tab, "compared");
-    writeFileSync(join(shots, "offscreen.png"), Buffer.from(expected, "base64"));
+    await shoot(tab, `compared_${size.width}`);
+    writeFileSync(join(shots, `offscreen_${size.width}.png`), Buffer.from(expected, "base64"));
   }
   assert.ok(mean < 3.5 && share < 0.03, `mean ${mean.toFixed(2)}, share ${share.toFixed(4)}`);
   assert.deepEqual(await tab.close(), []);
-});
+}
 
 test("page: a run is watched, played, stepped and reset", { skip, timeout: kTimeout }, async () => {
   const server = await MockServer.start(recording, pageFile);
