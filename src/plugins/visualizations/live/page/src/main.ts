@@ -1,3 +1,4 @@
+import { kProtocol } from "./live/client";
 import { App } from "./ui/app";
 
 // A recording inside the page, as base64.
@@ -15,13 +16,17 @@ function embeddedRecording(): Uint8Array | null {
 }
 
 function start(): void {
-  const app = new App(document.getElementById("app")!);
   const recording = embeddedRecording();
   const token = location.hash.slice(1);
+  const isLive = recording === null && location.protocol.startsWith("http") && /^[0-9a-f]{8,}$/i.test(token);
+  // the connection is made while the page is
+  const url = `${location.protocol === "https:" ? "wss" : "ws"}://${location.host}/live`;
+  const socket = isLive ? new WebSocket(url, kProtocol) : null;
+  const app = new App(document.getElementById("app")!);
   if (recording !== null) {
     void app.openBytes(recording, document.title);
-  } else if (location.protocol.startsWith("http") && /^[0-9a-f]{8,}$/i.test(token)) {
-    app.openLive(`${location.protocol === "https:" ? "wss" : "ws"}://${location.host}/live`, token);
+  } else if (socket !== null) {
+    app.openLive(url, token, socket);
   }
 }
 

@@ -16,7 +16,7 @@ import type {
   Viewer,
 } from "../session";
 
-const kProtocol = "argos-live.1";
+export const kProtocol = "argos-live.1";
 const kFirstRetry = 500; // ms
 const kLongestRetry = 8000;
 const kMaxPinned = 16; // of the protocol
@@ -100,8 +100,9 @@ export class LiveClient implements Session {
     private readonly url: string,
     private readonly token: string,
     private readonly listener: SessionListener,
+    first: WebSocket,
   ) {
-    this.connect();
+    this.connect(first);
   }
 
   get info(): RecordingInfo | null {
@@ -170,11 +171,10 @@ export class LiveClient implements Session {
     };
   }
 
-  private connect(): void {
+  private connect(socket = new WebSocket(this.url, kProtocol)): void {
     this.decoder = new StreamDecoder();
     this.isFirstFrame = true;
     this.wasWelcomed = false;
-    const socket = new WebSocket(this.url, kProtocol);
     socket.binaryType = "arraybuffer";
     this.socket = socket;
     socket.onopen = () => this.sendText({ hello: { token: this.token, name: "" } });

@@ -13,6 +13,7 @@ import { addDevices } from "../view/devices";
 import { kDarkLook, kLightLook } from "../view/looks";
 import type { Dot, Line } from "../view/marks";
 import { yawOf } from "../view/math";
+import { openSurface } from "../view/surface";
 import { View, type ViewOptions, kDefaultOptions } from "../view/view";
 import { makeWorld } from "../world";
 import { DriveKeys } from "./drive";
@@ -110,12 +111,15 @@ export class App implements SessionListener {
   private readonly metricArea = h("div", { class: "plots" });
   private readonly metricHint = h("p", { class: "empty" });
   private readonly infoList = h("dl", { class: "info" });
-  private readonly canvas = h("canvas", {
-    class: "picture",
-    tabindex: 0,
-    role: "img",
-    "aria-label": "The arena. Entities can also be chosen in the list of the panel “Inspect”.",
-  });
+  private readonly surface = openSurface(() =>
+    h("canvas", {
+      class: "picture",
+      tabindex: 0,
+      role: "img",
+      "aria-label": "The arena. Entities can also be chosen in the list of the panel “Inspect”.",
+    }),
+  );
+  private readonly canvas = this.surface.canvas;
   private readonly labelCanvas = h("canvas", { class: "labels", "aria-hidden": "true" });
   private readonly title = h("h1", {}, "ARGoS");
   private readonly stateChip = h("span", { class: "chip", role: "status" });
@@ -185,7 +189,7 @@ export class App implements SessionListener {
     });
     this.root.append(this.makeLayout(), this.fileInput, this.help);
     try {
-      this.view = new View(this.canvas, this.labelCanvas);
+      this.view = new View(this.surface, this.labelCanvas);
       Object.assign(window, { argosView: this.view }); // for tests, and for those who want more
     } catch (error) {
       this.showTab("inspect");
@@ -236,11 +240,13 @@ export class App implements SessionListener {
     await this.openSource(sourceOfBytes(bytes), name);
   }
 
-  openLive(url: string, token: string): void {
+  /** @param socket  to that address, and not open yet. */
+  openLive(url: string, token: string, socket: WebSocket): void {
     if (this.view === undefined) {
-      return; // the page says why there is no picture
+      socket.close(); // the page says why there is no picture
+      return;
     }
-    this.start(new LiveClient(url, token, this));
+    this.start(new LiveClient(url, token, this, socket));
   }
 
   private async openSource(source: ByteSource, name: string): Promise<void> {
@@ -475,7 +481,7 @@ export class App implements SessionListener {
   private updateDevices(): void {
     const lines: Line[] = [];
     const dots: Dot[] = [];
-    if (this.view.options.devices && this.session?.isPast === false) {
+    if (this.view.options.devices && this.session?.isPast === false && this.frame !== null) {
       for (const id of this.inspector.pinned) {
         const perception = this.perceptions.get(id)?.get(this.frame.tick);
         const number = this.view.find(id);

@@ -11,6 +11,7 @@ import {
   Mesh,
   NoToneMapping,
   OrthographicCamera,
+  Points,
   LinearSRGBColorSpace,
   RGBAFormat,
   type RawShaderMaterial,
@@ -43,6 +44,7 @@ import {
   toWorld,
   withoutJumps,
 } from "./math";
+import type { Surface } from "./surface";
 import { kGroundFragment, kGroundVertex, kPlainGroundFragment } from "./shaders";
 
 /** What is shown besides the entities. */
@@ -126,31 +128,19 @@ export class View {
   private trails = new Map<string, Vector[]>();
   private hasExtras = false;
 
+  private readonly canvas: HTMLCanvasElement;
+
   constructor(
-    private readonly canvas: HTMLCanvasElement,
+    { canvas, gl, rendererName, isSoftware }: Surface,
     private readonly labelCanvas: HTMLCanvasElement,
   ) {
-    const probe = document.createElement("canvas").getContext("webgl2");
-    if (probe === null) {
+    if (gl === null) {
       throw new Error("The picture needs WebGL 2, which this browser does not have, or which is switched off in it.");
     }
-    const info = probe.getExtension("WEBGL_debug_renderer_info");
-    this.rendererName = String(
-      probe.getParameter(info === null ? probe.RENDERER : info.UNMASKED_RENDERER_WEBGL),
-    );
-    probe.getExtension("WEBGL_lose_context")?.loseContext();
-    // "?detail=full" or "?detail=low" in the address overrides what the renderer is
-    const detail = new URLSearchParams(location.search).get("detail");
-    this.isSoftware =
-      detail === "low" ||
-      (detail !== "full" &&
-        /llvmpipe|swiftshader|software|basic render/i.test(this.rendererName));
-    this.renderer = new WebGLRenderer({
-      canvas,
-      antialias: !this.isSoftware,
-      alpha: false,
-      powerPreference: "high-performance",
-    });
+    this.canvas = canvas;
+    this.rendererName = rendererName;
+    this.isSoftware = isSoftware;
+    this.renderer = new WebGLRenderer({ canvas, context: gl });
     this.renderer.outputColorSpace = LinearSRGBColorSpace; // the shaders encode it themselves
     this.renderer.toneMapping = NoToneMapping;
     this.renderer.autoClear = false;
@@ -502,6 +492,18 @@ export class View {
     if (this.options.trails) {
       this.addTrails();
     }
+    if (isChanged) {
+      this.compileShaders();
+    }
+  }
+
+  // all at once, and while the page does other things: when the first picture is drawn, each would be waited for
+  private compileShaders(): void {
+    this.scene.traverseVisible((object) => {
+      if (object instanceof Mesh || object instanceof Points) {
+        this.renderer.compile(object, this.camera.update(), this.scene);
+      }
+    });
   }
 
   private showFloor(floor: Floor | null): void {
