@@ -2,7 +2,7 @@
 # them again.
 file(READ "${FOLDER}/stamp" installed)
 if(installed STREQUAL "")
-  file(REMOVE "${PAGE}" "${FOLDER}/stamp")
+  file(REMOVE "${PAGE}" "${PAGE}.gz" "${FOLDER}/stamp")
   return()
 endif()
 execute_process(

@@ -4,6 +4,7 @@ import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { dirname, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
+import { gzipSync } from "node:zlib";
 
 const folder = dirname(fileURLToPath(import.meta.url));
 const modules = resolve(process.env.PAGE_MODULES ?? folder);
@@ -41,3 +42,5 @@ const page = readFileSync(join(folder, "src/index.html"), "utf8").replace(
 );
 mkdirSync(dirname(output), { recursive: true });
 writeFileSync(output, page);
+// what the server sends to browsers
+writeFileSync(`${output}.gz`, gzipSync(page, { level: 9 }));

@@ -19,12 +19,20 @@ simulator was built. <code>scripts/run.sh EXPERIMENT --live</code> installs it a
 </html>
 )";
 
+std::string ReadFile(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
 }  // namespace
 
-std::string ReadPage(const std::string& prefix) {
-  std::ifstream file(prefix + "/share/argos3/live/index.html", std::ios::binary);
-  std::string page((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-  return page.empty() ? kNoPage : page;
+SLivePage ReadPage(const std::string& prefix) {
+  const std::string path = prefix + "/share/argos3/live/index.html";
+  SLivePage page{ReadFile(path), ReadFile(path + ".gz")};
+  if (page.Text.empty()) {
+    page = {kNoPage, ""};
+  }
+  return page;
 }
 
 }  // namespace argos

@@ -43,8 +43,8 @@ bool IsPage(std::string_view target) {
 
 }  // namespace
 
-CHTTPConnection::CHTTPConnection(beast::tcp_stream&& stream, CViewerHub& hub,
-                                 const std::string& page, size_t& count)
+CHTTPConnection::CHTTPConnection(beast::tcp_stream&& stream, CViewerHub& hub, const SLivePage& page,
+                                 size_t& count)
     : m_stream(std::move(stream)),
       m_hub(hub),
       m_page(page),
@@ -89,10 +89,22 @@ void CHTTPConnection::OnRequest() {
   } else if (!IsPage(target)) {
     Respond(http::status::not_found, "There is only one page: /\n", "text/plain");
   } else {
-    m_response.set("Content-Security-Policy",
-                   MakeContentPolicy(ToString(request[http::field::host])));
-    Respond(http::status::ok, isHead ? "" : m_page, "text/html; charset=utf-8");
+    RespondWithPage(request);
   }
+}
+
+void CHTTPConnection::RespondWithPage(const TLiveRequest& request) {
+  m_response.set("Content-Security-Policy",
+                 MakeContentPolicy(ToString(request[http::field::host])));
+  m_response.set(http::field::vary, "Accept-Encoding");
+  const bool isPacked =
+      !m_page.Packed.empty() && AcceptsGzip(ToString(request[http::field::accept_encoding]));
+  if (isPacked) {
+    m_response.set(http::field::content_encoding, "gzip");
+  }
+  const std::string& body = isPacked ? m_page.Packed : m_page.Text;
+  Respond(http::status::ok, request.method() == http::verb::head ? "" : body,
+          "text/html; charset=utf-8");
 }
 
 // @return why the request cannot become a viewer; empty if it can

@@ -1,6 +1,7 @@
 #ifndef ARGOS3_PLUGINS_VISUALIZATIONS_LIVE_SERVER_HTTP_CONNECTION_H
 #define ARGOS3_PLUGINS_VISUALIZATIONS_LIVE_SERVER_HTTP_CONNECTION_H
 
+#include <argos3/plugins/simulator/visualizations/live/server/live_page.h>
 #include <argos3/plugins/simulator/visualizations/live/server/viewer_connection.h>
 
 #include <boost/beast/core/flat_buffer.hpp>
@@ -23,8 +24,8 @@ class CHTTPConnection : public std::enable_shared_from_this<CHTTPConnection> {
   /** Connections at a time; of viewers, too. */
   static constexpr size_t kMaxConnections = 256;
 
-  /** @param page  the page, HTML. @param count  of connections, which this one is added to. */
-  CHTTPConnection(boost::beast::tcp_stream&& stream, CViewerHub& hub, const std::string& page,
+  /** @param count  of connections, which this one is added to. */
+  CHTTPConnection(boost::beast::tcp_stream&& stream, CViewerHub& hub, const SLivePage& page,
                   size_t& count);
   ~CHTTPConnection();
   CHTTPConnection(const CHTTPConnection&) = delete;
@@ -37,11 +38,12 @@ class CHTTPConnection : public std::enable_shared_from_this<CHTTPConnection> {
 
   void OnRequest();
   std::string FindProblemOfViewer(const TLiveRequest& request) const;
+  void RespondWithPage(const TLiveRequest& request);
   void Respond(boost::beast::http::status status, std::string text, const char* type);
 
   boost::beast::tcp_stream m_stream;
   CViewerHub& m_hub;
-  const std::string& m_page;
+  const SLivePage& m_page;
   size_t& m_count;
   boost::beast::flat_buffer m_buffer;
   std::optional<boost::beast::http::request_parser<boost::beast::http::string_body>> m_parser;

@@ -2,6 +2,7 @@
 #define ARGOS3_PLUGINS_VISUALIZATIONS_LIVE_SERVER_LIVE_SERVER_H
 
 #include <argos3/plugins/simulator/visualizations/live/link/live_link.h>
+#include <argos3/plugins/simulator/visualizations/live/server/live_page.h>
 #include <argos3/plugins/simulator/visualizations/live/server/request_checks.h>
 
 #include <memory>
@@ -13,7 +14,7 @@ struct SLiveServerSettings {
   SLiveAccess Access;
   UInt16 Port = 0; /**< 0: a free one */
   Real StatesPerSecond = 25.0; /**< for each viewer, unless it wants another rate */
-  std::string Page; /**< HTML */
+  SLivePage Page;
   bool HasControl = true; /**< one of the viewers can have it; otherwise all only look */
 };
 

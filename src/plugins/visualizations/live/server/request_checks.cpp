@@ -1,6 +1,7 @@
 #include <argos3/plugins/simulator/visualizations/live/server/request_checks.h>
 
 #include <argos3/core/utility/errors/argos_exception.h>
+#include <argos3/core/utility/text/string_utilities.h>
 
 #include <sys/random.h>
 
@@ -88,6 +89,12 @@ bool IsAllowedHost(std::string_view host, const SLiveAccess& access) {
 bool IsAllowedOrigin(std::string_view origin, std::string_view host) {
   return origin.empty() || origin == "http://" + std::string(host) ||
          origin == "https://" + std::string(host);
+}
+
+bool AcceptsGzip(std::string_view encodings) {
+  std::vector<std::string> accepted;
+  Tokenize(ToLower(encodings), accepted, ", ");
+  return std::find(accepted.begin(), accepted.end(), "gzip") != accepted.end();
 }
 
 }  // namespace argos

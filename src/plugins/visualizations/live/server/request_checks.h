@@ -31,6 +31,10 @@ bool IsAllowedHost(std::string_view host, const SLiveAccess& access);
  */
 bool IsAllowedOrigin(std::string_view origin, std::string_view host);
 
+/** Whether a request with this header "Accept-Encoding" may be answered with what gzip has packed.
+ */
+bool AcceptsGzip(std::string_view encodings);
+
 }  // namespace argos
 
 #endif

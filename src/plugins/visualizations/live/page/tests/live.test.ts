@@ -1,5 +1,7 @@
 import assert from "node:assert/strict";
+import { request } from "node:http";
 import { after, before, test } from "node:test";
+import { gunzipSync } from "node:zlib";
 
 import type { Browser } from "playwright-core";
 
@@ -60,6 +62,30 @@ test("live: a run is played, its robot looked into, and it is ended", { skip, ti
   await tab.page.getByText("Ended", { exact: true }).waitFor();
   assert.equal(await tab.button("Play").getAttribute("title"), "The run has ended");
   assert.deepEqual(await tab.close(), []);
+});
+
+test("live: browsers get the page compressed, others as it is", { skip, timeout: kTimeout }, async () => {
+  const { url } = await startRun("diffusion_10");
+  const get = (headers: Record<string, string>): Promise<{ encoding: string | undefined; body: Buffer }> =>
+    new Promise((resolve, reject) => {
+      request(url, { headers }, (response) => {
+        const chunks: Buffer[] = [];
+        response.on("data", (chunk: Buffer) => chunks.push(chunk));
+        response.on("end", () => resolve({ encoding: response.headers["content-encoding"], body: Buffer.concat(chunks) }));
+      })
+        .on("error", reject)
+        .end();
+    });
+  const plain = await get({});
+  assert.equal(plain.encoding, undefined);
+  assert.match(plain.body.toString("utf8"), /^<!doctype html>/);
+  for (const accepted of ["gzip", "br, gzip, deflate", "GZIP"]) {
+    const packed = await get({ "accept-encoding": accepted });
+    assert.equal(packed.encoding, "gzip", accepted);
+    assert.ok(packed.body.length < 400_000);
+    assert.ok(gunzipSync(packed.body).equals(plain.body));
+  }
+  assert.equal((await get({ "accept-encoding": "gzip;q=0, br, x-gzip" })).encoding, undefined);
 });
 
 test("live: a robot is dragged, refused in a wall, added and removed", { skip, timeout: kTimeout }, async () => {
