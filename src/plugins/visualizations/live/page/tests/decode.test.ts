@@ -5,6 +5,7 @@ import { after, test } from "node:test";
 
 import { kFileHeaderSize } from "../src/decode/blocks";
 import { ByteReader } from "../src/decode/bytes";
+import { Precision, PredictedColumn, invertSparse } from "../src/decode/columns";
 import { ShapeKind } from "../src/decode/drawing";
 import { RayKind } from "../src/decode/frames";
 import { Recording, sourceOfBlob, sourceOfBytes } from "../src/decode/recording";
@@ -19,6 +20,30 @@ function open(path: string): Promise<Recording> {
 }
 
 const flocking = record("flocking", 12);
+
+test("decoder: of words that change, runs of others are counted, also beyond the last one", () => {
+  const words = new Uint32Array([1, 2, 3, 4, 5, 6]);
+  invertSparse(words, new ByteReader(new Uint8Array([4, 0, 2, 7, 0, 9])));
+  assert.deepEqual([...words], [1 ^ 4, 2, 3, 4, 5 ^ 7, 6]);
+});
+
+test("decoder: a column is copied to every third place as its values are", () => {
+  // differences to straight lines: 3, -1, and a number of 33 bits
+  const bytes = [6, 1, 0x80, 0x80, 0x80, 0x80, 0x20];
+  for (const precision of [Precision.Grid, Precision.Exact]) {
+    const column = new PredictedColumn();
+    column.append(3);
+    column.decode(new ByteReader(new Uint8Array(bytes)));
+    const values = new Float64Array(9).fill(-5);
+    column.copyTo(values, 1, 3, precision);
+    const expected = [0, 1, 2].flatMap((i) => [-5, column.value(i, precision), -5]);
+    assert.deepEqual([...values], expected);
+  }
+  const grid = new PredictedColumn();
+  grid.append(3);
+  grid.decode(new ByteReader(new Uint8Array(bytes)));
+  assert.deepEqual([0, 1, 2].map((i) => grid.value(i, Precision.Grid) * 2 ** 20), [3, -1, 2 ** 32]);
+});
 
 test("decoder: whole numbers take 7 bits a byte, up to 64 bits", () => {
   const input = new ByteReader(

@@ -4,6 +4,7 @@ import { ByteReader, realFromBits } from "./bytes";
 
 const kPoseGrid = 1 / (1 << 20);
 const kTwo32 = 4294967296;
+const kNoneHigh = 0x40000000; // of the number that stands for none
 
 /** How exactly a recording keeps poses and rays. */
 export enum Precision {
@@ -106,7 +107,7 @@ export class PredictedColumn {
     let low = this.low[i]!;
     let high = this.high[i]!;
     if (precision === Precision.Grid) {
-      if (high === 0x40000000 && low === 0) {
+      if (high === kNoneHigh && low === 0) {
         return NaN;
       }
       return (high * kTwo32 + (low >>> 0)) * kPoseGrid;
@@ -117,6 +118,21 @@ export class PredictedColumn {
       low = ~low;
     }
     return realFromBits(low, high);
+  }
+
+  /** Writes all values into every stride-th place from first on. */
+  copyTo(values: Float64Array, first: number, stride: number, precision: Precision): void {
+    const { low, high } = this;
+    if (precision === Precision.Exact) {
+      for (let i = 0, place = first; i < low.length; ++i, place += stride) {
+        values[place] = this.value(i, precision);
+      }
+      return;
+    }
+    for (let i = 0, place = first; i < low.length; ++i, place += stride) {
+      const isNone = high[i] === kNoneHigh && low[i] === 0;
+      values[place] = isNone ? NaN : (high[i]! * kTwo32 + (low[i]! >>> 0)) * kPoseGrid;
+    }
   }
 
   // new values are predicted to rest after their first one
@@ -135,21 +151,14 @@ export class PredictedColumn {
   }
 }
 
-/** Reads numbers of which many are 0: these are counted, not listed. */
-export class SparseReader {
-  private zeros = 0;
-
-  constructor(private readonly input: ByteReader) {}
-
-  read(): number {
-    if (this.zeros > 0) {
-      --this.zeros;
-      return 0;
+/** Reads a number for each word, and inverts the bits that it has; runs of 0 are counted, not listed. */
+export function invertSparse(words: Uint32Array, input: ByteReader): void {
+  for (let i = 0; i < words.length; ++i) {
+    const bits = input.readNumber();
+    if (bits === 0) {
+      i += input.readNumber(); // so many more
+    } else {
+      words[i]! ^= bits;
     }
-    const value = this.input.readNumber();
-    if (value === 0) {
-      this.zeros = this.input.readNumber();
-    }
-    return value;
   }
 }

@@ -1,7 +1,7 @@
 // States as differences to the one before.
 
 import { ByteReader, FormatError } from "./bytes";
-import { Precision, PredictedColumn, SparseReader } from "./columns";
+import { Precision, PredictedColumn, invertSparse } from "./columns";
 import { type Shape, readDrawing } from "./drawing";
 import { ByteWriter, joinBytes } from "./write";
 import { type Entity, EntityTable, type EntityType } from "./types";
@@ -98,11 +98,20 @@ class RayColumns {
       kinds: new Uint8Array(count),
       ends: new Float64Array(6 * count),
     };
-    const sparse = new SparseReader(input);
+    if (count > 0 && numEntities === 0) {
+      throw new FormatError("it has rays, but no entity");
+    }
     let robot = 0;
     let points = 0;
     for (let i = 0; i < count; ++i) {
-      const code = sparse.read();
+      const code = input.readNumber();
+      if (code === 0) {
+        // further rays of the same robot and kind are counted
+        const last = Math.min(i + input.readNumber(), count - 1);
+        rays.robots.fill(robot, i, last + 1);
+        i = last;
+        continue;
+      }
       const kind = code % 4;
       robot += Math.floor(code / 4);
       if (robot >= numEntities || kind > RayKind.HitPoint) {
@@ -267,13 +276,9 @@ export class FrameDecoder {
       case 2:
         this.decodePoses(input);
         break;
-      case 3: {
-        const sparse = new SparseReader(input);
-        for (let i = 0; i < frame.words.length; ++i) {
-          frame.words[i]! ^= sparse.read();
-        }
+      case 3:
+        invertSparse(frame.words, input);
         break;
-      }
       case 4:
         frame.rays = this.rayColumns.decode(this.table.entities.length, input);
         break;
@@ -300,8 +305,13 @@ export class FrameDecoder {
   private readEntities(input: ByteReader, isKey: boolean): void {
     const bytes = input.rest();
     const isSame = isKey && this.keyTable !== null && equalBytes(bytes, this.keyTable);
-    this.keyTable = isKey ? bytes.slice() : null;
-    const change = this.table.read(input);
+    if (!isSame) {
+      this.keyTable = null;
+    }
+    const change = isSame ? this.table.readAgain() : this.table.read(input);
+    if (isKey && !isSame) {
+      this.keyTable = bytes.slice();
+    }
     const { frame } = this;
     let { words } = frame;
     if (change.isRestart) {
@@ -332,9 +342,7 @@ export class FrameDecoder {
     const { poses } = this.frame;
     this.poseColumns.forEach((column, number) => {
       column.decode(input);
-      for (let i = 0, place = number; i < size; ++i, place += kNumbers) {
-        poses[place] = column.value(i, this.precision);
-      }
+      column.copyTo(poses, number, kNumbers, this.precision);
     });
   }
 

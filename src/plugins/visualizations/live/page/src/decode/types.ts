@@ -226,6 +226,17 @@ export class EntityTable {
     return change;
   }
 
+  /** The change that has made the present table, if it began anew. */
+  readAgain(): TableChange {
+    return {
+      isRestart: true,
+      removedPoses: null,
+      removedWords: null,
+      addedPoses: this.numPoses,
+      addedWords: this.numWords,
+    };
+  }
+
   private place(entity: Entity): void {
     entity.firstPose = this.numPoses;
     entity.firstWord = this.numWords;
