@@ -25,7 +25,7 @@ const result = await build({
 });
 const textOf = (name) => result.outputFiles.find((file) => file.path.endsWith(name)).text;
 // what CodeMirror needs has the same authors and licence
-const licences = ["three", "uplot", "fzstd", "@codemirror/view", "@lezer/common"]
+const licences = ["three", "uplot", "zstddec", "@codemirror/view", "@lezer/common"]
   .map((name) => {
     const text = readFileSync(join(modules, "node_modules", name, "LICENSE"), "utf8");
     return `This page contains ${name}:\n\n${text.trim()}`;

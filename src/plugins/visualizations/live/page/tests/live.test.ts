@@ -156,9 +156,9 @@ test("live: over 10 Mbit/s and 100 ms a viewer gets each tenth of a second, half
   const { url } = await startRun("rooms", "--set", "//distribute/entity/@quantity=1000", "--length", String(linkSeconds + 60));
   const { port } = new URL(url);
   const link = await SlowLink.open(Number(port), 1.25e6, 50);
-  const near = new Watcher(url);
+  const near = await Watcher.open(url);
   await near.waitForTick(0);
-  const far = new Watcher(url, link.port);
+  const far = await Watcher.open(url, link.port);
   await far.waitForTick(0);
   const isMeasured = process.env.LINK_SECONDS !== undefined;
   const tab = isMeasured ? await Tab.open(browser, url.replace(port, String(link.port))) : null;

@@ -6,7 +6,7 @@ import type { AddressInfo } from "node:net";
 
 import { type WebSocket, WebSocketServer } from "ws";
 
-import { BlockKind, kFileHeaderSize, readBlockHeader, unpackBlock } from "../src/decode/blocks";
+import { BlockKind, kFileHeaderSize, prepareUnpacking, readBlockHeader, unpackBlock } from "../src/decode/blocks";
 import { ByteReader } from "../src/decode/bytes";
 import { makeBlock as makeBlockOfTicks } from "../src/decode/write";
 
@@ -96,6 +96,7 @@ export class MockServer {
   }
 
   static async start(recording: string, page: string, port = 0): Promise<MockServer> {
+    await prepareUnpacking();
     const server = new MockServer(recording, page);
     MockServer.all.add(server);
     await new Promise<void>((resolve) => server.http.listen(port, "127.0.0.1", resolve));

@@ -2,6 +2,7 @@
 
 import { WebSocket } from "ws";
 
+import { prepareUnpacking } from "../src/decode/blocks";
 import { StreamDecoder } from "../src/decode/stream";
 
 export class Watcher {
@@ -12,7 +13,12 @@ export class Watcher {
   private lastCommand = 0;
 
   /** @param url  the address of the page, with its token. */
-  constructor(url: string, port = Number(new URL(url).port)) {
+  static async open(url: string, port = Number(new URL(url).port)): Promise<Watcher> {
+    await prepareUnpacking();
+    return new Watcher(url, port);
+  }
+
+  private constructor(url: string, port: number) {
     const address = new URL(url);
     address.port = String(port);
     this.socket = new WebSocket(`ws://${address.host}/live`, "argos-live.1", { origin: address.origin });

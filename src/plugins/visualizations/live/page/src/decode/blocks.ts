@@ -1,6 +1,6 @@
 // The blocks of recordings and of live streams: a header of 44 bytes, then content packed by zstd.
 
-import { decompress } from "fzstd";
+import { ZSTDDecoder } from "zstddec";
 
 import { ByteReader, FormatError } from "./bytes";
 import { Precision } from "./columns";
@@ -132,6 +132,13 @@ export function readBlockHeader(bytes: Uint8Array): BlockHeader | null {
   return header;
 }
 
+const zstd = new ZSTDDecoder();
+
+/** Must have been awaited before blocks are unpacked: compiles the decompressor, which is WebAssembly. */
+export function prepareUnpacking(): Promise<void> {
+  return zstd.init();
+}
+
 /** The content of a block; packed is what follows its header. */
 export function unpackBlock(header: BlockHeader, packed: Uint8Array): Uint8Array {
   const [low, high] = checksum(packed);
@@ -142,7 +149,7 @@ export function unpackBlock(header: BlockHeader, packed: Uint8Array): Uint8Array
   ) {
     throw new FormatError("its checksum is wrong");
   }
-  const content = decompress(packed, new Uint8Array(header.size));
+  const content = zstd.decode(packed, header.size);
   if (content.length !== header.size) {
     throw new FormatError("it cannot be decompressed");
   }

@@ -8,6 +8,7 @@ import {
   kBlockHeaderSize,
   kFileFooterSize,
   kFileHeaderSize,
+  prepareUnpacking,
   readBlockHeader,
   readFooter,
   readInfo,
@@ -68,6 +69,7 @@ export class Recording {
   }
 
   static async open(source: ByteSource): Promise<Recording> {
+    await prepareUnpacking();
     checkFileHeader(await source.read(0, kFileHeaderSize));
     const header = readBlockHeader(await source.read(kFileHeaderSize, kBlockHeaderSize));
     if (header === null || header.kind !== BlockKind.Info) {

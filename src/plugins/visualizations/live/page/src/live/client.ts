@@ -1,6 +1,6 @@
 // Watches a run: a WebSocket with the blocks of a recording, and commands as JSON.
 
-import type { RecordingInfo } from "../decode/blocks";
+import { type RecordingInfo, prepareUnpacking } from "../decode/blocks";
 import type { Frame } from "../decode/frames";
 import { StreamDecoder } from "../decode/stream";
 import { History } from "./history";
@@ -178,7 +178,14 @@ export class LiveClient implements Session {
     socket.binaryType = "arraybuffer";
     this.socket = socket;
     socket.onopen = () => this.sendText({ hello: { token: this.token, name: "" } });
-    socket.onmessage = (event: MessageEvent<string | ArrayBuffer>) => {
+    socket.onmessage = async (event: MessageEvent<string | ArrayBuffer>) => {
+      try {
+        await prepareUnpacking(); // messages stay in their order
+      } catch (error) {
+        this.listener.notify(`Cannot read states: ${(error as Error).message}`, "error");
+        socket.close();
+        return;
+      }
       if (this.socket === socket) {
         this.receive(event.data);
       }
