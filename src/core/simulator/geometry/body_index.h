@@ -80,11 +80,9 @@ class CBodyIndex {
     CheckNumber(body);
     return *m_bodies[body].Entity;
   }
-  /** Calls visit(CEmbodiedEntity&) for every body, by number. */
   template <typename VISIT>
-  void ForEachBody(VISIT&& visit) const;
-  /** Heights between which all solids are; all heights if HasMovedBodies(). */
-  SHeightRange GetHeights() const;
+  void ForEachBody(VISIT&& visit) const; /**< calls visit(CEmbodiedEntity&), by number */
+  SHeightRange GetHeights() const; /**< of all solids; all heights if HasMovedBodies() */
   size_t GetNumBodies() const { return m_numAlive; }
   size_t GetEndOfNumbers() const { return m_bodies.size(); } /**< numbers of bodies are less */
 
@@ -109,7 +107,6 @@ class CBodyIndex {
    */
   template <typename VISIT>
   void ForShapesInArea(const SPlanarArea& area, VISIT&& visit) const;
-  using SRayReach = argos::SRayReach;
   /**
    * Calls visit(const SIndexedShape&) for every solid that comes within @p reach of a point of
    * @p ray, and perhaps for others; wide solids perhaps repeatedly. Ignores the part of the ray

@@ -1,12 +1,12 @@
 #include <argos3/core/wrappers/lua/lua_types.h>
 
 #include <argos3/core/utility/math/angles.h>
+#include <argos3/core/wrappers/lua/lua_own_metatable.h>
 #include <argos3/core/wrappers/lua/lua_utility.h>
 
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <memory>
 #include <string>
 #include <type_traits>
 
@@ -56,52 +56,6 @@ struct STraits<CQuaternion> {
     q.Set(parts[0], parts[1], parts[2], parts[3]);
   }
 };
-
-/** Pushes the metatable; creates it if necessary. */
-template <typename VALUE>
-void PushMetatable(lua_State* state);
-
-// Functions of a type have its metatable as their first upvalue, which spares a look-up in the
-// registry for each argument and result. CLuaType::Create() has no upvalues.
-constexpr int kMetatable = 1;
-constexpr int kMethods = 2;  // upvalue of __index
-
-template <typename VALUE>
-void PushOwnMetatable(lua_State* state) {
-  lua_pushvalue(state, lua_upvalueindex(kMetatable));
-  if (lua_isnil(state, -1)) {
-    lua_pop(state, 1);
-    PushMetatable<VALUE>(state);
-  }
-}
-
-/** As CLuaType<VALUE>::Test(), in functions of the type. */
-template <typename VALUE>
-VALUE* TestOwn(lua_State* state, int index) {
-  if (lua_type(state, index) != LUA_TUSERDATA || lua_getmetatable(state, index) == 0) {
-    return nullptr;
-  }
-  PushOwnMetatable<VALUE>(state);
-  const bool isSame = lua_topointer(state, -1) == lua_topointer(state, -2);
-  lua_pop(state, 2);
-  return isSame ? static_cast<VALUE*>(lua_touserdata(state, index)) : nullptr;
-}
-
-/** Pushes a copy, without its metatable. */
-template <typename VALUE>
-void PushBare(lua_State* state, const VALUE& value) {
-  static_assert(std::is_trivially_destructible_v<VALUE>, "there is no __gc");
-  const VALUE copy = value;  // the allocation may collect the userdata that holds it
-  std::construct_at(static_cast<VALUE*>(lua_newuserdatauv(state, sizeof(VALUE), 0)), copy);
-}
-
-/** As CLuaType<VALUE>::Push(), in functions of the type. */
-template <typename VALUE>
-void PushOwn(lua_State* state, const VALUE& value) {
-  PushBare(state, value);
-  PushOwnMetatable<VALUE>(state);
-  lua_setmetatable(state, -2);
-}
 
 /** Raises "vector2:dot: argument 1 must be a vector2, got nil". */
 template <typename VALUE>
@@ -487,6 +441,8 @@ void SetFunctions(lua_State* state, const luaL_Reg* functions, int metatable) {
   luaL_setfuncs(state, functions, kMetatable);
 }
 
+}  // namespace
+
 template <typename VALUE>
 void PushMetatable(lua_State* state) {
   if (lua_rawgetp(state, LUA_REGISTRYINDEX, &kMetatableKey<VALUE>) == LUA_TTABLE) {
@@ -522,8 +478,6 @@ void PushMetatable(lua_State* state) {
   lua_pushvalue(state, -1);
   lua_setfield(state, LUA_REGISTRYINDEX, STraits<VALUE>::kTypeId);
 }
-
-}  // namespace
 
 template <typename VALUE>
 void CLuaType<VALUE>::Register(lua_State* state) {

@@ -30,7 +30,8 @@ std::string ToString(beast::string_view text) {
 
 // no page of another site may show this one in a frame, and this one loads nothing
 std::string MakeContentPolicy(const std::string& host) {
-  return "default-src 'none'; script-src 'unsafe-inline' 'wasm-unsafe-eval'; style-src 'unsafe-inline'; img-src data: "
+  return "default-src 'none'; script-src 'unsafe-inline' 'wasm-unsafe-eval'; style-src "
+         "'unsafe-inline'; img-src data: "
          "blob:; font-src data:; worker-src blob:; connect-src 'self' data: ws://" +
          host + " wss://" + host + "; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 }

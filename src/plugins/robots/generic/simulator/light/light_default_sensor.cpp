@@ -170,8 +170,8 @@ void CLightDefaultSensor::FindOccluded(const CVector3& light, SEyes& eyes, size_
   const CBodyIndex& index = m_caster.GetSpace().GetBodyIndex();
   const UInt32 ownBody = m_caster.GetBody().GetBodyNumber();
   const SBeam beam = {eyes.Center, light, eyes.Reach, eyes.MinZ, eyes.MaxZ};
-  const CBodyIndex::SRayReach reach(
-      eyes.Reach, std::max(eyes.MaxZ - eyes.Center.GetZ(), eyes.Center.GetZ() - eyes.MinZ));
+  const SRayReach reach(eyes.Reach,
+                        std::max(eyes.MaxZ - eyes.Center.GetZ(), eyes.Center.GetZ() - eyes.MinZ));
   SEyes::TLines lines;
   bool haveLines = false;
   const auto test = [&](const SIndexedShape& shape) {

@@ -196,7 +196,7 @@ TEST_CASE("body index: queries of areas and of rays with heights find all solids
     const CRay3 ray(
         CVector3(random.Uniform(-4.0, 4.0), random.Uniform(-4.0, 4.0), random.Uniform(0.0, 2.5)),
         CVector3(random.Uniform(-4.0, 4.0), random.Uniform(-4.0, 4.0), random.Uniform(0.0, 2.5)));
-    const CBodyIndex::SRayReach reach(random.Uniform(0.0, 0.3), random.Uniform(0.0, 0.2));
+    const SRayReach reach(random.Uniform(0.0, 0.3), random.Uniform(0.0, 0.2));
     std::set<UInt32> alongRay;
     index.ForShapesAlongRay(ray, reach,
                             [&](const SIndexedShape& shape) { alongRay.insert(shape.Body); });
@@ -228,7 +228,7 @@ TEST_CASE("body index: queries of areas and of rays with heights find all solids
   // a ray above everything meets nothing sorted, and visits only what was added since
   std::set<UInt32> above;
   index.ForShapesAlongRay(CRay3(CVector3(-4.0, -4.0, 2.5), CVector3(4.0, 4.0, 2.5)),
-                          CBodyIndex::SRayReach(0.5, 0.0),
+                          SRayReach(0.5, 0.0),
                           [&](const SIndexedShape& shape) { above.insert(shape.Body); });
   for (size_t i = 0; i <= 80; ++i) {
     CHECK(above.count(numberOf(i)) == 0);

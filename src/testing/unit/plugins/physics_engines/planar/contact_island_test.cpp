@@ -275,10 +275,10 @@ TEST_CASE("contact island: any bodies with any contacts obey the laws", "[unit][
   const unsigned seed = GENERATE(range(1U, 6U));
   CAPTURE(numContacts, seed);
   constexpr Real kTolerance = 1e-9;  // m/s
-  constexpr UInt32 kMostSweeps = 100000;
+  constexpr UInt32 kMaxSweeps = 100000;
   SIsland<Real> island = MakeRandomIsland(numContacts, seed);
   CContactIsland<Real> solver(island.Bodies, island.Contacts);
-  CHECK(solver.Solve(kTolerance, kMostSweeps) < kMostSweeps);
+  CHECK(solver.Solve(kTolerance, kMaxSweeps) < kMaxSweeps);
   CHECK(solver.GetChange() <= kTolerance);
   const Real accuracy = 1e3 * kTolerance;
   for (const SIslandContact<Real>& contact : island.Contacts) {
