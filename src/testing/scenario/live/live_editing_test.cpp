@@ -309,7 +309,7 @@ TEST_CASE("live view: a viewer sees where a robot perceives messages and lights"
   viewer->ReceiveUntil([&] { return viewer->CountFrames() > 0; });
   StepTicks(*viewer, 3);
   CHECK(IsOk(viewer->Do("pin", {{"entity", "fb0"}})));
-  const TJson marks = viewer->WaitFor("values")["marks"];
+  const TJson marks = viewer->WaitFor("perceived")["marks"];
   REQUIRE(marks.size() == 2);
   for (const TJson& mark : marks) {
     // the other robot is 1 m to the left

@@ -166,7 +166,18 @@ TEST_CASE("live view: keys that a viewer holds are released with its control", "
 }
 
 TEST_CASE("live view: a robot that a viewer drives is let go with its control", "[live]") {
-  CLiveWorld world(kWaits, Diffusion(3));
+  const CTemporaryFolder folder;
+  const std::string script =
+      folder.Write("robot.lua", "function step() robot.wheels.set_velocity(10, 10) end\n");
+  SExperiment experiment;
+  experiment.Controllers =
+      "<lua_controller id='c'><actuators><differential_steering implementation='default' />"
+      "</actuators><sensors /><params script='" +
+      script + "' /></lua_controller>";
+  experiment.Engines = "<dynamics2d id='dyn2d' />";
+  experiment.Arena =
+      "<foot-bot id='fb0'><body position='0,0,0' /><controller config='c' /></foot-bot>";
+  CLiveWorld world(kWaits, Loading(experiment.ToXml()));
   auto first = Join(world);
   auto second = Join(world);
   CHECK(IsOk(first->Do("drive", {{"entity", "fb0"}, {"left", 0}, {"right", 0}})));
@@ -176,7 +187,8 @@ TEST_CASE("live view: a robot that a viewer drives is let go with its control", 
   CHECK(IsOk(second->Do("step", {{"n", 10}})));
   first->ReceiveUntil([&] { return first->GetFrame().Tick == 12; });
   // its controller drives it again, at 10 cm/s
-  CHECK(Distance(GetPose(first->GetFrame(), "fb0").Position, start.Position) > 0.01);
+  CHECK(Distance(GetPose(first->GetFrame(), "fb0").Position, start.Position) ==
+        Approx(0.1).margin(2e-3));
   CHECK(IsOk(second->Do("end")));
   world.Finish();
 }
