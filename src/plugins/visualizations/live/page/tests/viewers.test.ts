@@ -279,8 +279,6 @@ test("viewers: markup in ids, logs and errors is shown as text", { skip, timeout
   assert.ok((await page.getByRole("alert").first().innerText()).includes(`"${kMarkup}" would overlap "box"`));
   const place = await tab.placeOf(kMarkup);
   await drag({ x: place.x - 40, y: place.y }); // logged by user functions
-  await card.locator(".own-log").waitFor();
-  assert.ok((await card.locator(".own-log").innerText()).includes(`${kMarkup} was moved by`));
   await page.getByRole("tab", { name: "Log" }).click();
   assert.ok((await page.getByRole("log").innerText()).includes(`${kMarkup} was moved by`));
   await shoot(tab, "markup");
@@ -328,7 +326,8 @@ interface Node {
 /** What a screen reader has of each thing that can be used: its role, with those that have no name. */
 async function withoutName(session: CDPSession): Promise<string[]> {
   const { nodes } = (await session.send("Accessibility.getFullAXTree")) as { nodes: Node[] };
-  const roles = /^(button|checkbox|slider|spinbutton|combobox|searchbox|textbox|tab|region|log|dialog|image|menu)/i;
+  // a "MenuListPopup" is a part of a combobox, which has the name
+  const roles = /^(button|checkbox|slider|spinbutton|combobox|searchbox|textbox|tab|region|log|dialog|image|menu(?!ListPopup))/i;
   return nodes
     .filter(({ ignored, role, name }) => !ignored && roles.test(role?.value ?? "") && (name?.value ?? "").trim() === "")
     .map(({ role }) => role!.value);
