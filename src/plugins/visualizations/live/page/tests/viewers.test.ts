@@ -251,7 +251,7 @@ test("viewers: argos3 writes a page with a recording, which opens from disk", { 
 
 const kMarkup = `<img src=x onerror="document.title='owned'"><b>r</b>&amp;`;
 
-test("viewers: markup in ids, logs and errors is shown as text", { skip, timeout: kTimeout }, async () => {
+test("viewers: markup in ids and errors is shown as text", { skip, timeout: kTimeout }, async () => {
   const escaped = kMarkup.replaceAll("&", "&amp;").replaceAll("<", "&lt;").replaceAll(">", "&gt;").replaceAll('"', "&quot;");
   const file = changedExperiment("manual_control", (xml) => xml.replace('id="fb0"', `id="${escaped}"`));
   const { url } = await startRun(file);
@@ -277,10 +277,6 @@ test("viewers: markup in ids, logs and errors is shown as text", { skip, timeout
   await drag(await tab.placeOf("box")); // refused
   await page.getByRole("alert").first().waitFor();
   assert.ok((await page.getByRole("alert").first().innerText()).includes(`"${kMarkup}" would overlap "box"`));
-  const place = await tab.placeOf(kMarkup);
-  await drag({ x: place.x - 40, y: place.y }); // logged by user functions
-  await page.getByRole("tab", { name: "Log" }).click();
-  assert.ok((await page.getByRole("log").innerText()).includes(`${kMarkup} was moved by`));
   await shoot(tab, "markup");
   assert.equal(await page.locator("img, b").count(), 0);
   assert.equal(await page.title(), "manual_control.changed.argos – ARGoS");

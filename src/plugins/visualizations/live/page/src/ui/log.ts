@@ -8,7 +8,7 @@ const kLevels = ["error", "warning", "info", "debug"] as const;
 
 export class LogPanel {
   readonly element: HTMLElement;
-  private readonly list = h("ol", { class: "log-lines", role: "log", "aria-live": "off", tabindex: 0 });
+  private readonly list = h("ol", { class: "log-lines", role: "log", "aria-label": "Log", "aria-live": "off", tabindex: 0 });
   private readonly filter = h("input", {
     type: "search",
     placeholder: "Filter, such as a robot's id",
