@@ -383,6 +383,25 @@ TEST_CASE("live view: a run is repeated with the commands in its recording", "[l
   CHECK(RunHeadless(Diffusion(10)) != digest);
 }
 
+TEST_CASE("live view: who comes to a waiting run that all have left sees its state", "[live]") {
+  CLiveWorld world(kWaits, Diffusion(3));
+  int number = 0;
+  const auto look = [&](UInt32 tick) {
+    auto viewer = Join(world);
+    ++number;
+    viewer->ReceiveUntil([&] {
+      return viewer->CountFrames() > 0 && viewer->GetStatus().value("control", 0) == number;
+    });
+    CHECK(viewer->GetFrame().Tick == tick);
+    return viewer;
+  };
+  look(0);
+  StepTicks(*look(0), 2);
+  auto last = look(2);
+  CHECK(IsOk(last->Do("end")));
+  world.Finish();
+}
+
 TEST_CASE("live view: a viewer drives a robot, whatever its controller wants", "[live]") {
   CLiveWorld world(kWaits, Diffusion(3));
   auto viewer = Join(world);

@@ -353,6 +353,10 @@ void CLiveRun::DoServerCommand(const SLiveCommand& command) {
     SendPerceptions();
     return;
   }
+  if (command.Do == "left") {
+    m_hasChanged = m_haveValuesChanged = true;
+    return;
+  }
   // "release": another viewer has control, or none
   for (const TJson& release : m_executor.ListReleases()) {
     m_hasChanged = true;

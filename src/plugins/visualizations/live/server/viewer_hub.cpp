@@ -61,8 +61,9 @@ void CViewerHub::Remove(CViewerConnection& viewer) {
     UpdatePinned();
   }
   if (m_viewers.empty()) {
-    // the next viewer is not to see an old state
+    // the next viewer is not to see an old state, but the present one, also of a run that waits
     m_state.reset();
+    m_link.AddCommand({0, TJson(), "left", TJson::object()});
   }
   ChooseControl();
   SendStatus();
