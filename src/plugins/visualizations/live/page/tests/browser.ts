@@ -1,11 +1,16 @@
 // A headless Chromium with the page.
 
-import { existsSync, readFileSync } from "node:fs";
+import { existsSync, mkdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
+import { after, before } from "node:test";
 
 import { type Browser, type Page, chromium } from "playwright-core";
 
+import { endPrograms, run } from "./runs";
+
 export const pageFile = process.env.PAGE ?? join(process.cwd(), "dist/index.html");
+
+export const shots = process.env.PAGE_SHOTS;
 
 const kPaths = ["/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"];
 
@@ -16,6 +21,25 @@ export function missingBrowser(): string | null {
     throw new Error("no Chromium is installed; scripts/packages.txt names its package");
   }
   return path === undefined ? "no Chromium is installed" : null;
+}
+
+/** False, or why there can be no test with a run in a browser. */
+export function missingLive(): string | false {
+  return missingBrowser() ?? (run("--help").includes("--live") ? false : "this argos3 has no --live");
+}
+
+/** Opens a browser before the tests of a file, and ends it and all runs after them. */
+export function useBrowser(skip: string | false, take: (browser: Browser) => void): void {
+  let browser: Browser | undefined;
+  before(async () => {
+    if (skip === false) {
+      take((browser = await launch()));
+    }
+  });
+  after(async () => {
+    endPrograms();
+    await browser?.close();
+  });
 }
 
 export async function launch(): Promise<Browser> {
@@ -84,6 +108,26 @@ export class Tab {
       await this.page.waitForTimeout(50);
     }
     throw new Error(`waited in vain for ${what}; the page shows tick ${await this.tick()}`);
+  }
+
+  /** Fails if something does not hold within ten seconds. */
+  async waitFor(what: string, isTrue: () => Promise<boolean> | boolean): Promise<void> {
+    for (let i = 0; i < 200; ++i) {
+      if (await isTrue()) {
+        return;
+      }
+      await this.page.waitForTimeout(50);
+    }
+    throw new Error(`waited in vain for ${what}`);
+  }
+
+  /** Keeps a picture of the page in the folder PAGE_SHOTS, if there is one. */
+  async shoot(name: string): Promise<void> {
+    if (shots !== undefined) {
+      mkdirSync(shots, { recursive: true });
+      await this.page.waitForTimeout(400);
+      await this.page.screenshot({ path: join(shots, `${name}.png`) });
+    }
   }
 
   button(name: string): ReturnType<Page["getByRole"]> {

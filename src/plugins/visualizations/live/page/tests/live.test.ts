@@ -1,29 +1,20 @@
 import assert from "node:assert/strict";
 import { request } from "node:http";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 import { gunzipSync } from "node:zlib";
 
 import type { Browser } from "playwright-core";
 
-import { Tab, launch, missingBrowser } from "./browser";
-import { endPrograms, run, startRun } from "./runs";
+import { Tab, missingLive, useBrowser } from "./browser";
+import { startRun } from "./runs";
 import { SlowLink } from "./slow_link";
 import { Watcher, mostBehind } from "./watcher";
 
 const kTimeout = 40_000; // ms, of a test
-const skip =
-  missingBrowser() ?? (run("--help").includes("--live") ? false : "this argos3 has no --live");
+const skip = missingLive();
 let browser: Browser;
 
-before(async () => {
-  if (skip === false) {
-    browser = await launch();
-  }
-});
-after(async () => {
-  endPrograms();
-  await browser?.close();
-});
+useBrowser(skip, (opened) => (browser = opened));
 
 async function numEntities(tab: Tab): Promise<number> {
   return tab.page.evaluate(

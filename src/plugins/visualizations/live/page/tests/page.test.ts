@@ -1,18 +1,17 @@
 import assert from "node:assert/strict";
-import { mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { readFileSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 
 import type { Browser } from "playwright-core";
 
 import { MockServer } from "./mock_server";
-import { Tab, embed, launch, missingBrowser, pageFile } from "./browser";
+import { Tab, embed, launch, missingBrowser, pageFile, shots } from "./browser";
 import { changedExperiment, folder, record, run } from "./runs";
 
 const skip = missingBrowser() ?? false;
 const kTimeout = 40_000; // ms, of a test
 const url = `file://${pageFile}`;
-const shots = process.env.PAGE_SHOTS;
 let browser: Browser;
 let recording: string;
 
@@ -27,13 +26,6 @@ after(async () => {
   await browser?.close();
   rmSync(folder, { recursive: true });
 });
-
-async function shoot(tab: Tab, name: string): Promise<void> {
-  if (shots !== undefined) {
-    mkdirSync(shots, { recursive: true });
-    await tab.page.screenshot({ path: join(shots, `${name}.png`) });
-  }
-}
 
 test("page: a recording is opened, played, paused, stepped and scrubbed", { skip, timeout: kTimeout }, async () => {
   const tab = await Tab.open(browser, url);
@@ -84,7 +76,7 @@ test("page: a click selects a robot, whose values and plot are shown", { skip, t
   assert.equal(await tab.page.locator(".card").count(), 2);
   await card.getByRole("button", { name: "Follow" }).click();
   assert.equal(await card.getByRole("button", { name: "Follow" }).getAttribute("aria-pressed"), "true");
-  await shoot(tab, "selected");
+  await tab.shoot("selected");
   await tab.page.keyboard.press("Escape");
   assert.equal(await tab.page.locator(".card").count(), 0);
   assert.deepEqual(await tab.close(), []);
@@ -128,7 +120,7 @@ test("page: every button has a name and a title, at 1280 and 390 pixels", { skip
         return found;
       });
       assert.deepEqual(problems, [], `${size.width} ${theme}`);
-      await shoot(tab, `recording_${size.width}_${theme}`);
+      await tab.shoot(`recording_${size.width}_${theme}`);
       assert.deepEqual(await tab.close(), []);
     }
   }
@@ -234,7 +226,7 @@ async function comparePictures(size: { width: number; height: number }): Promise
     return { mean: sum / (0.75 * a.length), share: different / (a.length / 4) };
   }, expected);
   if (shots !== undefined) {
-    await shoot(tab, `compared_${size.width}`);
+    await tab.shoot(`compared_${size.width}`);
     writeFileSync(join(shots, `offscreen_${size.width}.png`), Buffer.from(expected, "base64"));
   }
   assert.ok(mean < 3.5 && share < 0.03, `mean ${mean.toFixed(2)}, share ${share.toFixed(4)}`);
@@ -266,7 +258,7 @@ test("page: a run is watched, played, stepped and reset", { skip, timeout: kTime
   await tab.button("One tick ahead").click();
   await card.getByText("Proximity", { exact: true }).waitFor();
   assert.match(await card.innerText(), /left\s+\d m\/s/);
-  await shoot(tab, "live");
+  await tab.shoot("live");
   server.sendAll({ log: [{ level: "error", text: "<b>a robot</b> failed", tick: 1 }] });
   await tab.page.getByRole("tab", { name: "Log" }).click();
   assert.match(await tab.page.getByRole("log").innerText(), /<b>a robot<\/b> failed/);
@@ -324,16 +316,6 @@ test("page: a driven robot is let go when another one is selected, or keys drive
 
 const kPicture = "canvas.picture";
 
-async function waitFor(tab: Tab, what: string, isTrue: () => Promise<boolean> | boolean): Promise<void> {
-  for (let i = 0; i < 100; ++i) {
-    if (await isTrue()) {
-      return;
-    }
-    await tab.page.waitForTimeout(50);
-  }
-  assert.fail(`waited in vain for ${what}`);
-}
-
 test("page: user functions get the keys of the picture first, and the page acts on those that they leave", { skip, timeout: kTimeout }, async () => {
   const server = await MockServer.start(recording, pageFile);
   server.usedKeys = new Set(["ArrowRight", "s", "S"]);
@@ -349,7 +331,7 @@ test("page: user functions get the keys of the picture first, and the page acts 
   await page.keyboard.press("ArrowRight");
   await page.keyboard.press("s");
   await page.keyboard.press("i");
-  await waitFor(tab, "the ids", () => isChecked("ids"));
+  await tab.waitFor("the ids", () => isChecked("ids"));
   assert.deepEqual(told(), ["+ArrowRight", "-ArrowRight", "+s", "-s", "+i", "-i"]);
   assert.equal(await tab.tick(), 0, "no step");
   assert.equal(await isChecked("rays"), rays);
@@ -366,7 +348,7 @@ test("page: user functions get the keys of the picture first, and the page acts 
   await page.keyboard.up("Shift");
   await page.getByRole("tab", { name: "Log" }).click();
   await page.keyboard.up("s");
-  await waitFor(tab, "the release", () => told().length === 4);
+  await tab.waitFor("the release", () => told().length === 4);
   assert.deepEqual(told(), ["+Shift", "+S", "-Shift", "-S"]);
 
   // elsewhere keys are the page's, and Tab leads there

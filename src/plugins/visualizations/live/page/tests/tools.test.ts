@@ -3,14 +3,13 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 
 import type { Browser } from "playwright-core";
 
-import { Tab, launch, missingBrowser } from "./browser";
+import { Tab, missingLive, shots, useBrowser } from "./browser";
 import {
   changedExperiment,
-  endPrograms,
   folder,
   readTable,
   repository,
@@ -19,27 +18,10 @@ import {
 } from "./runs";
 
 const kTimeout = 60_000; // ms, of a test
-const skip =
-  missingBrowser() ?? (run("--help").includes("--live") ? false : "this argos3 has no --live");
-const shots = process.env.PAGE_SHOTS;
+const skip = missingLive();
 let browser: Browser;
 
-before(async () => {
-  if (skip === false) {
-    browser = await launch();
-  }
-});
-after(async () => {
-  endPrograms();
-  await browser?.close();
-});
-
-async function shoot(tab: Tab, name: string): Promise<void> {
-  if (shots !== undefined) {
-    await tab.page.waitForTimeout(400);
-    await tab.page.screenshot({ path: join(shots, `${name}.png`) });
-  }
-}
+useBrowser(skip, (opened) => (browser = opened));
 
 async function save(tab: Tab, item: string): Promise<string> {
   await tab.page.getByRole("button", { name: /^Save a picture, a film/ }).click();
@@ -99,13 +81,13 @@ test("tools: a script is edited, with an error and without", { skip, timeout: kT
   await page.locator(".script-message.error").waitFor();
   assert.match(await page.locator(".script-message").innerText(), /:2: .*near '='/);
   assert.equal(await page.locator(".cm-lint-marker-error").count(), 1);
-  await shoot(tab, "script-error");
+  await tab.shoot("script-error");
   await editor.click();
   await page.keyboard.press("Control+A");
   await page.keyboard.insertText("function step()\n  robot.wheels.set_velocity(0, 0)\nend\n");
   await page.keyboard.press("Control+Enter");
   await page.getByText("Applied: 10 robots started again").waitFor();
-  await shoot(tab, "script");
+  await tab.shoot("script");
   await page.keyboard.press("Escape");
   await page.locator("canvas").first().click({ position: { x: 5, y: 300 } });
   await tab.button("One tick ahead").click();
@@ -152,7 +134,7 @@ test("tools: the past of a run is shown, and the present again", { skip, timeout
   assert.deepEqual(await positions(tab), start);
   const speed = page.getByRole("combobox", { name: "Speed" });
   assert.match((await speed.getAttribute("title")) ?? "", /past/);
-  await shoot(tab, "past");
+  await tab.shoot("past");
   await tab.button("Play").click();
   await tab.waitForTick((tick) => tick > 5, "the past to play");
   await tab.button("Pause").click();
@@ -348,7 +330,7 @@ test("tools: a robot is turned by dragging and by keys, and parameters are set",
   await card.getByText("0 cm/s", { exact: true }).first().waitFor();
   await select(tab, "fb5");
   await page.getByRole("region", { name: "fb5", exact: true }).getByText("0 cm/s", { exact: true }).first().waitFor();
-  await shoot(tab, "parameters");
+  await tab.shoot("parameters");
   assert.deepEqual(await tab.close(), []);
 });
 
@@ -371,6 +353,6 @@ test("tools: what a robot perceives is drawn, and its lines of the log are with 
   }
   assert.ok((await count()) > 3, "blobs of the camera");
   await page.keyboard.press("f");
-  await shoot(tab, "devices");
+  await tab.shoot("devices");
   assert.deepEqual(await tab.close(), []);
 });

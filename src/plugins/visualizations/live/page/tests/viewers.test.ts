@@ -3,46 +3,19 @@
 
 import assert from "node:assert/strict";
 import { join } from "node:path";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 
 import type { Browser, CDPSession } from "playwright-core";
 
-import { Tab, launch, missingBrowser } from "./browser";
-import { changedExperiment, endPrograms, experiment, folder, record, run, startLive, startRun } from "./runs";
+import { Tab, missingLive, useBrowser } from "./browser";
+import { changedExperiment, experiment, folder, record, run, startLive, startRun } from "./runs";
 import { SlowLink } from "./slow_link";
 
 const kTimeout = 60_000; // ms, of a test
-const skip =
-  missingBrowser() ?? (run("--help").includes("--live") ? false : "this argos3 has no --live");
-const shots = process.env.PAGE_SHOTS;
+const skip = missingLive();
 let browser: Browser;
 
-before(async () => {
-  if (skip === false) {
-    browser = await launch();
-  }
-});
-after(async () => {
-  endPrograms();
-  await browser?.close();
-});
-
-async function shoot(tab: Tab, name: string): Promise<void> {
-  if (shots !== undefined) {
-    await tab.page.waitForTimeout(400);
-    await tab.page.screenshot({ path: join(shots, `${name}.png`) });
-  }
-}
-
-async function waitFor(tab: Tab, what: string, isTrue: () => Promise<boolean> | boolean): Promise<void> {
-  for (let i = 0; i < 200; ++i) {
-    if (await isTrue()) {
-      return;
-    }
-    await tab.page.waitForTimeout(50);
-  }
-  assert.fail(`waited in vain for ${what}`);
-}
+useBrowser(skip, (opened) => (browser = opened));
 
 interface View {
   find(id: string): number;
@@ -77,8 +50,8 @@ test("viewers: keys drive a robot through user functions, and the page acts on t
   await tab.waitForTick((tick) => tick > 2, "the run, which Space has started");
   const start = await placeInArena(tab, "fb0");
   await page.keyboard.down("ArrowUp");
-  await waitFor(tab, "the robot", async () => (await placeInArena(tab, "fb0"))[0] > start[0] + 0.2);
-  await shoot(tab, "manual_control");
+  await tab.waitFor("the robot", async () => (await placeInArena(tab, "fb0"))[0] > start[0] + 0.2);
+  await tab.shoot("manual_control");
   await page.keyboard.up("ArrowUp");
   // to drive left, to look at what the robot perceives, to show axes, to play the past: keys of both
   await page.keyboard.down("a");
@@ -99,7 +72,7 @@ test("viewers: keys drive a robot through user functions, and the page acts on t
   await page.keyboard.press("Space");
   await page.getByText("Paused", { exact: true }).first().waitFor();
   await page.keyboard.press("i");
-  await waitFor(tab, "the ids", () => page.evaluate(() => (window as unknown as { argosView: View }).argosView.options.ids!));
+  await tab.waitFor("the ids", () => page.evaluate(() => (window as unknown as { argosView: View }).argosView.options.ids!));
   assert.deepEqual(await tab.close(), []);
 });
 
@@ -164,7 +137,7 @@ test("viewers: of two viewers one has control, which goes on with the other", { 
   assert.ok(await first.button("One tick ahead").isDisabled());
   assert.deepEqual(await second.close(), []);
   // the one that is left gets it again
-  await waitFor(first, "control", () => first.button("One tick ahead").isEnabled());
+  await first.waitFor("control", () => first.button("One tick ahead").isEnabled());
   await first.button("One tick ahead").click();
   await first.waitForTick((tick) => tick === 2, "its own step");
   assert.deepEqual(await first.close(), []);
@@ -245,7 +218,7 @@ test("viewers: argos3 writes a page with a recording, which opens from disk", { 
   await tab.waitForTick((tick) => tick === 100, "the last state of the file");
   await tab.page.getByRole("slider", { name: "Time" }).fill("50");
   await tab.waitForTick((tick) => tick === 50, "a state between");
-  await shoot(tab, "sent");
+  await tab.shoot("sent");
   assert.deepEqual(await tab.close(), []);
 });
 
@@ -266,7 +239,7 @@ test("viewers: markup in ids and errors is shown as text", { skip, timeout: kTim
   const heading = card.getByRole("spinbutton");
   await heading.fill("90");
   await heading.press("Enter");
-  await waitFor(tab, "the robot to be turned", async () => Math.abs(Number(await heading.inputValue()) - 90) < 1);
+  await tab.waitFor("the robot to be turned", async () => Math.abs(Number(await heading.inputValue()) - 90) < 1);
   const drag = async (to: { x: number; y: number }): Promise<void> => {
     const from = await tab.placeOf(kMarkup);
     await page.mouse.move(from.x, from.y);
@@ -277,7 +250,7 @@ test("viewers: markup in ids and errors is shown as text", { skip, timeout: kTim
   await drag(await tab.placeOf("box")); // refused
   await page.getByRole("alert").first().waitFor();
   assert.ok((await page.getByRole("alert").first().innerText()).includes(`"${kMarkup}" would overlap "box"`));
-  await shoot(tab, "markup");
+  await tab.shoot("markup");
   assert.equal(await page.locator("img, b").count(), 0);
   assert.equal(await page.title(), "manual_control.changed.argos – ARGoS");
   assert.deepEqual(await tab.close(), []);
@@ -382,11 +355,11 @@ test("viewers: texts differ from their background by 4.5, light and dark", { ski
     }
     await tab.button("Keys and mouse").click();
     assert.deepEqual(await faintTexts(tab), [], `${theme}, keys`);
-    await shoot(tab, `keys_${theme}`);
+    await tab.shoot(`keys_${theme}`);
     await page.keyboard.press("Escape");
     await tab.button("What the picture shows").click();
     assert.deepEqual(await faintTexts(tab), [], `${theme}, menu`);
-    await shoot(tab, `menu_${theme}`);
+    await tab.shoot(`menu_${theme}`);
     assert.deepEqual(await tab.close(), []);
   }
 });
