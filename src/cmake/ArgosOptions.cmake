@@ -9,6 +9,8 @@ target_compile_options(argos_options INTERFACE -ffp-contract=off)
 # Nothing reads errno after mathematical functions or traps exceptions of arithmetic. Without these two, g++ vectorizes no
 # loop with a comparison or a square root; results are the same.
 target_compile_options(argos_options INTERFACE -fno-math-errno -fno-trapping-math)
+# No path of this machine gets into programs through __FILE__, which all assertions of tests contain.
+target_compile_options(argos_options INTERFACE "-fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=")
 
 set(argosWarnings -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual)
 # g++ 12 warns wrongly of overlapping copies in "text" + string, and of copies that are too long if <string> is
