@@ -268,6 +268,7 @@ void CExperimentLoader::InitSystem(TConfigurationNode& framework) {
                                                       pinToCores, m_startWorker);
     m_context.Pool = m_experiment.Pool.get();
     m_tick.SetGrain(grain);
+    m_experiment.Pool->SetSharesAlways(grain > 0);
   } catch (std::exception& error) {
     const bool hasNode = NodeExists(framework, "system");
     THROW_ARGOSEXCEPTION_NESTED((hasNode ? GetNode(framework, "system") : framework).GetLocation()

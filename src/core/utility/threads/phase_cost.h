@@ -7,18 +7,12 @@ namespace argos {
 
 /**
  * The measured cost of a phase of the tick, which decides in runs of how many items it is dealt to
- * threads, or that one thread does it alone. Has no effect on results.
+ * threads. Has no effect on results.
  */
 class CPhaseCost {
  public:
   /** Work that a run should contain, so that dealing it costs little: s. */
   static constexpr Real kRunSeconds = 20e-6;
-  /**
-   * A phase with less work stays on the calling thread: s. To wake another one, and to wait for
-   * it, takes 5 to 20 us, and far longer on a machine that is busy with something else; half of
-   * the work must exceed that by a good margin.
-   */
-  static constexpr Real kMinSeconds = 100e-6;
   /** Runs per thread, at least, so that threads that finish early can take over others' runs. */
   static constexpr size_t kRunsPerThread = 4;
 
@@ -30,14 +24,13 @@ class CPhaseCost {
   bool IsMeasured() const { return m_grain == 0; }
 
   /**
-   * Returns the number of items of a run, >= 1; @p items if the calling thread should do all.
+   * Returns the number of items of a run, >= 1.
    *
    * Before the first measurement, each thread gets kRunsPerThread runs, if there are enough items.
    */
   size_t ChooseGrain(size_t items, UInt32 threads) const;
 
-  /** Adds a measurement of one thread. A slow one counts less: the thread may have been suspended.
-   */
+  /** Adds a measurement of one thread. Slow ones count less: the thread may have been suspended. */
   void Add(size_t items, Real seconds);
 
   /** s an item; 0 before the first measurement. */
@@ -47,6 +40,40 @@ class CPhaseCost {
   size_t m_mostItems;
   size_t m_grain = 0;
   Real m_secondsPerItem = 0.0;
+};
+
+/**
+ * What it costs to share a phase with other threads: to wake them, and to wait for them. By
+ * measurement, because that takes 1 to 5 us while they look for work, 50 us and more where they
+ * sleep on a virtual machine, and far longer on a machine that is busy with something else. Decides
+ * whether a phase is shared. Has no effect on results.
+ */
+class CSharingCost {
+ public:
+  /** The least that is assumed, s. */
+  static constexpr Real kMinSeconds = 5e-6;
+
+  /** @return whether threads are expected to gain time; true before the first measurement. */
+  bool IsWorthwhile(size_t items, UInt32 threads) const;
+
+  /** Adds a phase that the calling thread did alone. Sharing slowly becomes worth a trial. */
+  void AddAlone(size_t items, Real seconds);
+
+  /**
+   * Adds a phase that threads shared.
+   * @param seconds         from its begin to its end, by the clock.
+   * @param callersItems    what the calling thread did of it, which tells the cost of an item.
+   * @param callersSeconds  the time that it took for that.
+   */
+  void AddShared(size_t items, Real seconds, UInt32 threads, size_t callersItems,
+                 Real callersSeconds);
+
+  /** s of a phase, beside its work. */
+  Real GetSeconds() const { return m_seconds; }
+
+ private:
+  Real m_secondsPerItem = 0.0;
+  Real m_seconds = kMinSeconds;
 };
 
 /** Items of a run if there should be kRunsPerThread runs for each thread: 1 to @p most. */

@@ -14,6 +14,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdlib>
 #include <memory>
 #include <system_error>
@@ -25,6 +26,23 @@ namespace {
 // about 20 us on current machines: longer than the gap between two phases of a busy tick, and
 // short enough not to matter between ticks
 constexpr int kSpins = 4000;
+
+// different calls of ParallelFor(); there are about 40
+constexpr size_t kMaxPhases = 128;
+
+#if !defined(NDEBUG) || defined(ARGOS_CHECK_INVARIANTS) || defined(__SANITIZE_THREAD__)
+constexpr bool kSharesAlways = true;
+#elif defined(__has_feature)
+constexpr bool kSharesAlways = __has_feature(thread_sanitizer);
+#else
+constexpr bool kSharesAlways = false;
+#endif
+
+using TClock = std::chrono::steady_clock;
+
+Real SecondsSince(TClock::time_point start) {
+  return std::chrono::duration<Real>(TClock::now() - start).count();
+}
 
 void Relax() {
 #if defined(__x86_64__) || defined(__i386__)
@@ -73,6 +91,7 @@ CThreadPool::CThreadPool(UInt32 threads, std::unique_ptr<CSchedule> schedule, bo
       m_spin(m_numThreads <= std::thread::hardware_concurrency()),
       m_schedule(std::move(schedule)),
       m_startWorker(std::move(startWorker)) {
+  m_phases.reserve(kMaxPhases);
   try {
     StartWorkers();
   } catch (...) {
@@ -198,10 +217,35 @@ bool CThreadPool::PrepareWorker() {
   return good;
 }
 
+// the last one is of all phases for which there was no room
+CSharingCost& CThreadPool::FindCost(TCall call) {
+  for (SPhase& phase : m_phases) {
+    if (phase.Call == call) {
+      return phase.Cost;
+    }
+  }
+  if (m_phases.size() < kMaxPhases) {
+    m_phases.push_back({call, {}});
+  }
+  return m_phases.back().Cost;
+}
+
 void CThreadPool::Run(size_t items, size_t grain, TCall call, void* context) {
+  CSharingCost& cost = FindCost(call);
+  if (kSharesAlways || m_sharesAlways || cost.IsWorthwhile(items, m_numThreads)) {
+    Share(items, grain, call, context, cost);
+    return;
+  }
+  const TClock::time_point start = TClock::now();
+  call(context, 0, items, 0);
+  cost.AddAlone(items, SecondsSince(start));
+}
+
+void CThreadPool::Share(size_t items, size_t grain, TCall call, void* context, CSharingCost& cost) {
   if (IsOfParent()) {
     RestartWorkers();
   }
+  const TClock::time_point start = TClock::now();
   m_call = call;
   m_context = context;
   m_failure = nullptr;
@@ -212,13 +256,16 @@ void CThreadPool::Run(size_t items, size_t grain, TCall call, void* context) {
   m_phase.fetch_add(1, std::memory_order_release);
   m_phase.notify_all();
 
-  DoShare(0);
+  const TClock::time_point callersStart = TClock::now();
+  const size_t callersItems = DoShare(0);
+  const Real callersSeconds = SecondsSince(callersStart);
   RequireSameProcess();
   WaitForWorkers();
   if (m_failure) {
     std::rethrow_exception(m_failure);
   }
   RequireAllDealt();
+  cost.AddShared(items, SecondsSince(start), m_numThreads, callersItems, callersSeconds);
 }
 
 // a schedule of a user's library may have errors, which would leave out robots in silence
@@ -245,8 +292,11 @@ void CThreadPool::WorkerLoop(UInt32 thread) {
   }
 }
 
-void CThreadPool::DoShare(UInt32 thread) {
-  m_numDealt.fetch_add(DoRuns(thread), std::memory_order_relaxed);
+// returns the number of items
+size_t CThreadPool::DoShare(UInt32 thread) {
+  const size_t numDone = DoRuns(thread);
+  m_numDealt.fetch_add(numDone, std::memory_order_relaxed);
+  return numDone;
 }
 
 // returns the number of items

@@ -101,10 +101,25 @@ class CThreadPool {
     cost.Add(numDone, std::chrono::duration<Real>(time).count());
   }
 
+  /**
+   * Whether phases with more than one run are shared whatever they cost. By default the calling
+   * thread does a phase alone where, by measurement, other threads would cost more than they save;
+   * builds with invariants or for ThreadSanitizer always share, so that tests reach the threads.
+   */
+  void SetSharesAlways(bool always) { m_sharesAlways = always; }
+
  private:
   using TCall = void (*)(void* context, size_t begin, size_t end, UInt32 thread);
 
+  /** A phase, told from others by what is called. */
+  struct SPhase {
+    TCall Call;
+    CSharingCost Cost;
+  };
+
   void Run(size_t items, size_t grain, TCall call, void* context);
+  void Share(size_t items, size_t grain, TCall call, void* context, CSharingCost& cost);
+  CSharingCost& FindCost(TCall call);
   void StartWorkers();
   void StopWorkers();
   bool IsOfParent() const;
@@ -116,7 +131,7 @@ class CThreadPool {
   void WaitForWorkers();
   void NoteEnd();
   void NoteFailure(size_t begin);
-  void DoShare(UInt32 thread);
+  size_t DoShare(UInt32 thread);
   size_t DoRuns(UInt32 thread);
   void RequireAllDealt() const;
   void Pin(std::thread& worker, UInt32 thread);
@@ -128,6 +143,8 @@ class CThreadPool {
   std::unique_ptr<CSchedule> m_schedule;
   std::function<void()> m_startWorker;
   std::vector<std::thread> m_workers;
+  bool m_sharesAlways = false;
+  std::vector<SPhase> m_phases;  // never grows beyond its capacity: a phase does not allocate
 
   // written by Run() before the phase number grows, read by the workers after
   TCall m_call = nullptr;

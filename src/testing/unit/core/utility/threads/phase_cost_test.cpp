@@ -1,9 +1,12 @@
 #include <argos3/core/utility/configuration/argos_exception.h>
 #include <argos3/core/utility/threads/phase_cost.h>
 #include <argos3/core/utility/threads/thread_pool.h>
+#include <argos3/testing/support/invariants.h>
+#include <argos3/testing/support/sanitizers.h>
 
 #include <catch2/catch.hpp>
 
+#include <atomic>
 #include <chrono>
 #include <mutex>
 #include <set>
@@ -15,6 +18,7 @@ namespace phase_cost_test {
 
 using namespace argos;
 using Catch::Contains;
+using Catch::WithinAbs;
 
 namespace {
 
@@ -102,10 +106,50 @@ TEST_CASE("phase cost: a run contains 20 us of work, unless there would be too f
   CHECK(withItemsOf(2e-6).ChooseGrain(60, 2) == 8);
   CHECK(withItemsOf(1e-6).ChooseGrain(10000, 2) == 20);
   CHECK(withItemsOf(0.1e-6).ChooseGrain(10000, 2) == 64);
-  // less than 100 us in total: no other thread is woken
-  CHECK(withItemsOf(1.6e-6).ChooseGrain(60, 2) == 60);
-  CHECK(withItemsOf(6e-6).ChooseGrain(16, 2) == 16);
-  CHECK(withItemsOf(7e-6).ChooseGrain(16, 2) == 2);
+}
+
+TEST_CASE("sharing cost: a phase is shared if threads save more than it costs to share it",
+          "[core][threads]") {
+  CSharingCost cost;
+  CHECK(cost.GetSeconds() == 5e-6);
+  CHECK(cost.IsWorthwhile(1, 2));
+  // 100 items of 0.5 us: 25 us for each of 2 threads, so 35 us too many, counted as 4 times 5 us
+  cost.AddShared(100, 60e-6, 2, 50, 25e-6);
+  CHECK_THAT(cost.GetSeconds(), WithinAbs(5e-6 + (20e-6 - 5e-6) / 8.0, 1e-15));
+  // half of the work is saved, three quarters with 4 threads: 27.5 and 18.3 items take 6.875 us
+  CHECK_FALSE(cost.IsWorthwhile(27, 2));
+  CHECK(cost.IsWorthwhile(28, 2));
+  CHECK_FALSE(cost.IsWorthwhile(18, 4));
+  CHECK(cost.IsWorthwhile(19, 4));
+  // no time lost counts as the least cost, with the weight of fast measurements
+  cost.AddShared(100, 20e-6, 2, 50, 25e-6);
+  CHECK_THAT(cost.GetSeconds(), WithinAbs(5e-6 + 1.875e-6 / 2.0, 1e-15));
+  // a caller that did nothing tells nothing of the work
+  cost.AddShared(100, 25e-6, 2, 0, 0.0);
+  CHECK_THAT(cost.GetSeconds(), WithinAbs(5e-6 + 1.875e-6 / 4.0, 1e-15));
+}
+
+TEST_CASE("sharing cost: a phase that one thread does alone is shared again after a while",
+          "[core][threads]") {
+  CSharingCost cost;
+  for (int i = 0; i < 40; ++i) {
+    cost.AddShared(100, 100e-6, 2, 50, 10e-6);
+  }
+  // 20 us of work, and 90 us to share them
+  CHECK_THAT(cost.GetSeconds(), WithinAbs(90e-6, 1e-6));
+  int alone = 0;
+  while (!cost.IsWorthwhile(100, 2)) {
+    cost.AddAlone(100, 20e-6);
+    ++alone;
+  }
+  // 512 ln(90 / 10)
+  CHECK_THAT(alone, WithinAbs(1125.0, 10.0));
+  // 1 us of work never is
+  for (int i = 0; i < 10000; ++i) {
+    cost.AddAlone(10, 1e-6);
+  }
+  CHECK(cost.GetSeconds() == CSharingCost::kMinSeconds);
+  CHECK_FALSE(cost.IsWorthwhile(10, 16));
 }
 
 TEST_CASE("phase cost: measurements are averaged, and slow ones count less", "[core][threads]") {
@@ -147,10 +191,31 @@ TEST_CASE("thread pool: phases with a cost are dealt in the runs that it chooses
   // sleeping takes at least its time
   CHECK(measured.GetSecondsPerItem() >= 100e-6);
   CHECK(RunsOf(pool, measured, 48, std::chrono::microseconds(100)) == RunsOfLength(1, 48));
+}
 
-  CPhaseCost little(64);
-  little.Add(1000, 1e-6);
-  CHECK(RunsOf(pool, little, 1000) == TRuns{{0, 1000}});
+TEST_CASE("thread pool: the calling thread does alone what threads would make slower",
+          "[core][threads]") {
+  const auto countRuns = [](CThreadPool& pool) {
+    std::atomic<int> runs{0};
+    pool.ParallelFor(100, 10, [&](size_t, size_t, UInt32) { ++runs; });
+    return runs.load();
+  };
+  CThreadPool pool(2, CreateSchedule("balance_length"));
+  CHECK(countRuns(pool) == 10);
+  // some nanoseconds of work; more than one phase if the first one was interrupted
+  int phases = 1;
+  while (phases < 1000 && countRuns(pool) == 10) {
+    ++phases;
+  }
+  const bool isAlwaysShared = kChecksInvariants || kHasThreadSanitizer;
+  CHECK((phases < 1000) == !isAlwaysShared);
+  CHECK(countRuns(pool) == (isAlwaysShared ? 10 : 1));
+
+  CThreadPool sharing(2, CreateSchedule("balance_length"));
+  sharing.SetSharesAlways(true);
+  for (int i = 0; i < 100; ++i) {
+    CHECK(countRuns(sharing) == 10);
+  }
 }
 
 TEST_CASE("schedule: one that a library registers is found by its label", "[core][threads]") {
