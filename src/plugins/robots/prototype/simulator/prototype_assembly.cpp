@@ -22,7 +22,7 @@ constexpr Real kTurnTolerance = 0.01;
 struct SLinkNode {
   TConfigurationNode* Node = nullptr;
   SShapeDescription Shape;  // frame: link
-  SBodyPose Described;  // its own position and orientation
+  SBodyPose Described;  // pose that the XML of the link gives
   bool IsPlaced = false;
 };
 

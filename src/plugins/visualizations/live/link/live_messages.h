@@ -45,13 +45,13 @@ struct SLiveStatus {
 struct SLiveEvent {
   UInt32 Viewer = 0; /**< 0: all */
   std::string Text; /**< JSON */
-  std::string Pinned = {}; /**< only for those that have pinned this entity; empty: for all */
+  std::string Pinned = {}; /**< if set, only viewers that have pinned it get the event */
 };
 
 /** What a viewer wants of the run. */
 struct SLiveCommand {
   UInt32 Viewer = 0;
-  TJson Id; /**< of the command, for the answer */
+  TJson Id; /**< the answer to the command repeats it */
   std::string Do;
   TJson Arguments; /**< an object */
 };

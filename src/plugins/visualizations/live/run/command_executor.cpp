@@ -33,7 +33,7 @@ CQuaternion Upright(Real yaw) {
   return CQuaternion(CRadians(yaw), CVector3::Z);
 }
 
-// of the body, or of the entity; the origin if it has none
+// @return the pose of the body, or of the entity; the origin if it has none
 SBodyPose GetPose(CEntity& root) {
   if (const auto* const body = FindExisting<CEmbodiedEntity>(root)) {
     return {body->GetOriginAnchor().Position, body->GetOriginAnchor().Orientation};
@@ -201,7 +201,7 @@ TJson CCommandExecutor::SetDrive(const TJson& arguments) {
   return TJson::object();
 }
 
-// after the controller's step, whose speeds it replaces, and before the wheels get them
+// Call it after the controllers' step, whose speeds it replaces, and before wheels get them.
 void CCommandExecutor::Drive() {
   for (auto robot = m_driven.begin(); robot != m_driven.end();) {
     CCI_DifferentialSteeringActuator* const wheels = FindWheels(robot->first);

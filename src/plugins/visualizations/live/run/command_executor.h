@@ -108,7 +108,7 @@ class CCommandExecutor {
   std::vector<std::pair<std::string, TJson>>
       m_kept;  // commands for Restore(), by what they change; a later one replaces an earlier one
   std::set<std::string> m_added;  // ids of entities
-  std::vector<TJson> m_removals;  // of others
+  std::vector<TJson> m_removals;  // commands that remove other entities
   std::map<std::string, std::pair<Real, Real>>
       m_driven;  // id: speeds of left and right wheel, cm/s
   std::set<std::string> m_pressed;  // keys

@@ -54,7 +54,7 @@ void CCommandsRun::Execute() {
   }
 }
 
-// those that were given after this tick; @return false if one of them has ended the run
+// Does the commands given after this tick. @return false if one of them has ended the run
 bool CCommandsRun::DoCommands() {
   const UInt32 tick = m_cSpace.GetSimulationClock();
   for (; m_next < m_commands.size() && m_commands[m_next].Tick <= tick; ++m_next) {

@@ -6,7 +6,7 @@ namespace argos {
 
 namespace {
 
-// of a message with several lines, bytes
+// Limit of a message with several lines, bytes.
 constexpr size_t kMessageBytes = 16384;
 
 const char* ToName(ELogLevel level) {

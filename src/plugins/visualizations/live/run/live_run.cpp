@@ -346,7 +346,7 @@ CLiveRun::TAction CLiveRun::FindAction(const std::string& command) {
   return nullptr;
 }
 
-// of the server, not of a viewer
+// Does a command that comes from the server, not from a viewer.
 void CLiveRun::DoServerCommand(const SLiveCommand& command) {
   if (command.Do == "pinned") {
     m_pinned = command.Arguments["entities"].get<std::vector<std::string>>();
@@ -507,7 +507,7 @@ TJson CLiveRun::ListParameters(const TJson& arguments) {
   return m_executor.ListParameters(arguments);
 }
 
-// after the clock was set; a run keeps the scripts and parameters that viewers have set
+// Call it after the clock was set; the scripts and parameters that viewers have set remain.
 void CLiveRun::BeginAgain(const CCommandExecutor::SRestart& restart) {
   m_executor.ForgetDrivers();
   m_isPostExperimentDone = false;

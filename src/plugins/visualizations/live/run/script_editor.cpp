@@ -76,7 +76,7 @@ CScriptEditor::SRobot CScriptEditor::GetRobot(CEntity& root) const {
   return {entity, controller};
 }
 
-// in the order of the space
+// @return the robots that run this file, in the order of the space
 std::vector<CScriptEditor::SRobot> CScriptEditor::FindRobots(const std::string& file) const {
   std::vector<SRobot> robots;
   for (CEntity* const root : m_simulator.GetSpace().GetRootEntityVector()) {

@@ -82,7 +82,7 @@ void CViewerHub::ChooseControl() {
   SetControl(next);
 }
 
-// what the other one holds, such as a key, it cannot let go any more
+// Gives a viewer control; the run releases the keys that the viewer before it holds.
 void CViewerHub::SetControl(UInt32 viewer) {
   if (viewer != m_control) {
     m_control = viewer;
@@ -136,7 +136,7 @@ void CViewerHub::OnCommand(CViewerConnection& viewer, const TJson& message) {
   Answer(viewer, message["id"], error);
 }
 
-// what concerns viewers alone; isForRun: the run is to do the rest
+// Does the part of a command that concerns viewers alone; isForRun: the run does the rest.
 std::string CViewerHub::ChangeViewer(CViewerConnection& viewer, const std::string& name,
                                      const TJson& message, bool& isForRun) {
   if (name == "rate") {

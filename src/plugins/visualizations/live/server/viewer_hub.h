@@ -99,7 +99,7 @@ class CViewerHub {
   UInt32 m_lastNumber = 0;
   bool m_hasControl = true;
   UInt32 m_control = 0;  // number of the viewer that has it; 0: none
-  std::deque<UInt32> m_asking;  // for it
+  std::deque<UInt32> m_asking;  // numbers of viewers that ask for control
   std::unique_ptr<SLiveState> m_state;  // the last one; null: none since there are viewers
   std::deque<TLiveText> m_history;  // lines of the log
   size_t m_historyBytes = 0;

@@ -66,7 +66,7 @@ struct SBeam {
 }  // namespace
 
 struct CLightDefaultSensor::SEyes : SLightEyes {
-  // from the sensors to a light, for SPlanarRays
+  // The lines from the sensors to a light.
   using TLines = SPlanarRays<kCapacity>;
 
   TLines MakeLines() const {

@@ -28,7 +28,7 @@ class CProximityDefaultSensor : public CPlainReadingsSensor<CCI_ProximitySensor,
   virtual Real CalculateReading(Real distance);
 
  protected:
-  // these refer to what the rays use
+  // References to what the rays use.
   CEmbodiedEntity*& m_pcEmbodiedEntity;
   CProximitySensorEquippedEntity*& m_pcProximityEntity;
   CControllableEntity*& m_pcControllableEntity;

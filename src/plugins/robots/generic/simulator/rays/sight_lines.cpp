@@ -27,7 +27,7 @@ struct CSightLines::SBlock {
   static constexpr size_t kSize = 16;
 
   float DX[kSize], DY[kSize];  // vector of the axis, m
-  float Inverse[kSize];  // of the square of its length, 1/m^2
+  float Inverse[kSize];  // 1 / square of its length, 1/m^2
   float Spread[kSize];  // m, of the other points around the first, seen from above
   float Drop[kSize], Rise[kSize];  // inverse of how far the lines go down, and up, at most, 1/m
   size_t Size = 0;  // number of groups

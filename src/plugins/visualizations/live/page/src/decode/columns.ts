@@ -96,7 +96,7 @@ export class PredictedColumn {
       const nextHigh = 2 * lastHigh - highBefore[i]! + deltaHigh + Math.floor(sum / kTwo32);
       lowBefore[i] = lastLow;
       highBefore[i] = lastHigh;
-      low[i] = sum; // as all arrays of 32 bits do, they keep the lowest ones
+      low[i] = sum; // the array keeps the lowest 32 bits
       high[i] = nextHigh;
     }
     this.finishNew();
@@ -156,7 +156,7 @@ export function invertSparse(words: Uint32Array, input: ByteReader): void {
   for (let i = 0; i < words.length; ++i) {
     const bits = input.readNumber();
     if (bits === 0) {
-      i += input.readNumber(); // so many more
+      i += input.readNumber(); // number of further words that did not change
     } else {
       words[i]! ^= bits;
     }

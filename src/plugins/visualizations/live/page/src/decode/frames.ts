@@ -62,7 +62,7 @@ export interface Frame {
 }
 
 const kNumbers = 7;
-let lastVersion = 0; // of all decoders, so that the same number means the same entities
+let lastVersion = 0; // shared by all decoders: equal versions mean equal entities
 const kMaxRays = 1 << 22;
 const kMaxPixels = 1 << 14;
 const kMaxValues = 1 << 24;
@@ -298,7 +298,7 @@ export class FrameDecoder {
         frame.metrics = readMetrics(input);
         break;
       default:
-        break; // of a later version
+        break; // a section of a later version is skipped
     }
   }
 

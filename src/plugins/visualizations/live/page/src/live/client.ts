@@ -20,7 +20,7 @@ export const kProtocol = "argos-live.1";
 const kFirstRetry = 500; // ms
 const kLongestRetry = 8000;
 const kMaxPinned = 16; // of the protocol
-const kMaxReplaySpeed = 10; // of the past, if the run goes as fast as it can
+const kMaxReplaySpeed = 10; // speed of the past if the run goes as fast as it can
 const kMoveCommands = new Set(["move", "drive"]);
 
 interface Welcome {
@@ -434,7 +434,7 @@ export class LiveClient implements Session {
       this.command("step", { n: count });
     }
   }
-  // what was received; the run goes on meanwhile
+  // Shows a state that was received before; the run goes on meanwhile.
   private showPast(tick: number): void {
     this.replayPlace = tick;
     const frame = tick >= this.tick ? null : this.history.read(tick);
@@ -466,7 +466,7 @@ export class LiveClient implements Session {
       this.isSeeking = true;
       this.command("seek", { tick: Math.max(0, Math.round(tick)) });
     } else {
-      this.nextSeek = tick; // of many, the last one counts
+      this.nextSeek = tick; // if this happens several times before the answer, the last tick counts
     }
   }
   setSpeed(factor: number): void {
@@ -517,7 +517,7 @@ export class LiveClient implements Session {
   }
   key(key: string, isDown: boolean): Promise<boolean> | null {
     const hasFunctions = this.connection === "connected" && this.hasControl && this.can.user_functions === true;
-    // they know the present only; what was pressed there is released there
+    // User functions see only the present, so in the past keys are released, but not pressed.
     if (!hasFunctions || (isDown && this.isPast)) {
       return null;
     }

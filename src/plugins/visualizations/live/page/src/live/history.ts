@@ -34,7 +34,7 @@ export class History {
   private numStates = 0;
   private info: RecordingInfo | null = null;
   private infoBlock = new Uint8Array(0);
-  // of what is shown of the past
+  // Decodes the states of the past that are shown.
   private decoder: FrameDecoder | null = null;
   private shown: { group: Group; next: number } | null = null;
 
@@ -125,7 +125,7 @@ export class History {
     return ticks[Math.min(Math.max(at + count, 0), ticks.length - 1)] ?? tick;
   }
 
-  // that of the last state at the tick or before it, or else the first one
+  // The group of the last state at the tick or before it; if there is none, the first group.
   private groupAt(tick: number): Group | undefined {
     const groups = this.groups.filter(({ states }) => states.length > 0);
     return groups.filter(({ states }) => states[0]!.tick <= tick).at(-1) ?? groups[0];

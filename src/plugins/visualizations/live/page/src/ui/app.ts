@@ -34,9 +34,9 @@ type TabName = "inspect" | "metrics" | "script" | "log" | "info";
 const kUiPeriod = 120; // ms
 const kSlowPeriod = 60; // ms from picture to picture
 const kMaxSlowPictures = 15; // pictures
-const kAddStep = 0.05; // of the distance of the camera
-const kMaxPerceptions = 64; // of an entity; more states are not on their way
-const kKeysOfBrowsers = /^(Tab|F\d+)$/; // which would be missed
+const kAddStep = 0.05; // share of the distance of the camera
+const kMaxPerceptions = 64; // limit for each entity; fewer states are on their way
+const kKeysOfBrowsers = /^(Tab|F\d+)$/; // their default action is kept
 
 const kOptionNames: [keyof ViewOptions, string, string][] = [
   ["ids", "Ids", "I"],
@@ -92,7 +92,7 @@ function store(name: string, value: string): void {
   try {
     localStorage.setItem(`argos3-${name}`, value);
   } catch {
-    // as above
+    // the browser keeps nothing for files
   }
 }
 
@@ -190,7 +190,7 @@ export class App implements SessionListener {
     this.root.append(this.makeLayout(), this.fileInput, this.help);
     try {
       this.view = new View(this.surface, this.labelCanvas);
-      Object.assign(window, { argosView: this.view }); // for tests, and for those who want more
+      Object.assign(window, { argosView: this.view }); // for tests and the console
     } catch (error) {
       this.showTab("inspect");
       this.welcome.replaceChildren(h("p", { class: "error", role: "alert" }, (error as Error).message));
@@ -251,7 +251,7 @@ export class App implements SessionListener {
 
   private async openSource(source: ByteSource, name: string): Promise<void> {
     if (this.view === undefined) {
-      return; // as above
+      return; // the page says why there is no picture
     }
     this.root.classList.add("is-loading");
     try {
@@ -458,7 +458,7 @@ export class App implements SessionListener {
     this.inspector.setTree(entity, tree);
   }
 
-  // of each entity the last ones, by tick: those of states that are shown, and of states that will come
+  // The last perceptions of each entity, by tick: of states that are shown or still to come.
   private readonly perceptions = new Map<string, Map<number, Perception>>();
 
   perceived(entity: string, perception: Perception): void {
@@ -477,7 +477,7 @@ export class App implements SessionListener {
     }
   }
 
-  // of what is selected, at present; only what belongs to the state that is shown
+  // Draws what pinned entities perceive at the tick that is shown; nothing of the past.
   private updateDevices(): void {
     const lines: Line[] = [];
     const dots: Dot[] = [];
@@ -897,9 +897,9 @@ export class App implements SessionListener {
     }
   }
 
-  private addedId: string | null = null; // to be selected when it is seen
+  private addedId: string | null = null; // is selected when a state contains it
 
-  // in the middle of the picture or, where that is occupied, near it
+  // Adds an entity in the middle of the picture or, where that is occupied, near it.
   private async addEntity(type: string): Promise<void> {
     document.dispatchEvent(new CustomEvent("closemenus"));
     const { clientWidth, clientHeight } = this.canvas;

@@ -147,7 +147,7 @@ class Card {
     }
   }
 
-  // such as messages that are no longer there
+  // Hides the rows without a value, such as those of messages of the last tick.
   private hideMissing(values: Map<string, Value>): void {
     const groups = new Set<string>();
     for (const path of values.keys()) {

@@ -14,7 +14,7 @@ interface HeldKey {
 }
 
 export class UserKeys {
-  // by its place on the keyboard: with Shift, the key that is released has another name than the one that was pressed
+  // Keys by their places on the keyboard: with Shift, a key is released by another name.
   private readonly held = new Map<string, HeldKey>();
 
   constructor(private readonly host: UserKeyHost) {}

@@ -555,7 +555,7 @@ export class View {
       }
       return;
     }
-    // in the frames of their robots, with which they move from state to state
+    // Rays are in the frames of their robots, and move with them from state to state.
     const lines: Line[] = [];
     const dots: Dot[] = [];
     const { rays } = frame;
