@@ -1,5 +1,7 @@
 #include <argos3/testing/support/device_list.h>
 
+#include <argos3/core/simulator/entity/entity.h>
+
 namespace argos {
 
 namespace {
@@ -90,7 +92,16 @@ const std::vector<SListedDevice>& ListedDevices() {
 }
 
 const std::vector<std::string>& ListedRobots() {
-  static const std::vector<std::string> robots = {"foot-bot", "e-puck", "eye-bot", "pipuck"};
+  static const std::vector<std::string> robots = [] {
+    std::vector<std::string> labels;
+    for (const auto& [label, type] : CFactory<CEntity>::GetTypeMap()) {
+      // a robot's description has an example with its controller
+      if (type->LongDescription.find("<controller ") != std::string::npos) {
+        labels.push_back(label);
+      }
+    }
+    return labels;
+  }();
   return robots;
 }
 

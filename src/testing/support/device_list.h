@@ -29,7 +29,7 @@ struct SListedDevice {
 /** All devices with the robots that support them. */
 const std::vector<SListedDevice>& ListedDevices();
 
-/** All types of robots. */
+/** All types of robots of the loaded plug-ins, but for robots as data. */
 const std::vector<std::string>& ListedRobots();
 
 /**

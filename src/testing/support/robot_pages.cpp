@@ -2,6 +2,7 @@
 
 #include <argos3/core/simulator/entity/entity.h>
 #include <argos3/core/simulator/simulator.h>
+#include <argos3/testing/support/device_list.h>
 #include <argos3/testing/support/fitting_devices.h>
 
 #include <sstream>
@@ -36,7 +37,10 @@ std::string Fenced(const std::string& text) {
 }  // namespace
 
 std::vector<std::string> RobotsWithPages() {
-  return {"e-puck", "eye-bot", "foot-bot", "pipuck", "prototype"};
+  std::vector<std::string> robots = ListedRobots();
+  // robots as data: which devices one has is up to its element
+  robots.push_back("prototype");
+  return robots;
 }
 
 std::string MakeRobotPage(const std::string& label) {

@@ -3,6 +3,7 @@
 #include <argos3/core/simulator/entity/entity.h>
 #include <argos3/core/simulator/visualization/appearance.h>
 #include <argos3/core/utility/files/file_replacement.h>
+#include <argos3/testing/support/device_list.h>
 #include <argos3/testing/support/paths.h>
 #include <argos3/testing/support/robot_world.h>
 
@@ -51,10 +52,12 @@ std::string Describe(const SVisualPart& part) {
 
 std::string DescribeAll() {
   SRobotExperiment experiment;
+  experiment.Media = MediaForDevices();
   experiment.Arena =
       Robot("foot-bot", "foot-bot", "position='0,0,0'") +
       Robot("e-puck", "e-puck", "position='1,0,0'") +
       Robot("eye-bot", "eye-bot", "position='0,1,0'") +
+      RobotForDevices("pipuck", "pipuck", "0,2,0", "c") +
       "<box id='box' size='0.1,0.2,0.3' movable='true' mass='1'><body position='1,1,0'/></box>"
       "<box id='wall' size='0.1,0.2,0.3' movable='false'><body position='1,2,0'/></box>"
       "<cylinder id='cylinder' radius='0.1' height='0.3' movable='true' mass='1'>"
@@ -71,8 +74,8 @@ std::string DescribeAll() {
       "</joints></prototype>";
   CRobotWorld world(experiment);
   std::string text;
-  for (const char* id :
-       {"foot-bot", "e-puck", "eye-bot", "box", "wall", "cylinder", "light", "prototype"}) {
+  for (const char* id : {"foot-bot", "e-puck", "eye-bot", "pipuck", "box", "wall", "cylinder",
+                         "light", "prototype"}) {
     const SAppearance* const appearance = world.GetSpace().GetEntity(id).GetAppearance();
     REQUIRE(appearance != nullptr);
     for (const SVisualPart& part : appearance->Parts) {

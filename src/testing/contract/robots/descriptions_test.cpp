@@ -211,7 +211,7 @@ TEST_CASE("descriptions: no robot and no device names a physics engine", "[contr
       CHECK(info.LongDescription.find(engine) == std::string::npos);
     }
   };
-  for (const char* robot : {"foot-bot", "e-puck", "eye-bot"}) {
+  for (const std::string& robot : ListedRobots()) {
     check(robot, CFactory<CEntity>::GetTypes().at(robot));
   }
   for (const auto& [label, info] : CFactory<CSimulatedSensor>::GetTypes()) {
