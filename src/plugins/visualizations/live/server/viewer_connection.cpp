@@ -77,7 +77,6 @@ void CViewerConnection::OnAccepted(TError error) {
     Drop();
     return;
   }
-  m_isOpen = true;
   ReadNext();
 }
 
@@ -218,10 +217,6 @@ void CViewerConnection::OnWritten(TError error) {
 
 void CViewerConnection::Close(const std::string& reason) {
   if (m_isClosing || m_isClosed) {
-    return;
-  }
-  if (!m_isOpen) {
-    Drop();
     return;
   }
   Send(std::make_shared<const std::string>(ToText({{"error", reason}})));

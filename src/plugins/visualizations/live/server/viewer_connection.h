@@ -57,7 +57,7 @@ class CViewerConnection : public std::enable_shared_from_this<CViewerConnection>
   bool SendState(SLiveState& state, CBlockPacker& packer, TClock::time_point now);
   /** When it may be sent another state, as far as that depends on its rate. */
   TClock::time_point GetDueTime() const { return m_due; }
-  /** Sends a last message, and closes. */
+  /** Sends a last message, and closes. Call it only after the handshake. */
   void Close(const std::string& reason);
 
  private:
@@ -86,7 +86,6 @@ class CViewerConnection : public std::enable_shared_from_this<CViewerConnection>
   std::set<std::string> m_pinned;  // ids of entities
   std::deque<SOutgoing> m_outgoing;
   size_t m_waitingBytes = 0;  // of m_outgoing
-  bool m_isOpen = false;  // the handshake is complete
   bool m_isWriting = false;
   bool m_isClosing = false;  // after m_outgoing
   bool m_isClosed = false;
