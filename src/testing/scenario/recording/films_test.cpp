@@ -234,6 +234,21 @@ TEST_CASE("films: a full disk ends the run at its second picture, whatever the e
   CHECK_THAT(table, Contains("\n0,1,") && !Contains("\n0,6,"));
 }
 
+TEST_CASE("films: a file system that does not say how large it is, is not full",
+          "[scenario][recording][films]") {
+  const CTestFolder folder;
+  const std::string ffmpeg = folder.Write("ffmpeg", "#!/bin/sh\ncat > /dev/null\n");
+  std::filesystem::permissions(ffmpeg, std::filesystem::perms::owner_all);
+  SCircumstances circumstances;
+  circumstances.Environment = {
+      "ARGOS_FFMPEG=" + ffmpeg, "ARGOS_TEST_NO_SIZES=a.mp4",
+      "LD_PRELOAD=" + InBuildTree("testing/faults/libargos3_test_failing_writes.so")};
+  const SProgramRun run = RunProgramUnder(folder, Flocking({"--video", "a.mp4"}), circumstances);
+  CHECK(run.Err == "");
+  CHECK(run.Status == 0);
+  CHECK(std::filesystem::exists(folder.Path("a.mp4")));
+}
+
 TEST_CASE("films: an encoder that does nothing is killed, and is an error",
           "[scenario][recording][films]") {
   const CTestFolder folder;

@@ -4,6 +4,7 @@
 //   for
 //                          those streams. Without it: all files but the standard error
 //   ARGOS_TEST_FULL_DISK   part of the paths whose disk has no free space, by statvfs()
+//   ARGOS_TEST_NO_SIZES    the same of those whose file system does not say how large it is
 
 #include <dlfcn.h>
 #include <sys/statvfs.h>
@@ -104,6 +105,10 @@ extern "C" int statvfs(const char* path, struct statvfs* disk) {
   const char* const part = std::getenv("ARGOS_TEST_FULL_DISK");
   if (result == 0 && part != nullptr && std::strstr(path, part) != nullptr) {
     disk->f_bfree = disk->f_bavail = 0;
+  }
+  const char* const other = std::getenv("ARGOS_TEST_NO_SIZES");
+  if (result == 0 && other != nullptr && std::strstr(path, other) != nullptr) {
+    disk->f_blocks = disk->f_bfree = disk->f_bavail = 0;
   }
   return result;
 }
