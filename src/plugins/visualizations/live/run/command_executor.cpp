@@ -238,7 +238,7 @@ TJson CCommandExecutor::SetParameter(const TJson& arguments) {
   CEntity* const root = FindRoot(arguments);
   TJson answer = m_parameters.Set(root, arguments);
   TJson key = {root != nullptr ? root->GetId() : "", arguments["name"],
-               arguments.value("all", false)};
+               ReadFlagArgument(arguments, "all").value_or(false)};
   Keep(arguments, "parameter " + ToText(key));
   return answer;
 }
