@@ -1,5 +1,6 @@
 #include "hostile_values.h"
 
+#include <argos3/campaign/statistics/sample_checks.h>
 #include <argos3/campaign/statistics/series_bands.h>
 
 #include <catch2/catch.hpp>
@@ -50,6 +51,10 @@ TEST_CASE("bands of series: hostile input", "[campaign][statistics]") {
   CHECK_THROWS_WITH(ComputeSeriesBands(one, -0.1, 0.5), Contains("lower probability"));
   CHECK_THROWS_WITH(ComputeSeriesBands(one, 0.1, kNaN), Contains("upper probability"));
   CHECK_THROWS_WITH(ComputeSeriesBands(one, 0.6, 0.5), Contains("must not be greater"));
+  // the limits themselves
+  CHECK(ComputeSeriesBands(one, 0.5, 0.5).Lower == std::vector<Real>{1.0});
+  const std::vector<std::vector<Real>> greatest = {{-kMaxValue, kMaxValue}};
+  CHECK(ComputeSeriesBands(greatest).Median == greatest[0]);
 }
 
 TEST_CASE("series bands: what counts of series that have ended", "[campaign][statistics]") {
