@@ -67,16 +67,6 @@ TEST_CASE("planar ghosts: a ghost far away has no effect", "[dynamics2d]") {
   CHECK(scene.GetDriven(robot).NextPose.X == Approx(0.03).epsilon(1e-12));
 }
 
-TEST_CASE("planar ghosts: a ghost at the centre of a robot keeps it nowhere", "[dynamics2d]") {
-  SGhostScene scene;
-  const auto& robot = scene.AddRobot(0.0, 0.0, 0.3, 0.3);
-  scene.Place({{0.0, 0.0, CPlanarScene::kRadius}});
-  scene.Advance();
-  // no line is between them
-  CHECK(scene.GetDriven(robot).NextPose.X == Approx(0.03).epsilon(1e-12));
-  CHECK(scene.GetDriven(robot).NextPose.Y == 0.0);
-}
-
 TEST_CASE("planar ghosts: a ghost pushes a passive body, even if it rests", "[dynamics2d]") {
   SGhostScene scene;
   const auto& box = scene.AddBox(0.0, 0.0, true);

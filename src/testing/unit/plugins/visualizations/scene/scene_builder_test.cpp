@@ -492,6 +492,55 @@ TEST_CASE("scene builder: the marker of a robot is the middle of its largest par
   world.GetSpace().GetRootEntityVector().pop_back();
 }
 
+TEST_CASE("scene builder: what stands on the ground has one contact shadow, of its largest part",
+          "[visualizations][offscreen][scene]") {
+  class CStandingBody : public CPositionalEntity {
+   public:
+    CStandingBody() : CPositionalEntity(nullptr, "standing") {}
+    const SAppearance* GetAppearance() const override { return &Appearance; }
+
+    SAppearance Appearance;
+  };
+  using EKind = SVisualPart::EKind;
+  CWorld world;
+  CStandingBody body;
+  world.GetSpace().GetRootEntityVector().push_back(&body);
+  // half the width of the contact shadow, or 0 if there is none
+  const auto build = [&](const std::vector<SVisualPart>& parts) {
+    body.Appearance.Parts = parts;
+    const SScene& scene = world.Build();
+    CHECK(scene.ContactShadows.size() <= 1);
+    return scene.ContactShadows.empty() ? 0.0f : scene.ContactShadows[0].HalfExtent[0];
+  };
+  const auto make = [](EKind kind, Real width, Real depth, Real height = 0.0, Real tilt = 0.0) {
+    SVisualPart part;
+    part.Kind = kind;
+    part.Size = CVector3(width, depth, 1.0);
+    part.Position = CVector3(0.0, 0.0, height);
+    part.Orientation = CQuaternion(CRadians(tilt), CVector3::X);
+    return part;
+  };
+  for (const EKind kind : {EKind::Box, EKind::Cylinder, EKind::Cone}) {
+    CHECK(build({make(kind, 1.0, 1.0)}) == 0.5f);
+    CHECK(build({make(kind, 1.0, 1.0, 0.5)}) == 0.0f);
+    CHECK(build({make(kind, 1.0, 1.0, -0.5)}) == 0.0f);
+    CHECK(build({make(kind, 1.0, 1.0, 0.0, 1.0)}) == 0.0f);
+  }
+  for (const EKind kind : {EKind::Sphere, EKind::Ring}) {
+    CHECK(build({make(kind, 1.0, 1.0)}) == 0.0f);
+  }
+  const SVisualPart wide = make(EKind::Box, 2.0, 1.0);
+  const SVisualPart narrow = make(EKind::Box, 1.0, 1.0);
+  CHECK(build({wide, narrow}) == 1.0f);
+  CHECK(build({narrow, wide}) == 1.0f);
+  // of two that are as large, the first
+  CHECK(build({wide, make(EKind::Box, 1.0, 2.0)}) == 1.0f);
+  CHECK(build({make(EKind::Box, 1.0, 2.0), wide}) == 0.5f);
+  // the largest one that stands
+  CHECK(build({make(EKind::Sphere, 4.0, 4.0), narrow}) == 0.5f);
+  world.GetSpace().GetRootEntityVector().pop_back();
+}
+
 TEST_CASE("scene builder: small parts of an entity are marked as details",
           "[visualizations][offscreen][scene]") {
   class CKnobbedBody : public CPositionalEntity {
