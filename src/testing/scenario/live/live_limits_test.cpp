@@ -460,20 +460,6 @@ TEST_CASE("live view: acknowledgements of nothing are counted as messages", "[li
   world.Finish();
 }
 
-TEST_CASE("live view: a viewer gets states at its rate", "[live]") {
-  CLiveWorld world({{"speed", "0"}, {"fps", "100"}}, Diffusion(20));
-  auto viewer = Join(world);
-  auto slow = Join(world);
-  CHECK(IsOk(slow->Do("rate", {{"fps", 0.1}})));
-  slow->ReceiveUntil([&] { return slow->CountFrames() > 0; });
-  PlayToEnd(*viewer);
-  slow->ReceiveUntil([&] { return slow->GetStatus().value("run", "") == "ended"; });
-  // one at once, and one every 10 s; a state may have been on its way
-  CHECK(slow->CountFrames() <= 3);
-  CHECK(IsOk(viewer->Do("end")));
-  world.Finish();
-}
-
 TEST_CASE("live view: who asks for control, and who has it, is asked once", "[live]") {
   CLiveWorld world(kWaits, Diffusion(3));
   auto first = Join(world);
