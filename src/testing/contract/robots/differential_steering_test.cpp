@@ -4,6 +4,7 @@
 #include <argos3/plugins/robots/foot-bot/simulator/footbot_entity.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_differential_steering_actuator.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_differential_steering_sensor.h>
+#include <argos3/plugins/robots/generic/simulator/differential_steering_default_actuator.h>
 #include <argos3/testing/support/robot_world.h>
 
 #include <catch2/catch.hpp>
@@ -92,6 +93,42 @@ TEST_CASE("differential steering: orders in cm/s become wheel speeds in m/s in t
   CHECK(WheelsOf(world).GetWheelVelocity(0) == 0.0);
   world.Step();
   CHECK(WheelsOf(world).GetWheelVelocity(0) == 0.0);
+}
+
+TEST_CASE("differential steering: speeds that override those of the controller end with these",
+          "[contract][robots]") {
+  const std::string implementation = GENERATE("default", "dead_reckoning");
+  const std::string noise = GENERATE("", " factor_stddev=\"0.2\"");
+  CAPTURE(implementation, noise);
+  SRobotExperiment experiment = Wheels();
+  experiment.Actuators = "<differential_steering implementation=\"" + implementation + "\"" +
+                         noise + (implementation == "default" ? "" : " sigma=\"0\"") + " />";
+  CRobotWorld driven(experiment);
+  CRobotWorld free(experiment);
+  auto& actuator = dynamic_cast<CDifferentialSteeringDefaultActuator&>(Actuator(driven));
+  for (CRobotWorld* world : {&driven, &free}) {
+    Actuator(*world).SetLinearVelocity(10.0, 8.0);
+    world->Step();
+  }
+  actuator.Override(-3.0, 2.0);
+  driven.Step();
+  CHECK_THAT(WheelsOf(driven).GetWheelVelocity(0), WithinAbs(-0.03, 1e-17));
+  CHECK_THAT(WheelsOf(driven).GetWheelVelocity(1), WithinAbs(0.02, 1e-17));
+  // what its controller sets, and the noise on it, is what it would be otherwise
+  for (CRobotWorld* world : {&driven, &free}) {
+    Actuator(*world).SetLinearVelocity(5.0, 4.0);
+    world->Step();
+  }
+  CHECK_THAT(WheelsOf(driven).GetWheelVelocity(0), WithinAbs(-0.03, 1e-17));
+  actuator.EndOverride();
+  driven.Step();
+  for (const size_t wheel : {0, 1}) {
+    CHECK(WheelsOf(driven).GetWheelVelocity(wheel) == WheelsOf(free).GetWheelVelocity(wheel));
+  }
+  actuator.Override(1.0, 1.0);
+  driven.GetSimulator().Reset();
+  driven.Step();
+  CHECK(WheelsOf(driven).GetWheelVelocity(0) == 0.0);
 }
 
 TEST_CASE("differential steering sensor: reads the orders", "[contract][robots]") {

@@ -67,14 +67,15 @@ void CDifferentialSteeringDeadReckoningActuator::Update() {
     m_deviation = m_stream->Rayleigh(m_sigma);
   }
   m_wasHolding = isHolding;
-  Real velocities[2] = {m_fCurrentVelocity[LEFT], m_fCurrentVelocity[RIGHT]};
+  const Real* const ordered = GetSpeeds();
+  Real velocities[2] = {ordered[LEFT], ordered[RIGHT]};
   const Real drift = m_deviation * 0.5 * (velocities[LEFT] + velocities[RIGHT]);
   if (drift > 0.0) {
     velocities[RIGHT] += drift;
   } else {
     velocities[LEFT] += m_backwardSign * drift;
   }
-  GetWheels().SetDriftingVelocities(m_fCurrentVelocity, velocities);
+  GetWheels().SetDriftingVelocities(ordered, velocities);
 }
 
 void CDifferentialSteeringDeadReckoningActuator::Reset() {

@@ -108,13 +108,19 @@ void CDifferentialSteeringDefaultActuator::SetLinearVelocity(Real left, Real rig
   }
 }
 
+void CDifferentialSteeringDefaultActuator::Override(Real left, Real right) {
+  m_override = std::make_unique<std::array<Real, 2>>(
+      std::array<Real, 2>{left * kMetersPerCentimeter, right * kMetersPerCentimeter});
+}
+
 void CDifferentialSteeringDefaultActuator::Update() {
-  m_wheels->SetVelocities(m_fCurrentVelocity);
+  m_wheels->SetVelocities(GetSpeeds());
 }
 
 void CDifferentialSteeringDefaultActuator::Reset() {
   m_fCurrentVelocity[0] = 0.0;
   m_fCurrentVelocity[1] = 0.0;
+  EndOverride();
   if (m_wheelNoise != nullptr) {
     m_wheelNoise->Stream = MakeStream();
     DrawBiases();

@@ -6,6 +6,7 @@
 #include <argos3/plugins/robots/generic/control_interface/ci_differential_steering_actuator.h>
 #include <argos3/plugins/robots/generic/simulator/noise.h>
 
+#include <array>
 #include <memory>
 
 namespace argos {
@@ -34,8 +35,21 @@ class CDifferentialSteeringDefaultActuator : public CSimulatedActuator,
   void Update() override;
   void Reset() override;
 
+  /**
+   * From the next tick on, the wheels turn at these speeds, without noise. What the controller sets
+   * meanwhile counts from the end of it, or of a reset, on. For views whose users drive robots.
+   * @param left, right  as for SetLinearVelocity(), finite.
+   */
+  void Override(Real left, Real right);
+  void EndOverride() { m_override.reset(); }
+
  protected:
   CWheeledEntity& GetWheels() const { return *m_wheels; }
+  /** The speeds of left and right wheel now, m/s: of the controller, or those that override them.
+   */
+  const Real* GetSpeeds() const {
+    return m_override == nullptr ? m_fCurrentVelocity : m_override->data();
+  }
   const CControllableEntity& GetRobot() const { return *m_robot; }
 
  private:
@@ -55,6 +69,7 @@ class CDifferentialSteeringDefaultActuator : public CSimulatedActuator,
   CWheeledEntity* m_wheels = nullptr;
   CControllableEntity* m_robot = nullptr;
   std::unique_ptr<SNoise> m_wheelNoise;  // null without this noise
+  std::unique_ptr<std::array<Real, 2>> m_override;  // m/s; null: none
   CDeviceNoise m_noise;
 };
 
