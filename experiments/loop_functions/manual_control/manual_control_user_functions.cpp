@@ -32,25 +32,29 @@ CManualControlUserFunctions::EDirection CManualControlUserFunctions::FindDirecti
   }
 }
 
-bool CManualControlUserFunctions::SetKey(int key, bool isDown) {
-  const EDirection direction = FindDirection(key);
-  if (direction == kNumDirections) {
+bool CManualControlUserFunctions::SetKey(const QKeyEvent& event, bool isDown) {
+  const EDirection direction = FindDirection(event.key());
+  if (direction == kNumDirections && event.key() != Qt::Key_Shift) {
     return false;
   }
-  m_isDown[direction] = isDown;
+  if (direction != kNumDirections) {
+    m_isDown[direction] = isDown;
+  }
+  // also of the key Shift itself: the modifiers that are down after the event
+  m_isFast = (event.modifiers() & Qt::ShiftModifier) != 0;
   Drive();
   return true;
 }
 
 void CManualControlUserFunctions::KeyPressed(QKeyEvent* event) {
-  if (!SetKey(event->key(), true)) {
+  if (!SetKey(*event, true)) {
     // what is not used here is the view's, such as Space
     GetQTOpenGLWidget().KeyPressed(event);
   }
 }
 
 void CManualControlUserFunctions::KeyReleased(QKeyEvent* event) {
-  if (!SetKey(event->key(), false)) {
+  if (!SetKey(*event, false)) {
     GetQTOpenGLWidget().KeyReleased(event);
   }
 }
@@ -64,7 +68,8 @@ CFootBotManualControl* CManualControlUserFunctions::FindController(CEntity* enti
 
 void CManualControlUserFunctions::Drive() {
   if (CFootBotManualControl* const controller = FindController(GetSelectedEntity())) {
-    const Real ahead = kSpeed * (int{m_isDown[kForwards]} - int{m_isDown[kBackwards]});
+    const Real speed = m_isFast ? 2.0 * kSpeed : kSpeed;
+    const Real ahead = speed * (int{m_isDown[kForwards]} - int{m_isDown[kBackwards]});
     const Real turn = kTurn * (int{m_isDown[kLeft]} - int{m_isDown[kRight]});
     controller->SetSpeeds(ahead - turn, ahead + turn);
   }

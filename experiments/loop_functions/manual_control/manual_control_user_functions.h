@@ -8,8 +8,8 @@
 class CFootBotManualControl;
 
 /**
- * Drives the selected foot-bot by the arrow keys, or by W, A, S and D, in an interactive view. All
- * other keys are left to the view.
+ * Drives the selected foot-bot by the arrow keys, or by W, A, S and D, in an interactive view, with
+ * Shift at twice the speed. All other keys are left to the view.
  */
 class CManualControlUserFunctions : public argos::CQTOpenGLUserFunctions {
  public:
@@ -25,13 +25,14 @@ class CManualControlUserFunctions : public argos::CQTOpenGLUserFunctions {
   enum EDirection { kForwards, kBackwards, kLeft, kRight, kNumDirections };
 
   static EDirection FindDirection(int key);
-  /** @return false if the key stands for no direction. */
-  bool SetKey(int key, bool isDown);
+  /** @return false if the key means nothing here. */
+  bool SetKey(const QKeyEvent& event, bool isDown);
   /** Null if the entity is no foot-bot with that controller. */
   static CFootBotManualControl* FindController(argos::CEntity* entity);
   void Drive();
 
   std::array<bool, kNumDirections> m_isDown{};  // by direction
+  bool m_isFast = false;
 };
 
 #endif

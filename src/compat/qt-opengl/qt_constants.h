@@ -92,7 +92,26 @@ enum KeyboardModifier {
   NoModifier = 0,
   ShiftModifier = 0x02000000,
   ControlModifier = 0x04000000,
-  AltModifier = 0x08000000
+  AltModifier = 0x08000000,
+  MetaModifier = 0x10000000,
+  KeypadModifier = 0x20000000
+};
+
+/** The keys of this kind that are down. */
+class KeyboardModifiers {
+ public:
+  constexpr KeyboardModifiers(int modifiers = NoModifier) : m_modifiers(modifiers) {}
+  constexpr operator int() const { return m_modifiers; }
+  constexpr bool testFlag(KeyboardModifier modifier) const {
+    return (m_modifiers & modifier) == modifier;
+  }
+  KeyboardModifiers& setFlag(KeyboardModifier modifier, bool isDown = true) {
+    m_modifiers = isDown ? m_modifiers | modifier : m_modifiers & ~modifier;
+    return *this;
+  }
+
+ private:
+  int m_modifiers;
 };
 
 enum Orientation { Horizontal = 1, Vertical = 2 };

@@ -156,12 +156,14 @@ class QRect {
 /** A key was pressed or released. */
 class QKeyEvent {
  public:
-  explicit QKeyEvent(int key, QString text = QString(), int modifiers = Qt::NoModifier)
+  explicit QKeyEvent(int key, QString text = QString(),
+                     Qt::KeyboardModifiers modifiers = Qt::NoModifier)
       : m_key(key), m_text(std::move(text)), m_modifiers(modifiers) {}
 
   int key() const { return m_key; }
   QString text() const { return m_text; }
-  int modifiers() const { return m_modifiers; }
+  /** Without Qt::KeypadModifier. */
+  Qt::KeyboardModifiers modifiers() const { return m_modifiers; }
   bool isAutoRepeat() const { return false; }
   /** An event is accepted until it is ignored: then the view may do something with the key. */
   bool isAccepted() const { return m_isAccepted; }
@@ -172,20 +174,21 @@ class QKeyEvent {
  private:
   int m_key;
   QString m_text;
-  int m_modifiers;
+  Qt::KeyboardModifiers m_modifiers;
   bool m_isAccepted = true;
 };
 
 /** A button of the mouse was pressed or released, or the mouse moved. Pixels, y downwards. */
 class QMouseEvent {
  public:
-  QMouseEvent(int x, int y, Qt::MouseButton button = Qt::NoButton, int modifiers = Qt::NoModifier)
+  QMouseEvent(int x, int y, Qt::MouseButton button = Qt::NoButton,
+              Qt::KeyboardModifiers modifiers = Qt::NoModifier)
       : m_x(x), m_y(y), m_button(button), m_modifiers(modifiers) {}
 
   int x() const { return m_x; }
   int y() const { return m_y; }
   Qt::MouseButton button() const { return m_button; }
-  int modifiers() const { return m_modifiers; }
+  Qt::KeyboardModifiers modifiers() const { return m_modifiers; }
   void accept() {}
   void ignore() {}
 
@@ -193,7 +196,7 @@ class QMouseEvent {
   int m_x;
   int m_y;
   Qt::MouseButton m_button;
-  int m_modifiers;
+  Qt::KeyboardModifiers m_modifiers;
 };
 
 /** Draws text, lines and rectangles over the picture: pixels, y downwards. */

@@ -29,6 +29,9 @@ int ToQtKey(const std::string& key) {
                                                    {"PageUp", Qt::Key_PageUp},
                                                    {"PageDown", Qt::Key_PageDown},
                                                    {"Shift", Qt::Key_Shift},
+                                                   {"Control", Qt::Key_Control},
+                                                   {"Meta", Qt::Key_Meta},
+                                                   {"Alt", Qt::Key_Alt},
                                                    {"F1", Qt::Key_F1},
                                                    {"F2", Qt::Key_F2},
                                                    {"F3", Qt::Key_F3},
@@ -38,6 +41,14 @@ int ToQtKey(const std::string& key) {
   }
   const auto found = named.find(key);
   return found == named.end() ? 0 : found->second;
+}
+
+Qt::KeyboardModifiers ToQtModifiers(const SViewKey& key) {
+  return Qt::KeyboardModifiers()
+      .setFlag(Qt::ShiftModifier, key.HasShift)
+      .setFlag(Qt::ControlModifier, key.HasControl)
+      .setFlag(Qt::AltModifier, key.HasAlt)
+      .setFlag(Qt::MetaModifier, key.HasMeta);
 }
 
 }  // namespace
@@ -77,9 +88,10 @@ void CQTOpenGLUserFunctions::HandleMove(CEntity& root, const SBodyPose& before,
   }
 }
 
-bool CQTOpenGLUserFunctions::HandleKey(const std::string& key, bool isDown) {
-  QKeyEvent event(ToQtKey(key), key.size() == 1 ? QString(key) : QString());
-  if (isDown) {
+bool CQTOpenGLUserFunctions::HandleKey(const SViewKey& key) {
+  QKeyEvent event(ToQtKey(key.Name), key.Name.size() == 1 ? QString(key.Name) : QString(),
+                  ToQtModifiers(key));
+  if (key.IsDown) {
     KeyPressed(&event);
   } else {
     KeyReleased(&event);

@@ -53,7 +53,7 @@ class CQTOpenGLUserFunctions : public CDrawingFunctions {
   void HandleSelection(CEntity* root) override;
   void ForgetSelection() override;
   void HandleMove(CEntity& root, const SBodyPose& before, const SBodyPose& now) override;
-  bool HandleKey(const std::string& key, bool isDown) override;
+  bool HandleKey(const SViewKey& key) override;
 
   /** Draws over the picture, in pixels from its upper left corner. */
   virtual void DrawOverlay(QPainter&) {}

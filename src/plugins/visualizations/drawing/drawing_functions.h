@@ -13,6 +13,17 @@
 
 namespace argos {
 
+/** A key that the user of an interactive view presses or releases. */
+struct SViewKey {
+  std::string Name; /**< as browsers name it: the character, or "ArrowUp", "Enter", ... */
+  bool IsDown = true;
+  // keys that are down with it, this one included
+  bool HasShift = false;
+  bool HasControl = false;
+  bool HasAlt = false;
+  bool HasMeta = false;
+};
+
 /**
  * Base class of users' code that adds to the pictures of any view: `<user_functions library="..."
  * label="..." />` in the view's element.
@@ -50,11 +61,8 @@ class CDrawingFunctions : public CBaseConfigurableResource {
   virtual void ForgetSelection() {}
   virtual void HandleMove(CEntity& /*root*/, const SBodyPose& /*before*/,
                           const SBodyPose& /*now*/) {}
-  /**
-   * @param key  as browsers name it: the character, or "ArrowUp", "Enter", ...
-   * @return true if these functions have used the key: the view does nothing with it then.
-   */
-  virtual bool HandleKey(const std::string& /*key*/, bool /*isDown*/) { return false; }
+  /** @return true if these functions have used the key: the view does nothing with it then. */
+  virtual bool HandleKey(const SViewKey& /*key*/) { return false; }
 
   /**
    * The list that a hook draws to.

@@ -33,7 +33,7 @@ class CNotingFunctions : public CQTOpenGLUserFunctions {
     notes.push_back("moved " + entity.GetId() + " by " + ToString(now - before));
   }
   void KeyPressed(QKeyEvent* event) override {
-    notes.push_back("pressed " + std::to_string(event->key()));
+    notes.push_back("pressed " + std::to_string(event->key()) + NameModifiers(*event));
     switch (event->key()) {
       case Qt::Key_Space:
         GetQTOpenGLWidget().KeyPressed(event);
@@ -47,7 +47,17 @@ class CNotingFunctions : public CQTOpenGLUserFunctions {
         break;
     }
   }
-  void KeyReleased(QKeyEvent* event) override { notes.push_back("released " + event->text()); }
+  void KeyReleased(QKeyEvent* event) override {
+    notes.push_back("released " + event->text() + NameModifiers(*event));
+  }
+
+ private:
+  static std::string NameModifiers(const QKeyEvent& event) {
+    std::string names = event.modifiers().testFlag(Qt::ShiftModifier) ? "+shift" : "";
+    names += (event.modifiers() & Qt::ControlModifier) != 0 ? "+control" : "";
+    names += (event.modifiers() & Qt::AltModifier) != 0 ? "+alt" : "";
+    return names + ((event.modifiers() & Qt::MetaModifier) != 0 ? "+meta" : "");
+  }
 };
 std::vector<std::string> CNotingFunctions::notes;
 REGISTER_QTOPENGL_USER_FUNCTIONS(CNotingFunctions, "live_test_notes")
@@ -98,6 +108,25 @@ TEST_CASE("live view: users' functions are told what a viewer does", "[live]") {
         std::vector<std::string>{"selected box", "moved box by 1,0,0",
                                  "pressed " + std::to_string(int{Qt::Key_Up}), "released ",
                                  "released w", "deselected box"});
+}
+
+TEST_CASE("live view: users' functions are told which modifiers are down with a key", "[live]") {
+  CNotingFunctions::notes.clear();
+  CLiveWorld world(kWaits, WithFunctions({"live_test_notes"}));
+  auto viewer = Join(world);
+  CHECK(IsOk(viewer->Do("user_key", {{"key", "Alt"}, {"alt", true}})));
+  CHECK(IsOk(viewer->Do("user_key", {{"key", "A"}, {"shift", true}, {"alt", true}})));
+  CHECK(IsOk(viewer->Do("user_key", {{"key", "A"}, {"down", false}, {"alt", true}})));
+  CHECK(IsOk(viewer->Do("user_key", {{"key", "b"}, {"control", true}, {"meta", true}})));
+  CHECK(IsOk(viewer->Do("user_key", {{"key", "c"}, {"shift", false}})));
+  CHECK_THAT(GetError(viewer->Do("user_key", {{"key", "d"}, {"shift", 1}})),
+             Contains("\"shift\" is true or false"));
+  CHECK(IsOk(viewer->Do("end")));
+  world.Finish();
+  CHECK(CNotingFunctions::notes ==
+        std::vector<std::string>{"pressed " + std::to_string(int{Qt::Key_Alt}) + "+alt",
+                                 "pressed 65+shift+alt", "released A+alt",
+                                 "pressed 66+control+meta", "pressed 67"});
 }
 
 TEST_CASE("live view: the answer says whether users' functions have used a key", "[live]") {

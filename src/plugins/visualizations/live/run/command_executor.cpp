@@ -290,21 +290,25 @@ void CCommandExecutor::CheckSelection() {
 TJson CCommandExecutor::PressKey(const TJson& arguments) {
   constexpr size_t kMaxKeyBytes = 32;
   constexpr size_t kMaxPressed = 64;
-  const std::string key = ReadTextArgument(arguments, "key");
-  const bool isDown = ReadFlagArgument(arguments, "down").value_or(true);
-  if (key.size() > kMaxKeyBytes) {
+  SViewKey key;
+  key.Name = ReadTextArgument(arguments, "key");
+  key.IsDown = ReadFlagArgument(arguments, "down").value_or(true);
+  key.HasShift = ReadFlagArgument(arguments, "shift").value_or(false);
+  key.HasControl = ReadFlagArgument(arguments, "control").value_or(false);
+  key.HasAlt = ReadFlagArgument(arguments, "alt").value_or(false);
+  key.HasMeta = ReadFlagArgument(arguments, "meta").value_or(false);
+  if (key.Name.size() > kMaxKeyBytes) {
     THROW_ARGOSEXCEPTION("\"key\" is the name of a key, such as \"a\" or \"ArrowUp\"");
   }
   // released with the viewer's control, also if a function throws
-  if (!isDown) {
-    m_pressed.erase(key);
+  if (!key.IsDown) {
+    m_pressed.erase(key.Name);
   } else if (m_pressed.size() < kMaxPressed) {
-    m_pressed.insert(key);
+    m_pressed.insert(key.Name);
   }
   bool isHandled = false;
-  m_drawing.ForEachFunctions([&](CDrawingFunctions& functions) {
-    isHandled = functions.HandleKey(key, isDown) || isHandled;
-  });
+  m_drawing.ForEachFunctions(
+      [&](CDrawingFunctions& functions) { isHandled = functions.HandleKey(key) || isHandled; });
   return {{"handled", isHandled}};
 }
 
