@@ -2,15 +2,19 @@
 
 #include "live_viewer.h"
 
+#include <argos3/core/simulator/tick/loop_functions.h>
+#include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/plugins/simulator/visualizations/qt-opengl/qtopengl_user_functions.h>
 #include <argos3/testing/support/experiment.h>
 #include <argos3/testing/support/temporary_folder.h>
 
 #include <catch2/catch.hpp>
 
+#include <functional>
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace live_user_functions_test {
@@ -65,6 +69,27 @@ REGISTER_QTOPENGL_USER_FUNCTIONS(CNotingFunctions, "live_test_notes")
 /* Has no hooks of keys: those of the base class leave all to the view. */
 class CDrawingOnly : public CQTOpenGLUserFunctions {};
 REGISTER_QTOPENGL_USER_FUNCTIONS(CDrawingOnly, "live_test_drawing")
+
+/* Log outside of ticks. */
+class CLoggingFunctions : public CQTOpenGLUserFunctions {
+ public:
+  void EntitySelected(CEntity& entity) override { LOG << "chosen " << entity.GetId() << std::endl; }
+  void DrawInWorld() override {
+    if (!std::exchange(m_hasDrawn, true)) {
+      LOGERR << "drawn for the first time" << std::endl;
+    }
+  }
+
+ private:
+  bool m_hasDrawn = false;
+};
+REGISTER_QTOPENGL_USER_FUNCTIONS(CLoggingFunctions, "live_test_logging")
+
+class CLoggingLoopFunctions : public CLoopFunctions {
+ public:
+  void PostExperiment() override { LOG << "the result is 42" << std::endl; }
+};
+REGISTER_LOOP_FUNCTIONS(CLoggingLoopFunctions, "live_test_logging_loop_functions")
 
 // a box and a robot, in a file with another view than <live>
 // @param functions  labels
@@ -160,6 +185,36 @@ TEST_CASE("live view: viewers are told that there are no users' functions", "[li
   CLiveClient viewer(world.GetURL());
   viewer.Hello();
   CHECK(viewer.WaitFor("welcome")["can"]["user_functions"] == false);
+  CHECK(IsOk(viewer.Do("end")));
+  world.Finish();
+}
+
+TEST_CASE("live view: lines that are logged while a run waits come at once", "[live]") {
+  SExperiment experiment;
+  experiment.Length = 1.0;
+  experiment.LoopFunctions = "<loop_functions label='live_test_logging_loop_functions' />";
+  experiment.Engines = "<dynamics2d id='dyn2d' />";
+  experiment.Arena = "<box id='box' size='1,1,1' movable='false'><body position='0,0,0' /></box>";
+  std::string xml = experiment.ToXml();
+  xml.insert(xml.find("</argos-configuration>"),
+             "<visualization><qt-opengl><user_functions label='live_test_logging' />"
+             "</qt-opengl></visualization>");
+  CLiveWorld world(kWaits, Loading(xml));
+  CLiveClient viewer(world.GetURL());
+  viewer.Hello();
+  // fails after 20 s
+  const auto waitForLine = [&viewer](const std::string& text) {
+    CAPTURE(text);
+    CHECK(viewer.ReceiveUntil([&] {
+      return viewer.GetText().contains("log") &&
+             viewer.GetText().dump().find(text) != std::string::npos;
+    }));
+  };
+  waitForLine("drawn for the first time");
+  CHECK(IsOk(viewer.Do("user_select", {{"entity", "box"}})));
+  waitForLine("chosen box");
+  CHECK(IsOk(viewer.Do("play")));
+  waitForLine("the result is 42");
   CHECK(IsOk(viewer.Do("end")));
   world.Finish();
 }

@@ -7,6 +7,7 @@
 #include <argos3/core/simulator/tick/loop_functions.h>
 #include <argos3/core/simulator/tick/loop_hooks.h>
 #include <argos3/core/utility/errors/exception_text.h>
+#include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/logging/log_control.h>
 #include <argos3/plugins/simulator/outputs/recording/run_info.h>
 #include <argos3/plugins/simulator/visualizations/live/run/command_arguments.h>
@@ -140,7 +141,7 @@ void CLiveRun::Execute() {
     Loop();
     CallPostExperiment();
   } catch (...) {
-    m_log->HandOver(m_link, m_cSpace.GetSimulationClock());
+    HandOverLog(true);
     m_server->Stop("the run has failed: " + WithoutMark(DescribeCurrentException()));
     m_log.reset();
     throw;
@@ -235,15 +236,17 @@ bool CLiveRun::HasLingered(TClock::time_point now) {
 }
 
 void CLiveRun::Serve(TClock::time_point now) {
-  if (m_link.HasCommands()) {
+  const bool hasCommands = m_link.HasCommands();
+  if (hasCommands) {
     DoCommands();
   }
-  m_log->HandOver(m_link, m_cSpace.GetSimulationClock());
+  HandOverLog(hasCommands || !MayTick());
   if (!m_link.HasViewers()) {
     return;
   }
   if (m_hasChanged && m_link.WantsState()) {
     CaptureState();
+    HandOverLog(true);
   }
   if (m_haveValuesChanged && now >= m_valuesDue) {
     m_valuesDue = now + kValuesPeriod;
@@ -255,6 +258,16 @@ void CLiveRun::Serve(TClock::time_point now) {
     m_statusDue = now + kStatusPeriod;
     SendStatus();
   }
+}
+
+// @param isOutside  users' code may have logged since the last tick, which has flushed its own
+// lines
+void CLiveRun::HandOverLog(bool isOutside) {
+  if (isOutside) {
+    LOG.Flush();
+    LOGERR.Flush();
+  }
+  m_log->HandOver(m_link, m_cSpace.GetSimulationClock());
 }
 
 void CLiveRun::CaptureState() {

@@ -46,6 +46,7 @@ class CLiveRun : public CLiveEngine {
   void WaitForUser();
   bool HasLingered(TClock::time_point now);
   void Serve(TClock::time_point now);
+  void HandOverLog(bool isOutside);
   void CaptureState();
   void SendValues();
   void SendPerceptions();
