@@ -98,7 +98,8 @@ std::function<void(CSimulator&)> WithFunctions(const std::vector<std::string>& f
   SExperiment experiment;
   experiment.Engines = "<dynamics2d id='dyn2d' />";
   experiment.Arena =
-      "<box id='box' size='0.5,0.5,0.5' movable='true' mass='1'><body position='1,1,0' /></box>";
+      "<box id='box' size='0.5,0.5,0.5' movable='true' mass='1'><body position='1,1,0' /></box>"
+      "<box id='wall' size='1,0.1,1' movable='false'><body position='-2,0,0' /></box>";
   std::string view;
   for (const std::string& label : functions) {
     view += "<user_functions label='" + label + "' />";
@@ -249,10 +250,24 @@ TEST_CASE("live view: keys that a viewer holds are released with its control", "
   CHECK(CNotingFunctions::notes == expected);
 }
 
-TEST_CASE("live view: a robot that a viewer drives is let go with its control", "[live]") {
-  const CTemporaryFolder folder;
-  const std::string script =
-      folder.Write("robot.lua", "function step() robot.wheels.set_velocity(10, 10) end\n");
+TEST_CASE("live view: what a viewer has selected is deselected with its control", "[live]") {
+  CNotingFunctions::notes.clear();
+  CLiveWorld world(kWaits, WithFunctions({"live_test_notes"}));
+  auto first = Join(world);
+  auto second = Join(world);
+  CHECK(IsOk(first->Do("user_select", {{"entity", "box"}})));
+  CHECK(IsOk(first->Do("give_control", {{"viewer", 2}})));
+  CHECK(IsOk(second->Do("user_select", {{"entity", "wall"}})));
+  CHECK(IsOk(second->Do("end")));
+  world.Finish();
+  CHECK(CNotingFunctions::notes ==
+        std::vector<std::string>{"selected box", "deselected box", "selected wall"});
+}
+
+namespace {
+
+// a foot-bot whose controller runs a script
+std::function<void(CSimulator&)> OneFootBot(const std::string& script) {
   SExperiment experiment;
   experiment.Controllers =
       "<lua_controller id='c'><actuators><differential_steering implementation='default' />"
@@ -261,7 +276,16 @@ TEST_CASE("live view: a robot that a viewer drives is let go with its control", 
   experiment.Engines = "<dynamics2d id='dyn2d' />";
   experiment.Arena =
       "<foot-bot id='fb0'><body position='0,0,0' /><controller config='c' /></foot-bot>";
-  CLiveWorld world(kWaits, Loading(experiment.ToXml()));
+  return Loading(experiment.ToXml());
+}
+
+}  // namespace
+
+TEST_CASE("live view: a robot that a viewer drives is let go with its control", "[live]") {
+  const CTemporaryFolder folder;
+  const std::string script =
+      folder.Write("robot.lua", "function step() robot.wheels.set_velocity(10, 10) end\n");
+  CLiveWorld world(kWaits, OneFootBot(script));
   auto first = Join(world);
   auto second = Join(world);
   CHECK(IsOk(first->Do("drive", {{"entity", "fb0"}, {"left", 0}, {"right", 0}})));
@@ -274,6 +298,45 @@ TEST_CASE("live view: a robot that a viewer drives is let go with its control", 
   CHECK(Distance(GetPose(first->GetFrame(), "fb0").Position, start.Position) ==
         Approx(0.1).margin(2e-3));
   CHECK(IsOk(second->Do("end")));
+  world.Finish();
+}
+
+TEST_CASE("live view: a robot that is let go has the speeds that its controller set last",
+          "[live]") {
+  struct SCase {
+    const char* Orders;  // of the controller, by tick
+    Real Speed;  // m/s, after it was let go
+  };
+  // the last one sets what the viewer sets, too
+  const SCase robot = GENERATE(SCase{"{[1] = 10}", 0.1}, SCase{"{[1] = 10, [4] = -5}", -0.05},
+                               SCase{"{[1] = 10, [4] = 0}", 0.0});
+  CAPTURE(robot.Orders);
+  const CTemporaryFolder folder;
+  CLiveWorld world(kWaits, OneFootBot(folder.Write(
+                               "robot.lua", "local orders, tick = " + std::string(robot.Orders) +
+                                                ", 0\n"
+                                                "function step()\n"
+                                                "  tick = tick + 1\n"
+                                                "  local speed = orders[tick]\n"
+                                                "  if speed then "
+                                                "robot.wheels.set_velocity(speed, speed) "
+                                                "end\n"
+                                                "end\n")));
+  auto viewer = Join(world);
+  viewer->ReceiveUntil([&] { return viewer->CountFrames() > 0; });
+  const auto x = [&] { return GetPose(viewer->GetFrame(), "fb0").Position.GetX(); };
+  // its wheels follow orders with a delay that moves it by at most 2 mm
+  constexpr Real kTolerance = 2e-3;  // m
+  StepTicks(*viewer, 2);
+  CHECK(x() == Approx(0.01).margin(kTolerance));
+  CHECK(IsOk(viewer->Do("drive", {{"entity", "fb0"}, {"left", 0}, {"right", 0}})));
+  StepTicks(*viewer, 4);
+  const Real start = x();
+  CHECK(start == Approx(0.01).margin(kTolerance));
+  CHECK(IsOk(viewer->Do("drive", {{"entity", "fb0"}})));
+  StepTicks(*viewer, 10);
+  CHECK(x() - start == Approx(robot.Speed).margin(kTolerance));
+  CHECK(IsOk(viewer->Do("end")));
   world.Finish();
 }
 

@@ -13,9 +13,11 @@
 #include <argos3/core/simulator/visualization/view_drawing.h>
 #include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_differential_steering_actuator.h>
+#include <argos3/plugins/robots/generic/simulator/differential_steering_default_actuator.h>
 #include <argos3/plugins/simulator/visualizations/live/run/command_arguments.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace argos {
 
@@ -195,10 +197,23 @@ TJson CCommandExecutor::SetDrive(const TJson& arguments) {
   }
   if (left && right) {
     m_driven[id] = {*left, *right};
-  } else {
-    m_driven.erase(id);
+  } else if (m_driven.erase(id) > 0) {
+    LetGo(id);
   }
   return TJson::object();
+}
+
+// An implementation of users' own goes on at these speeds until its controller sets others.
+void CCommandExecutor::LetGo(const std::string& id) {
+  if (auto* const wheels = dynamic_cast<CDifferentialSteeringDefaultActuator*>(FindWheels(id))) {
+    wheels->EndOverride();
+  }
+}
+
+void CCommandExecutor::ForgetDrivers() {
+  for (const auto& [id, speeds] : std::exchange(m_driven, {})) {
+    LetGo(id);
+  }
 }
 
 // Call it after the controllers' step, whose speeds it replaces, and before wheels get them.
@@ -209,7 +224,12 @@ void CCommandExecutor::Drive() {
       robot = m_driven.erase(robot);
       continue;
     }
-    wheels->SetLinearVelocity(robot->second.first, robot->second.second);
+    const auto [left, right] = robot->second;
+    if (auto* const ours = dynamic_cast<CDifferentialSteeringDefaultActuator*>(wheels)) {
+      ours->Override(left, right);
+    } else {
+      wheels->SetLinearVelocity(left, right);
+    }
     ++robot;
   }
 }
@@ -316,6 +336,9 @@ std::vector<TJson> CCommandExecutor::ListReleases() {
   std::vector<TJson> commands;
   for (const std::string& key : m_pressed) {
     commands.push_back({{"do", "user_key"}, {"key", key}, {"down", false}});
+  }
+  if (!m_selected.empty()) {
+    commands.push_back({{"do", "user_select"}});
   }
   for (const auto& [id, speeds] : m_driven) {
     if (FindWheels(id) != nullptr) {

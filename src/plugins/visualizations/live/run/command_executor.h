@@ -47,11 +47,11 @@ class CCommandExecutor {
   void Drive();
   /**
    * Commands that let go what a viewer holds that is no longer in control: keys of users'
-   * functions that it has not released, and robots that it drives.
+   * functions that it has not released, what it has selected, and robots that it drives.
    */
   std::vector<TJson> ListReleases();
   /** The run begins again: no robot is driven. */
-  void ForgetDrivers() { m_driven.clear(); }
+  void ForgetDrivers();
   /** To be called after each tick and reset: forgets what is selected if it was removed. */
   void CheckSelection();
 
@@ -92,6 +92,7 @@ class CCommandExecutor {
   TJson PressKey(const TJson& arguments);
   TJson SetDrive(const TJson& arguments);
   CCI_DifferentialSteeringActuator* FindWheels(const std::string& id);
+  void LetGo(const std::string& id);
   TJson Add(const TJson& arguments);
   TJson Remove(const TJson& arguments);
   void CheckPlace(const CVector3& position) const;
