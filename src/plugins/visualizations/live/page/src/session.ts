@@ -57,6 +57,14 @@ export interface Parameter {
   unit: string;
 }
 
+/** Keys that are down with another one, after it was pressed or released. */
+export interface Modifiers {
+  shift: boolean;
+  control: boolean;
+  alt: boolean;
+  meta: boolean;
+}
+
 /** What the run answers to a request. */
 export interface Answer {
   error?: string;
@@ -145,7 +153,7 @@ export interface Session {
   /** Speeds of left and right wheel, cm/s; null: those of its controller count again. */
   drive(id: string, speeds: [number, number] | null): void;
   /** Tells user functions. Resolves with whether they have used the key; null: there are none to tell. */
-  key(key: string, isDown: boolean): Promise<boolean> | null;
+  key(key: string, isDown: boolean, modifiers: Modifiers): Promise<boolean> | null;
   /** Once a picture. */
   update(now: number): void;
   close(): void;

@@ -351,6 +351,32 @@ test("page: user functions get the keys of the picture first, and the page acts 
   await tab.waitFor("the release", () => told().length === 4);
   assert.deepEqual(told(), ["+Shift", "+S", "-Shift", "-S"]);
 
+  // with the keys that are down with them, but for what browsers do by Ctrl
+  server.commands = [];
+  await page.locator(kPicture).focus();
+  const options = await page.evaluate(() => ({ ...(window as unknown as { argosView: { options: object } }).argosView.options }));
+  await page.keyboard.press("Shift+ArrowUp");
+  await page.keyboard.press("Control+Alt+h");
+  await page.keyboard.press("Control+g");
+  await page.keyboard.press("Control+c");
+  const names = ["shift", "control", "alt", "meta"];
+  const withModifiers = (): string[] =>
+    server.commands
+      .filter(({ do: name }) => name === "user_key")
+      .map((command) => [command.down === false ? "-" : "+", command.key, ...names.filter((name) => command[name] === true)].join(" "));
+  await tab.waitFor("all keys", () => withModifiers().length >= 16);
+  assert.deepEqual(withModifiers(), [
+    ...["+ Shift shift", "+ ArrowUp shift", "- ArrowUp shift", "- Shift"],
+    ...["+ Control control", "+ Alt control alt", "+ h control alt", "- h control alt", "- Alt control", "- Control"],
+    ...["+ Control control", "+ g control", "- g control", "- Control"],
+    ...["+ Control control", "- Control"],
+  ]);
+  assert.deepEqual(
+    await page.evaluate(() => ({ ...(window as unknown as { argosView: { options: object } }).argosView.options })),
+    options,
+    "the page takes Ctrl and a letter for the letter",
+  );
+
   // elsewhere keys are the page's, and Tab leads there
   server.commands = [];
   await page.locator(kPicture).focus();

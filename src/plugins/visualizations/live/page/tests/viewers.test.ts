@@ -143,6 +143,32 @@ test("viewers: of two viewers one has control, which goes on with the other", { 
   assert.deepEqual(await first.close(), []);
 });
 
+test("viewers: what was selected without control is driven by keys once there is control", { skip, timeout: kTimeout }, async () => {
+  const { url } = await startRun("manual_control");
+  const first = await Tab.open(browser, url);
+  await first.waitForTick((tick) => tick === 0);
+  const second = await Tab.open(browser, url);
+  await second.waitForTick((tick) => tick === 0);
+  for (const [tab, robot] of [[first, "fb0"], [second, "fb1"]] as const) {
+    await tab.page.locator(`.entities button[data-id="${robot}"]`).click();
+    await tab.page.getByRole("region", { name: robot, exact: true }).waitFor();
+  }
+  await first.button("Play").click();
+  await first.waitForTick((tick) => tick > 1, "the run");
+  await first.button("You have control").click();
+  await first.page.getByRole("button", { name: "Hand control to viewer 2" }).click();
+  await second.page.getByText("You have control of the run").waitFor();
+  await second.page.locator("canvas.picture").focus();
+  const start = await placeInArena(second, "fb1");
+  await second.page.keyboard.down("ArrowUp");
+  await second.waitFor("the robot", async () => (await placeInArena(second, "fb1"))[0] > start[0] + 0.1);
+  await second.page.keyboard.up("ArrowUp");
+  const other = await placeInArena(second, "fb0");
+  assert.ok(Math.hypot(other[0] + 1, other[1]) < 1e-5, "the first viewer's robot has moved");
+  assert.deepEqual(await first.close(), []);
+  assert.deepEqual(await second.close(), []);
+});
+
 test("viewers: a page comes back to its run when the connection does, and to none that was started again", { skip, timeout: kTimeout }, async () => {
   const first = await startRun("diffusion_10", "--length", "1000");
   const { port } = new URL(first.url);

@@ -8,6 +8,7 @@ import type {
   Abilities,
   Answer,
   LogLine,
+  Modifiers,
   Perception,
   RunState,
   Session,
@@ -83,6 +84,8 @@ export class LiveClient implements Session {
   private replayPlace = 0; // ticks
   private lastUpdate = 0;
   private pinned: string[] = [];
+  private selected: string | null = null;
+  private isSelectionDue = false; // the server does not know it
   private isFirstFrame = true;
   private can: NonNullable<Welcome["can"]> = {};
   private wasWelcomed = false;
@@ -205,6 +208,7 @@ export class LiveClient implements Session {
     this.isSeeking = false;
     this.nextSeek = null;
     this.viewers = [];
+    this.control = -1;
     this.realTimeFactor = null;
     this.connection = this.isClosed || this.hasRunEnded ? "none" : "lost";
     // a server that has refused this viewer would do so again
@@ -245,6 +249,7 @@ export class LiveClient implements Session {
     }
     if (frame !== null) {
       this.sendText({ ack: frame.tick });
+      this.tellSelection();
       this.keep(frame, bytes);
       if (this.past === null) {
         this.showFrame(frame);
@@ -374,9 +379,13 @@ export class LiveClient implements Session {
         this.listener.notify(`${name === "" ? `Viewer ${id}` : name} asks for control`, "info");
       }
     }
-    if (!hadControl && this.hasControl && this.viewers.length > 1) {
-      this.listener.notify("You have control of the run", "info");
+    if (!hadControl && this.hasControl) {
+      this.isSelectionDue = true;
+      if (this.viewers.length > 1) {
+        this.listener.notify("You have control of the run", "info");
+      }
     }
+    this.tellSelection();
     this.listener.changed();
   }
 
@@ -502,8 +511,20 @@ export class LiveClient implements Session {
   }
 
   select(id: string | null): void {
+    this.selected = id;
     if (this.hasControl && this.can.user_functions === true) {
       this.command("user_select", id === null ? {} : { entity: id });
+    }
+  }
+  // what was selected without control, or before the connection was lost, counts from now on
+  private tellSelection(): void {
+    const entities = this.decoder.frame?.entities ?? [];
+    if (!this.isSelectionDue || !this.hasControl || entities.length === 0) {
+      return;
+    }
+    this.isSelectionDue = false;
+    if (entities.some(({ id }) => id === this.selected)) {
+      this.select(this.selected);
     }
   }
   move(entity: string, position: readonly [number, number, number], yaw: number): void {
@@ -515,13 +536,14 @@ export class LiveClient implements Session {
   drive(entity: string, speeds: [number, number] | null): void {
     this.command("drive", speeds === null ? { entity } : { entity, left: speeds[0], right: speeds[1] });
   }
-  key(key: string, isDown: boolean): Promise<boolean> | null {
+  key(key: string, isDown: boolean, modifiers: Modifiers): Promise<boolean> | null {
     const hasFunctions = this.connection === "connected" && this.hasControl && this.can.user_functions === true;
     // User functions see only the present, so in the past keys are released, but not pressed.
     if (!hasFunctions || (isDown && this.isPast)) {
       return null;
     }
-    return this.request("user_key", { key, down: isDown }).then(({ handled, error }) => {
+    const held = Object.fromEntries(Object.entries(modifiers).filter(([, isHeld]) => isHeld));
+    return this.request("user_key", { key, down: isDown, ...held }).then(({ handled, error }) => {
       if (error !== undefined) {
         this.listener.notify(error, "error");
       }

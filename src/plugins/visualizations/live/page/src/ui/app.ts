@@ -26,7 +26,7 @@ import { PointerControl } from "./pointer";
 import { Film, download, makePage } from "./save";
 import { ScriptPanel } from "./script";
 import { Transport } from "./transport";
-import { UserKeys } from "./user_keys";
+import { UserKeys, isCommand, modifiersOf } from "./user_keys";
 
 type Theme = "auto" | "light" | "dark";
 type TabName = "inspect" | "metrics" | "script" | "log" | "info";
@@ -155,7 +155,7 @@ export class App implements SessionListener {
   private readonly help = this.makeHelp();
   private readonly drive: DriveKeys;
   private readonly userKeys = new UserKeys({
-    tell: (key, isDown) => this.session?.key(key, isDown) ?? null,
+    tell: (key, isDown, modifiers) => this.session?.key(key, isDown, modifiers) ?? null,
     act: (key) => this.runKey(key, this.canvas),
   });
   private readonly addMenu = h("div", {});
@@ -940,10 +940,11 @@ export class App implements SessionListener {
       target instanceof HTMLSelectElement ||
       target instanceof HTMLTextAreaElement ||
       target.isContentEditable;
-    if (isTyping || event.ctrlKey || event.metaKey || event.altKey || this.help.open) {
+    if (isTyping || this.help.open) {
       return;
     }
-    if (this.drive.isOn && this.drive.key(event.key, true)) {
+    const isOfPage = !isCommand(modifiersOf(event));
+    if (isOfPage && this.drive.isOn && this.drive.key(event.key, true)) {
       event.preventDefault();
       return;
     }
@@ -953,7 +954,7 @@ export class App implements SessionListener {
       }
       return;
     }
-    if (this.runKey(event.key, target)) {
+    if (isOfPage && this.runKey(event.key, target)) {
       event.preventDefault();
     }
   }
