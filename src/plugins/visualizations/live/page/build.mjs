@@ -10,20 +10,41 @@ const folder = dirname(fileURLToPath(import.meta.url));
 const modules = resolve(process.env.PAGE_MODULES ?? folder);
 const { build } = createRequire(join(modules, "package.json"))("esbuild");
 const output = resolve(process.argv[2] ?? join(folder, "dist/index.html"));
-const result = await build({
-  absWorkingDir: folder,
-  nodePaths: [join(modules, "node_modules")],
-  entryPoints: { page: "src/main.ts", style: "src/style.css" },
-  bundle: true,
-  minify: true,
-  format: "iife",
-  target: ["chrome100", "firefox100"],
-  outdir: "unused",
-  write: false,
-  legalComments: "none",
-  logLevel: "warning",
-});
-const textOf = (name) => result.outputFiles.find((file) => file.path.endsWith(name)).text;
+// Shaders of three.js make an eighth of the page, which has its own.
+const withoutShaders = {
+  name: "without-shaders",
+  setup(builder) {
+    builder.onResolve({ filter: /^three$/ }, ({ resolveDir, kind }) =>
+      builder.resolve("three/src/Three.js", { resolveDir, kind }),
+    );
+    builder.onLoad({ filter: /three[\\/]src[\\/]renderers[\\/]shaders[\\/]ShaderChunk[\\/].*\.glsl\.js$/ }, () => ({
+      contents: 'export default "";',
+    }));
+    builder.onLoad({ filter: /three[\\/]src[\\/]renderers[\\/]shaders[\\/]ShaderLib[\\/].*\.glsl\.js$/ }, () => ({
+      contents: 'export const vertex = "", fragment = "";',
+    }));
+  },
+};
+async function bundle(entry, options = {}) {
+  const { outputFiles } = await build({
+    absWorkingDir: folder,
+    nodePaths: [join(modules, "node_modules")],
+    entryPoints: [entry],
+    bundle: true,
+    minify: true,
+    format: "iife",
+    target: ["chrome100", "firefox100"],
+    outdir: "unused",
+    write: false,
+    legalComments: "none",
+    plugins: [withoutShaders],
+    logLevel: "warning",
+    ...options,
+  });
+  return outputFiles[0].text.replaceAll("</script", "<\\/script");
+}
+// what the first picture does not need is run later: see src/parts.ts
+const partOf = (name, entry) => bundle(entry, { globalName: `argosPart_${name}` });
 // what CodeMirror needs has the same authors and licence
 const licences = ["three", "uplot", "zstddec", "@codemirror/view", "@lezer/common"]
   .map((name) => {
@@ -32,12 +53,14 @@ const licences = ["three", "uplot", "zstddec", "@codemirror/view", "@lezer/commo
   })
   .join("\n\n");
 const parts = {
-  "/* style */": textOf("style.css"),
-  "/* script */": textOf("page.js").replaceAll("</script", "<\\/script"),
+  "/* style */": await bundle("src/style.css"),
+  "/* script */": await bundle("src/main.ts"),
+  "/* editor */": await partOf("editor", "src/ui/editor.ts"),
+  "/* plots */": await partOf("plots", "src/ui/charts.ts"),
   "licences": licences.replaceAll("--", "- -"),
 };
 const page = readFileSync(join(folder, "src/index.html"), "utf8").replace(
-  /\/\* style \*\/|\/\* script \*\/|(?<=<!-- )licences(?= -->)/g,
+  /\/\* (style|script|editor|plots) \*\/|(?<=<!-- )licences(?= -->)/g,
   (name) => parts[name],
 );
 mkdirSync(dirname(output), { recursive: true });

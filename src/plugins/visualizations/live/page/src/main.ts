@@ -1,3 +1,4 @@
+import { prepareUnpacking } from "./decode/blocks";
 import { kProtocol } from "./live/client";
 import { App } from "./ui/app";
 
@@ -15,23 +16,31 @@ function embeddedRecording(): Uint8Array | null {
   return bytes;
 }
 
+// the decompressor of states is compiled while the page is made
+prepareUnpacking().catch(() => undefined); // whoever waits for it says why
+
+// the secret of a run; null: the page shows none
+function tokenOfRun(): string | null {
+  const token = location.hash.slice(1);
+  return location.protocol.startsWith("http") && /^[0-9a-f]{8,}$/i.test(token) ? token : null;
+}
+
 function start(): void {
   const recording = embeddedRecording();
-  const token = location.hash.slice(1);
-  const isLive = recording === null && location.protocol.startsWith("http") && /^[0-9a-f]{8,}$/i.test(token);
+  const token = recording === null ? tokenOfRun() : null;
   // the connection is made while the page is
   const url = `${location.protocol === "https:" ? "wss" : "ws"}://${location.host}/live`;
-  const socket = isLive ? new WebSocket(url, kProtocol) : null;
+  const socket = token !== null ? new WebSocket(url, kProtocol) : null;
   const app = new App(document.getElementById("app")!);
   if (recording !== null) {
     void app.openBytes(recording, document.title);
   } else if (socket !== null) {
-    app.openLive(url, token, socket);
+    app.openLive(url, token!, socket);
   }
 }
 
 // a recording may follow the script
-if (document.readyState === "loading") {
+if (document.readyState === "loading" && tokenOfRun() === null) {
   document.addEventListener("DOMContentLoaded", start);
 } else {
   start();

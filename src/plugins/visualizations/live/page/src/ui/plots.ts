@@ -1,7 +1,8 @@
 // Numbers over time.
 
-import uPlot from "uplot";
+import type uPlot from "uplot";
 
+import { part } from "../parts";
 import { h } from "./dom";
 import { formatNumber } from "./format";
 
@@ -138,7 +139,7 @@ export class Plot {
     const line = style.getPropertyValue("--line").trim();
     const font = "11px system-ui, sans-serif";
     const axis = { stroke: text, font, grid: { stroke: line, width: 1 }, ticks: { show: false } };
-    const chart = new uPlot(
+    const chart = new (part("plots").uPlot)(
       {
         width: this.holder.clientWidth,
         height: 110,

@@ -1,37 +1,10 @@
 // The script of the selected robot's controller, in an editor.
 
-import { defaultKeymap, history, historyKeymap, indentWithTab } from "@codemirror/commands";
-import {
-  HighlightStyle,
-  StreamLanguage,
-  bracketMatching,
-  indentOnInput,
-  indentUnit,
-  syntaxHighlighting,
-} from "@codemirror/language";
-import { lua } from "@codemirror/legacy-modes/mode/lua";
-import { lintGutter, setDiagnostics } from "@codemirror/lint";
-import { EditorState } from "@codemirror/state";
-import {
-  EditorView,
-  highlightActiveLine,
-  highlightActiveLineGutter,
-  keymap,
-  lineNumbers,
-} from "@codemirror/view";
-import { tags } from "@lezer/highlight";
-
 import type { LogLine, Session } from "../session";
+import { part } from "../parts";
 import { button, h, setEnabled, setText } from "./dom";
+import type { LuaEditor } from "./editor";
 import { plural } from "./format";
-
-const kColors = HighlightStyle.define([
-  { tag: tags.keyword, color: "var(--code-keyword)", fontWeight: "600" },
-  { tag: [tags.string, tags.special(tags.string)], color: "var(--code-string)" },
-  { tag: tags.comment, color: "var(--muted)", fontStyle: "italic" },
-  { tag: [tags.number, tags.bool, tags.atom], color: "var(--code-number)" },
-  { tag: [tags.standard(tags.variableName), tags.definition(tags.variableName)], color: "var(--accent)" },
-]);
 
 export interface ScriptHost {
   session(): Session | null;
@@ -60,7 +33,7 @@ export class ScriptPanel {
     title: "Show what the robots run",
     onClick: () => void this.open(),
   });
-  private editor: EditorView | null = null;
+  private editor: LuaEditor | null = null;
   private robot: string | null = null;
   private path = "";
   private running = "";
@@ -124,7 +97,7 @@ export class ScriptPanel {
   }
 
   private get text(): string {
-    return this.editor?.state.doc.toString() ?? "";
+    return this.editor?.text ?? "";
   }
   private get hasChanges(): boolean {
     return this.editor !== null && this.text !== this.running;
@@ -174,38 +147,10 @@ export class ScriptPanel {
 
   private fill(text: string): void {
     this.editor?.destroy();
-    this.editor = new EditorView({
-      parent: this.holder,
-      state: EditorState.create({
-        doc: text,
-        extensions: [
-          lineNumbers(),
-          lintGutter(),
-          history(),
-          bracketMatching(),
-          indentOnInput(),
-          indentUnit.of("  "),
-          highlightActiveLine(),
-          highlightActiveLineGutter(),
-          StreamLanguage.define(lua),
-          syntaxHighlighting(kColors),
-          EditorView.contentAttributes.of({ "aria-label": "Script in Lua" }),
-          keymap.of([
-            { key: "Mod-Enter", run: () => (void this.send(), true) },
-            { key: "Mod-s", run: () => (void this.send(), true) },
-            // leaves the editor by keys
-            { key: "Escape", run: (view) => (view.contentDOM.blur(), this.apply.focus(), true) },
-            indentWithTab,
-            ...defaultKeymap,
-            ...historyKeymap,
-          ]),
-          EditorView.updateListener.of((change) => {
-            if (change.docChanged) {
-              this.update();
-            }
-          }),
-        ],
-      }),
+    this.editor = new (part("editor").LuaEditor)(this.holder, text, {
+      apply: () => void this.send(),
+      leave: () => this.apply.focus(),
+      changed: () => this.update(),
     });
   }
 
@@ -229,34 +174,14 @@ export class ScriptPanel {
         `Applied: ${count} started again${failed > 0 ? `, ${failed} kept the former script: see the log` : ""}. The file is as before.`,
         failed > 0 ? "error" : "info",
       );
-      this.mark("", 0);
+      this.editor?.mark("", 0);
     }
     this.update();
   }
 
   private showError(text: string, line: number): void {
     this.say(capitalize(text), "error");
-    this.mark(text, line);
-  }
-
-  private mark(text: string, line: number): void {
-    const { editor } = this;
-    if (editor === null) {
-      return;
-    }
-    const isThere = line > 0 && line <= editor.state.doc.lines;
-    const place = isThere ? editor.state.doc.line(line) : null;
-    editor.dispatch(
-      setDiagnostics(
-        editor.state,
-        place === null
-          ? []
-          : [{ from: place.from, to: Math.max(place.to, place.from), severity: "error", message: text }],
-      ),
-    );
-    if (place !== null) {
-      editor.dispatch({ selection: { anchor: place.from }, effects: EditorView.scrollIntoView(place.from, { y: "center" }) });
-    }
+    this.editor?.mark(text, line);
   }
 
   private say(text: string, kind: "info" | "error"): void {

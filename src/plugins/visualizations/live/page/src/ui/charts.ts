@@ -1,0 +1,5 @@
+// The library of plots.
+
+import uPlot from "uplot";
+
+export { uPlot };
