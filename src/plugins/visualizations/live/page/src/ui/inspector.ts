@@ -11,6 +11,7 @@ import { ParameterSliders } from "./parameters";
 import { Plot, Series } from "./plots";
 
 const kMaxListed = 300;
+const kListDelay = 100; // ms
 const kMinBars = 6; // numbers of a group that has bars
 const kMaxOpen = 8; // longer ones are closed at first
 
@@ -481,6 +482,7 @@ export class Inspector {
   private readonly parameterArea = h("div", { class: "parameter-area" });
   private frame: Frame | null = null;
   private listVersion = -1;
+  private listTimer = 0;
   private readonly allSeries = new Map<string, Series>();
   private readonly speeds = new Map<string, number>();
   private readonly last = new Map<string, { time: number; x: number; y: number; z: number }>();
@@ -605,7 +607,17 @@ export class Inspector {
     }
     if (frame.entitiesVersion !== this.listVersion) {
       this.listVersion = frame.entitiesVersion;
-      this.fillList();
+      this.fillListLater();
+    }
+  }
+
+  // it costs as much as a picture, which comes first
+  private fillListLater(): void {
+    if (this.listTimer === 0) {
+      this.listTimer = window.setTimeout(() => {
+        this.listTimer = 0;
+        this.fillList();
+      }, kListDelay);
     }
   }
 

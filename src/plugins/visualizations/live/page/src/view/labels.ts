@@ -77,8 +77,12 @@ export class LabelCanvas {
   private readonly context: CanvasRenderingContext2D;
   private isEmpty = true;
 
-  constructor(private readonly canvas: HTMLCanvasElement) {
-    this.context = canvas.getContext("2d")!;
+  /** @param isSoftware  the processor draws: then the browser does it without WebGL's detour. */
+  constructor(
+    private readonly canvas: HTMLCanvasElement,
+    isSoftware: boolean,
+  ) {
+    this.context = canvas.getContext("2d", { willReadFrequently: isSoftware })!;
   }
 
   draw(

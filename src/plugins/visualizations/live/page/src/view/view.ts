@@ -163,7 +163,7 @@ export class View {
     this.trailLines = new LineSet(this.uniforms, 6);
     this.hits = new DotSet(this.uniforms);
     this.rings = new RingSet(this.uniforms);
-    this.labels = new LabelCanvas(labelCanvas);
+    this.labels = new LabelCanvas(labelCanvas, isSoftware);
     this.groundMaterial = makeMaterial(
       kGroundVertex,
       this.isSoftware ? kPlainGroundFragment : kGroundFragment,
@@ -177,6 +177,14 @@ export class View {
     this.scene.add(this.deviceLines.batch.mesh, this.deviceDots.batch.mesh);
     this.scene.add(this.trailLines.batch.mesh, this.hits.batch.mesh, this.rings.batch.mesh);
     this.setLook(kLightLook);
+    this.compileFirst();
+  }
+
+  // what each picture needs, while the first state is on its way
+  private compileFirst(): void {
+    for (const mesh of [this.ground, this.extraLines.batch.mesh]) {
+      this.renderer.compile(mesh, this.camera.update(), this.scene);
+    }
   }
 
   get counts(): { near: number; merged: number; points: number } {
@@ -493,8 +501,18 @@ export class View {
       this.addTrails();
     }
     if (isChanged) {
+      this.choose();
       this.compileShaders();
     }
+  }
+
+  // before shaders are compiled, which then are those of the next picture
+  private choose(): void {
+    const size = this.renderer.getSize(new Vector2());
+    this.placeCamera();
+    const camera = this.camera.update();
+    this.uniforms.uPixelsPerUnit!.value = this.camera.pixelsPerUnit(size.y);
+    this.chooseNear(camera.matrixWorldInverse, size);
   }
 
   // all at once, and while the page does other things: when the first picture is drawn, each would be waited for
