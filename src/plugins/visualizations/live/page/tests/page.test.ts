@@ -65,7 +65,7 @@ test("page: a click selects a robot, whose values and plot are shown", { skip, t
   await tab.page.mouse.click(place.x, place.y);
   const card = tab.page.getByRole("region", { name: "fb3" });
   await card.waitFor();
-  assert.match(await card.innerText(), /heading\s+-?[\d.]+ °/);
+  assert.match(await card.innerText(), /heading\s+-?[\d.]+°/);
   await card.getByRole("button", { name: "Plot x" }).click();
   await card.locator("figure canvas").waitFor();
   const other = await tab.placeOf("fb5");

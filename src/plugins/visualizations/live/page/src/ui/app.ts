@@ -864,6 +864,9 @@ export class App implements SessionListener {
     onClick: () => {
       this.drive.isOn = !this.drive.isOn;
       this.driveButton.setAttribute("aria-pressed", String(this.drive.isOn));
+      if (this.drive.isOn) {
+        this.notify(`W, A, S and D drive ${this.selectedId() ?? "it"} until Drive is switched off`, "info");
+      }
     },
   });
   private readonly addButton = button({

@@ -237,7 +237,7 @@ class Card {
             ? "yes"
             : "no"
           : value;
-    setText(shown.output, unit === "" ? text : `${text} ${unit}`);
+    setText(shown.output, unit === "" || unit === "°" ? `${text}${unit}` : `${text} ${unit}`);
     const number = typeof value === "boolean" ? Number(value) : value;
     if (typeof number === "number") {
       this.inspector.series(this.id, path).add(time, number);

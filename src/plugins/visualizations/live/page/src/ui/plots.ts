@@ -133,6 +133,17 @@ export class Plot {
     }
   }
 
+  // null: there are no values
+  private rangeOf(min: number | null, max: number | null): uPlot.Range.MinMax {
+    if (min === null || max === null) {
+      return [0, 1];
+    }
+    if (min === max) {
+      return min === 0 ? [0, 1] : [min - 0.1 * Math.abs(min), min + 0.1 * Math.abs(min)];
+    }
+    return part("plots").uPlot.rangeNum(min, max, 0.1, true);
+  }
+
   private make(): uPlot {
     const style = getComputedStyle(document.documentElement);
     const text = style.getPropertyValue("--muted").trim();
@@ -146,7 +157,7 @@ export class Plot {
         padding: [6, 18, 0, 0],
         legend: { show: false },
         cursor: { y: false, points: { size: 6 }, drag: { x: false, y: false } },
-        scales: { x: { time: false } },
+        scales: { x: { time: false }, y: { range: (_, min, max) => this.rangeOf(min, max) } },
         axes: [
           { ...axis, size: 22, gap: 2, space: 60, values: (_, ticks) => ticks.map((t) => `${formatNumber(t, 4)} s`) },
           { ...axis, size: 48, gap: 4, space: 26, values: (_, ticks) => ticks.map((t) => formatNumber(t, 4)) },
