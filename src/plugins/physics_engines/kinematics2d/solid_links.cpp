@@ -17,13 +17,25 @@ constexpr Real kLeverError = 2e-2;
 // over which changes of levers are measured, rad
 constexpr Real kMinTurn = 1e-3;
 // of which contacts are linear enough to be corrected from there, rad
-constexpr Real kLongestTurn = 0.2;
+constexpr Real kLongestTurn = 0.4;
 
 // How a lever changes while a body turns, m/rad. @param find  the lever for another motion.
 template <typename FIND>
 Real ComputeBend(const STwist& twist, Real lever, FIND&& find) {
   const Real change = std::copysign(std::max(std::abs(twist.Turn), kMinTurn), twist.Turn);
   return (lever - find(STwist{twist.X, twist.Y, twist.Turn - change})) / change;
+}
+
+// the point of a contact in the frame of a footprint, m
+SPlanarVector FindInFrame(const SFootprint& place, const SSeparation& contact) {
+  return RotateIntoFrame(place, contact.PointX - place.X, contact.PointY - place.Y);
+}
+
+// How far the points of a body leave their chords on the way, m: twice the sagitta, because others
+// turn, too. Less than a step, so that none passes another.
+Real ComputeArcDepth(const SSolid& solid, const STwist& twist) {
+  return std::min(0.25 * twist.Turn * twist.Turn * solid.BoundingRadius,
+                  kSolidStep * solid.NarrowestHalf);
 }
 
 }  // namespace
@@ -45,14 +57,15 @@ SFootprint Transform(const SFootprint& footprint, const SPlanarPose& pose) {
                         2.0 * pose.HalfSin * pose.HalfCos);
 }
 
-void CSolids::AddLink(const CPushSolver::SContact& contact, int point, const SSide& pushing,
-                      const SSide& pushed, Real gap) {
+void CSolids::AddLink(const CPushSolver::SContact& contact, const SSeparation& found,
+                      const SSide& pushing, const SSide& pushed) {
   // a robot that pushes gives way by itself
   const bool isPush = contact.Pushing != CPushSolver::kNone && pushing.Footprint == kNone;
   const Real tolerance = (isPush ? kTurnError : 0.25 * kSolidTolerance) *
                          m_solids[m_slotOf[pushed.Footprint]].NarrowestHalf;
-  m_links.push_back({m_solver.AddContact(contact), point, pushing, pushed,
-                     std::min(0.0, gap + contact.Least), tolerance});
+  const SFootprint place = Displace(m_footprints[pushed.Footprint], pushed.Image.X, pushed.Image.Y);
+  m_links.push_back({m_solver.AddContact(contact), FindInFrame(place, found), pushing, pushed,
+                     std::min(0.0, found.Gap + contact.Least), tolerance});
 }
 
 // The solver takes rotations as linear. Where that is wrong, contacts get the gap at the end of the
@@ -117,13 +130,31 @@ bool CSolids::Correct(SLink& link) {
   return true;
 }
 
-// Where the sides are after a share of their motions.
+// The contact of two sides after a share of their motions: of two, the one at the same corner. As a
+// body turns, another one of its sides may face the other body, with one corner in common.
 SSeparation CSolids::FindAt(const SLink& link, const STwist& pushing, const STwist& pushed,
                             Real share) const {
+  const SFootprint place = ComputePlace(link.Pushed, pushed, share);
   SSeparation contacts[2];
-  const int count = FindContacts(ComputePlace(link.Pushing, pushing, share),
-                                 ComputePlace(link.Pushed, pushed, share), contacts);
-  return contacts[std::min(link.Point, count - 1)];
+  const int count = FindContacts(ComputePlace(link.Pushing, pushing, share), place, contacts);
+  if (count == 1) {
+    return contacts[0];
+  }
+  const auto computeChange = [&](const SSeparation& contact) {
+    return SquareLength(FindInFrame(place, contact) - link.Point);
+  };
+  return contacts[computeChange(contacts[0]) <= computeChange(contacts[1]) ? 0 : 1];
+}
+
+// The solver knows the end of a motion. On the way, the corners of what turns leave their chords,
+// for example into the wall along which they slide.
+// @return true if the bodies overlap nothing, or, on the way, by no more than that.
+bool CSolids::AreFree(std::span<const SMember> members, bool isOnWay, const CDiscSwarm& discs) {
+  return std::all_of(members.begin(), members.end(), [&](const SMember& member) {
+    const SSolid& solid = m_solids[member.Slot];
+    GatherObstacles(solid, 0.0, discs);
+    return IsFree(solid, solid.Pose, isOnWay ? ComputeArcDepth(solid, solid.Twist) : 0.0, false);
+  });
 }
 
 // By how much a gap may be less than the contact says, at most, m.

@@ -36,7 +36,7 @@ void CSolids::AddPushesOfDiscs(UInt32 slot, const CDiscSwarm& discs) {
         const UInt32 number = AddDiscToSolver(disc, discs);
         const SSide side = {.Disc = number,
                             .Place = {pose.X, pose.Y, 1.0, 0.0, 0.0, 0.0, discs.GetRadius(disc)}};
-        AddPush(slot, contact, 0, planned - contact.Gap, number, 0.0, side,
+        AddPush(slot, contact, planned - contact.Gap, number, 0.0, side,
                 static_cast<UInt32>(pushed));
         m_pushes.push_back({slot, disc});
       }
@@ -76,7 +76,7 @@ void CSolids::AddPushesOfSolid(UInt32 slot, UInt32 number) {
         const Real planned =
             Dot(contacts[i].GetNormal(), robot.Twist.GetStep()) + lever * robot.Twist.Turn;
         if (planned > 0.0 && planned - contacts[i].Gap > kNegligibleStep * solid.NarrowestHalf) {
-          AddPush(slot, contacts[i], i, planned - contacts[i].Gap, AddRobotToSolver(number), lever,
+          AddPush(slot, contacts[i], planned - contacts[i].Gap, AddRobotToSolver(number), lever,
                   {.Footprint = static_cast<UInt32>(pushing), .Image = image},
                   static_cast<UInt32>(pushed));
           m_pushes.push_back({slot, kSolidRobot | number});
@@ -88,12 +88,12 @@ void CSolids::AddPushesOfSolid(UInt32 slot, UInt32 number) {
 
 // @param need  by which the robot would enter the body, m. @param robot  its number in the solver.
 // @param lever  of the contact about the robot's origin, m.
-void CSolids::AddPush(UInt32 slot, const SSeparation& contact, int point, Real need, UInt32 robot,
-                      Real lever, const SSide& pushing, UInt32 pushed) {
+void CSolids::AddPush(UInt32 slot, const SSeparation& contact, Real need, UInt32 robot, Real lever,
+                      const SSide& pushing, UInt32 pushed) {
   m_farthest = std::max(m_farthest, need);
   AddLink({robot, AddToSolver(slot), contact.GetNormal(), lever,
            ComputeLever(m_solids[slot], contact), -contact.Gap},
-          point, pushing, {.Footprint = pushed}, contact.Gap);
+          contact, pushing, {.Footprint = pushed});
 }
 
 bool CSolids::IsPush(UInt32 slot, UInt32 robot) const {

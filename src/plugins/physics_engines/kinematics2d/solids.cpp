@@ -243,25 +243,21 @@ void CSolids::MoveIsland(std::span<const SMember> members, const CDiscSwarm& dis
       Place(solid, Moved(member.Start, solid.Twist, share));
     }
   };
-  const auto areFree = [&] {
-    return std::all_of(members.begin(), members.end(), [&](const SMember& member) {
-      GatherObstacles(m_solids[member.Slot], 0.0, discs);
-      return IsFree(m_solids[member.Slot], m_solids[member.Slot].Pose, false);
-    });
-  };
   Real steps = 0.0;
   for (const SMember& member : members) {
     steps = std::max(steps, countSteps(member));
   }
-  Real step = 1.0;
-  for (; step <= steps; ++step) {
+  Real made = 0.0;
+  for (Real step = 1.0; step <= steps; ++step) {
     placeAt(step / steps);
-    if (!areFree()) {
-      placeAt((step - 1.0) / steps);
+    if (AreFree(members, false, discs)) {
+      made = step;
+    } else if (step == steps || !AreFree(members, true, discs)) {
+      placeAt(made / steps);
       break;
     }
   }
-  const Real left = steps > 0.0 ? 1.0 - (step - 1.0) / steps : 1.0;
+  const Real left = steps > 0.0 ? 1.0 - made / steps : 1.0;
   for (const SMember& member : members) {
     SSolid& solid = m_solids[member.Slot];
     solid.Twist = {left * solid.Twist.X, left * solid.Twist.Y, left * solid.Twist.Turn};
@@ -418,8 +414,8 @@ void CSolids::AddSolidNeighbour(SSolid& solid, SSolid& other) {
         AddLink({solid.Number, other.Number, contacts[i].GetNormal(),
                  ComputeLever(solid, contacts[i]), ComputeLever(other, contacts[i], image),
                  ComputeLeast(contacts[i].Gap, narrowest, most)},
-                i, {.Footprint = static_cast<UInt32>(a)},
-                {.Footprint = static_cast<UInt32>(b), .Image = image}, contacts[i].Gap);
+                contacts[i], {.Footprint = static_cast<UInt32>(a)},
+                {.Footprint = static_cast<UInt32>(b), .Image = image});
       }
     }
   }
@@ -436,7 +432,7 @@ void CSolids::AddObstacle(const SSolid& solid, const SFootprint& footprint, Real
       AddLink({CPushSolver::kNone, solid.Number, contacts[i].GetNormal(), 0.0,
                ComputeLever(solid, contacts[i]),
                ComputeLeast(contacts[i].Gap, solid.NarrowestHalf, most)},
-              i, {.Place = footprint}, {.Footprint = static_cast<UInt32>(mine)}, contacts[i].Gap);
+              contacts[i], {.Place = footprint}, {.Footprint = static_cast<UInt32>(mine)});
     }
   }
 }
@@ -541,14 +537,14 @@ Real CSolids::Move(SSolid& solid, const STwist& twist, const CDiscSwarm& discs) 
   bool isFree = true;
   for (UInt32 step = 0; step < steps && isFree; ++step) {
     const Real planned = step + 1 == steps ? 1.0 : (step + 1) * stepShare;
-    isFree = IsFree(solid, Moved(start, twist, planned), true);
+    isFree = IsFree(solid, Moved(start, twist, planned), 0.0, true);
     if (isFree) {
       share = planned;
     }
   }
   Real part = 0.5 * stepShare;
   for (int halving = 0; halving < kHalvings && !isFree; ++halving, part *= 0.5) {
-    if (IsFree(solid, Moved(start, twist, share + part), true)) {
+    if (IsFree(solid, Moved(start, twist, share + part), 0.0, true)) {
       share += part;
     }
   }
@@ -559,10 +555,12 @@ Real CSolids::Move(SSolid& solid, const STwist& twist, const CDiscSwarm& discs) 
   return share;
 }
 
+// @param depth  of an overlap that is allowed besides the tolerance, m.
 // @return true if a body at that pose overlaps no gathered obstacle, or none deeper than before,
 // if that is allowed.
-bool CSolids::IsFree(const SSolid& solid, const SPlanarPose& pose, bool allowsOld) const {
-  const Real tolerance = kSolidTolerance * solid.NarrowestHalf;
+bool CSolids::IsFree(const SSolid& solid, const SPlanarPose& pose, Real depth,
+                     bool allowsOld) const {
+  const Real tolerance = kSolidTolerance * solid.NarrowestHalf + depth;
   return std::all_of(m_obstacles.begin(), m_obstacles.end(), [&](const SObstacle& obstacle) {
     const Real gap = ComputeGapTo(solid, pose, obstacle);
     return gap >= -tolerance || (allowsOld && gap >= obstacle.Gap);

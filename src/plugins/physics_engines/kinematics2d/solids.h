@@ -144,7 +144,7 @@ class CSolids {
    */
   struct SLink {
     UInt32 Contact;  // number in the solver
-    int Point;  // of the two that the sides may have
+    SPlanarVector Point;  // in the frame of the pushed footprint, at the start of the tick, m
     SSide Pushing, Pushed;
     Real Planned;  // gap at the end of the tick, m
     Real Tolerance;  // m
@@ -190,8 +190,8 @@ class CSolids {
     return FindNearestImage(m_period, x, y, to.Pose.X, to.Pose.Y);
   }
   void FindSolidsNear(Real x, Real y, Real reach);
-  void AddPush(UInt32 slot, const SSeparation& contact, int point, Real need, UInt32 robot,
-               Real lever, const SSide& pushing, UInt32 pushed);
+  void AddPush(UInt32 slot, const SSeparation& contact, Real need, UInt32 robot, Real lever,
+               const SSide& pushing, UInt32 pushed);
   UInt32 AddToSolver(UInt32 slot);
   UInt32 AddDiscToSolver(UInt32 disc, const CDiscSwarm& discs);
   UInt32 AddRobotToSolver(UInt32 slot);
@@ -200,8 +200,8 @@ class CSolids {
   void AddSolidNeighbour(SSolid& solid, SSolid& other);
   void AddObstacle(const SSolid& solid, const SFootprint& footprint, Real most);
   void AddFace(const SSolid& solid, const SFootprint& face, Real most);
-  void AddLink(const CPushSolver::SContact& contact, int point, const SSide& pushing,
-               const SSide& pushed, Real gap);
+  void AddLink(const CPushSolver::SContact& contact, const SSeparation& found, const SSide& pushing,
+               const SSide& pushed);
   void Solve();
   bool Correct(SLink& link);
   SSeparation FindAt(const SLink& link, const STwist& pushing, const STwist& pushed,
@@ -220,7 +220,8 @@ class CSolids {
   void StepDriven(SSolid& solid, const CDiscSwarm& discs);
   void GatherObstacles(const SSolid& solid, Real margin, const CDiscSwarm& discs);
   Real Move(SSolid& solid, const STwist& twist, const CDiscSwarm& discs);
-  bool IsFree(const SSolid& solid, const SPlanarPose& pose, bool allowsOld) const;
+  bool AreFree(std::span<const SMember> members, bool isOnWay, const CDiscSwarm& discs);
+  bool IsFree(const SSolid& solid, const SPlanarPose& pose, Real depth, bool allowsOld) const;
   Real ComputeGapTo(const SSolid& solid, const SPlanarPose& pose, const SObstacle& obstacle) const;
   SSolid& Get(const SKinematicHandle& handle) {
     m_generations.Check(handle);
