@@ -347,6 +347,31 @@ TEST_CASE("gripping: friction holds or yields to what robots push together, some
   CHECK_THAT(world.Yaw("load"), WithinAbs(0.0, 5e-3));
 }
 
+TEST_CASE("gripping: a robot tows a chain of as many grips as Newton's method takes, and of more",
+          "[contract][engine][grip]") {
+  const int count = GENERATE(49, 50);  // robots, of 48 and 49 grips
+  CAPTURE(count);
+  std::vector<SLink> links{{15.0, -0.05}};
+  // the others brake with 10 N in all
+  links.resize(count, {10.0 / (count - 1), 0.0});
+  CChain chain(kDynamics2D, 0, links, 0.0);
+  CheckSpeeds(chain.ComputeSpeeds(240), -0.05, 5e-4);
+}
+
+// figures of dynamics2d's README
+TEST_CASE("gripping: table of long chains", "[.][table]") {
+  for (const int count : {25, 49, 50, 61, 101, 201}) {
+    for (const UInt32 iterations : {0U, 10U}) {
+      std::vector<SLink> links{{15.0, -0.05}};
+      links.resize(count, {10.0 / (count - 1), 0.0});
+      const std::vector<Real> speeds =
+          CChain(kDynamics2D, iterations, links, 0.0).ComputeSpeeds(240);
+      std::printf("%d robots, iterations %u: first %.4f last %.4f m/s\n", count, iterations,
+                  speeds.front(), speeds.back());
+    }
+  }
+}
+
 // rows of doc/internals/accuracy.md
 TEST_CASE("gripping: table", "[.][table]") {
   constexpr UInt32 kTicks = 300;
