@@ -1,6 +1,7 @@
 // Collisions between robots of an engine of rigid bodies and robots of other engines.
 
 #include <argos3/testing/contract/physics_engines/flight_world.h>
+#include <argos3/testing/contract/physics_engines/grip_world.h>
 #include <argos3/testing/contract/physics_engines/regions.h>
 #include <argos3/testing/contract/physics_engines/rigid_scene.h>
 #include <argos3/testing/support/captured_logs.h>
@@ -32,8 +33,9 @@ struct SSides {
   SEngineType West;
   SEngineType East;
 
-  std::string ToXml() const {
-    return RegionXml(West, "west", {{-20, -20}, {0, -20}, {0, 20}, {-20, 20}}) +
+  /** @param ofWest  attributes of the engine in the west. */
+  std::string ToXml(const std::string& ofWest = "") const {
+    return RegionXml(West, "west", {{-20, -20}, {0, -20}, {0, 20}, {-20, 20}}, ofWest) +
            RegionXml(East, "east", {{0, -20}, {20, -20}, {20, 20}, {0, 20}});
   }
 };
@@ -97,6 +99,56 @@ TEST_CASE("rigid ghosts: robots placed inside each other are separated, asleep o
   CHECK(Distance(world.Position("a"), world.Position("b")) >= 1.98 * kFootBotRadius);
   // each has moved by half of the overlap
   CHECK_THAT(world.Position("a").GetX(), WithinAbs(-kFootBotRadius, 0.02 * kFootBotRadius));
+}
+
+TEST_CASE("rigid ghosts: a sleeping robot wakes up when a robot is placed in it",
+          "[contract][engine][rigid][partition]") {
+  // robots that ODE moves fall asleep; those that roll freely are checked in every tick
+  const SSides sides = GENERATE(SSides{kDynamics3D, kDynamics3D}, SSides{kDynamics3D, kDynamics2D});
+  CAPTURE(sides.East);
+  CRigidScene world(
+      sides.ToXml("free_robots='false'"),
+      DriverXml("foot-bot", "a", -0.08, 0, 0, 0, 0) + DriverXml("foot-bot", "b", 0.5, 0, 0, 0, 0));
+  world.Step(40);
+  world.Body("b").MoveTo(CVector3(0.08, 0, 0), CQuaternion(), false, true);
+  world.Step(20);
+  // each moves by half of the overlap
+  CHECK_THAT(world.Position("a").GetX(), WithinAbs(-kFootBotRadius, 0.02 * kFootBotRadius));
+  CHECK_THAT(world.Position("b").GetX(), WithinAbs(kFootBotRadius, 0.02 * kFootBotRadius));
+}
+
+TEST_CASE("rigid ghosts: a robot that tows a load over a border wakes the object that it pushes",
+          "[contract][engine][rigid][partition]") {
+  // The object, on a plate, is too high for the plane of the east, and bodies that grips connect
+  // stay in their engine until the first of them has crossed the border: so the robot is a ghost
+  // when it meets the object.
+  constexpr Real kGap = 0.005;
+  CGripWorld::SOptions options;
+  options.Engine = SSides{kDynamics3D, kDynamics2D}.ToXml();
+  constexpr Real kStart = 0.4;
+  CGripWorld world(
+      LoadXml("load", kStart + kFootBotRadius + kGap + 0.1, 0, 0.1) +
+          GripperXml("robot", kStart, 0, 0, "lock='true'") +
+          SBoxXml{"plate", CVector3(0.5, 0.5, 0.03), CVector3(-0.57, 0, 0), CVector3(), 0.0}
+              .ToXml() +
+          SBoxXml{"object", CVector3(0.3, 0.1, 0.1), CVector3(-0.35, 0, 0.03), CVector3(), 0.2}
+              .ToXml(),
+      options);
+  world.Step(2);
+  REQUIRE(world.HeldBy("robot") == "load");
+  world.Drive("robot", -10, -10);
+  const auto isInEast = [&] {
+    return world.Body("robot").GetPhysicsModel(size_t(0)).GetEngine().GetId() == "east";
+  };
+  while (world.Position("load").GetX() > 0.0 && isInEast()) {
+    world.Step();
+    const Real gap =
+        world.Position("robot").GetX() - kFootBotRadius - (world.Position("object").GetX() + 0.15);
+    // the object gives way to where the robot was at the start of the tick, 1 cm back
+    REQUIRE(gap >= -0.01 - 0.02 * kFootBotRadius);
+  }
+  CHECK(world.HeldBy("robot") == "load");
+  CHECK(world.Position("object").GetX() < -0.35 - 0.05);
 }
 
 TEST_CASE("rigid ghosts: a sleeping object at a border is pushed by a robot from the other side",
