@@ -10,10 +10,13 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <sstream>
+#include <string>
 
 namespace argos::turret_test {
 
 using Catch::Matchers::WithinAbs;
+using Catch::Matchers::WithinRel;
 
 namespace {
 
@@ -22,6 +25,7 @@ using TMode = CCI_FootBotTurretActuator;
 constexpr Real kRadius = kFootBotRadius;
 constexpr Real kRoll = 0.1;  // m, radius of a load
 constexpr Real kGap = 0.005;  // m
+constexpr Real kFriction = 1.49;  // N, the engine's default
 constexpr Real kAhead = kRadius + kGap + kRoll;
 constexpr Real kRadiansPerRpm = ARGOS_PI / 30.0;
 
@@ -240,6 +244,41 @@ TEST_CASE("turret: it swings a braking robot", "[contract][engine][turret]") {
   // 5 s at 6 degrees per second
   CHECK_THAT(Azimuth(world, "r", "held") - azimuth, WithinAbs(5.0 * kRadiansPerRpm, 2e-3));
   CHECK_THAT(world.Position("r").Length(), WithinAbs(0.0, 1e-3));
+}
+
+TEST_CASE("turret: it pushes a load with at most the torque of its motor",
+          "[contract][engine][turret]") {
+  const SInt32 rpm = GENERATE(-3, 3);
+  const UInt32 iterations = GENERATE(1, 2, 10);
+  CAPTURE(rpm, iterations);
+  // a load that accelerates slowly, and does not rotate; a wall holds the robot against its force,
+  // and the arm turns by 0.01 rad at most
+  constexpr Real kMass = 1e7;  // kg
+  const Real side = rpm > 0 ? 1.0 : -1.0;
+  std::ostringstream wall;
+  wall << "<box id='wall' size='1,0.2,0.1' movable='false'><body position='0,"
+       << -side * (kRadius + 0.1001) << ",0'/></box>";
+  CGripWorld::SOptions options;
+  options.Engine = "<dynamics2d id='e' iterations='" + std::to_string(iterations) +
+                   "'><friction box_angular_friction='1e9'/></dynamics2d>";
+  CGripWorld world(
+      GripperXml("r", 0, 0, 0, "lock='true'") + LoadXml("box", kAhead, 0, kMass) + wall.str(),
+      options);
+  const CGripWorld::TPoses start = world.GetPoses();
+  world.Step(2);
+  REQUIRE(world.HeldBy("r") == "box");
+  const CGripGauge gauge(world, "r", start);
+  world.Driver("r").Mode = TMode::MODE_SPEED_CONTROL;
+  world.Driver("r").TurretSpeed = rpm;
+  world.Step(11);
+  const CVector3 before = world.Position("box");
+  world.Step(10);
+  const Real early = side * (world.Position("box").GetY() - before.GetY());
+  world.Step(10);
+  const Real late = side * (world.Position("box").GetY() - before.GetY()) - early;
+  // 150 N m at the point that is held, less the friction of the load
+  const Real acceleration = (150.0 / gauge.GetArmLength() - kFriction) / kMass;
+  CHECK_THAT(late - early, WithinRel(acceleration, 0.01));
 }
 
 }  // namespace argos::turret_test
