@@ -89,9 +89,11 @@ TEST_CASE("unequal pushing: two and three e-pucks balance over an object, one mo
   if (kHasAddressSanitizer && copy.Degrees != 63.0) {
     return;  // more of the same code, slowly
   }
-  if (more > 0 && !engine.IsPlane) {
-    return;  // the README of dynamics3d says by how much it is too slow
-  }
+  // on wheels, those that are pushed back turn away after three seconds, as their motors cannot hold
+  // their heading: see the README of dynamics3d
+  const bool turnsAway = more > 0 && !engine.IsPlane;
+  const unsigned start = turnsAway ? 6 : 30;
+  const unsigned ticks = turnsAway ? 10 : 20;
   constexpr Real kHalf = 0.05;
   const Real beside = kHalf + 0.005 + kEPuck.Radius;
   CPushScene scene(copy.Degrees, copy.IsMirrored);
@@ -104,11 +106,11 @@ TEST_CASE("unequal pushing: two and three e-pucks balance over an object, one mo
   addRow("l", robots, -beside, 0.0);
   addRow("r", robots + more, beside, 180.0);
   CDriveWorld world(MakePushGround(engine, iterations, mass * kEngineGravity), scene.GetArena());
-  world.Step(30);
+  world.Step(start);
   const CVector3 before = scene.PlaceOf(world, "b");
-  world.Step(20);
+  world.Step(ticks);
   const CVector3 way = scene.PlaceOf(world, "b") - before;
-  CHECK_THAT(way.GetX(), WithinAbs(more > 0 ? -20 * kPushTick * kPushSpeed : 0.0, 2e-3));
+  CHECK_THAT(way.GetX(), WithinAbs(more > 0 ? -(ticks * kPushTick * kPushSpeed) : 0.0, 2e-3));
   CHECK_THAT(way.GetY(), WithinAbs(0.0, 1e-3));
   CHECK_THAT(scene.TurnOf(world, "b"), WithinAbs(0.0, 5e-3));
 }
