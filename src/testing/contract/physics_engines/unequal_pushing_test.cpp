@@ -89,8 +89,8 @@ TEST_CASE("unequal pushing: two and three e-pucks balance over an object, one mo
   if (kHasAddressSanitizer && copy.Degrees != 63.0) {
     return;  // more of the same code, slowly
   }
-  // on wheels, those that are pushed back turn away after three seconds, as their motors cannot hold
-  // their heading: see the README of dynamics3d
+  // on wheels, those that are pushed back turn away after three seconds, as their motors cannot
+  // hold their heading: see the README of dynamics3d
   const bool turnsAway = more > 0 && !engine.IsPlane;
   const unsigned start = turnsAway ? 6 : 30;
   const unsigned ticks = turnsAway ? 10 : 20;
