@@ -276,7 +276,7 @@ TEST_CASE("argos3: a signal ends the run in order, with its own status", "[comma
   folder.Write("e.argos", Experiment());
   const SProgramRun run = folder.Run({"-c", "e.argos", "--length", "0", "--digest", "--set",
                                       "framework/experiment/@real_time=true"},
-                                     signal, "Total experiment length");
+                                     signal, "it runs until");
   CHECK(run.Status == status);
   CHECK_THAT(run.Notices, Contains("the experiment has no length: it runs until") &&
                               Contains("stopped by SIG") && Contains("simulated "));
