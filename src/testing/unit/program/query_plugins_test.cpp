@@ -103,9 +103,9 @@ TEST_CASE("query: the search is case-sensitive", "[core][query]") {
 }
 
 TEST_CASE("query: a search without results names near labels", "[core][query]") {
-  const std::string text = DescribePlugins("query_tset_one");
-  CHECK_THAT(text, StartsWith("Nothing found") && Contains("query_test_one"));
-  CHECK_FALSE(AnswerQuery("query_tset_one").IsFound);
+  const SPluginAnswer answer = AnswerQuery("query_tset_one");
+  CHECK_THAT(answer.Text, StartsWith("Nothing found") && Contains("query_test_one"));
+  CHECK_FALSE(answer.IsFound);
   CHECK(AnswerQuery("query_test_one").IsFound);
   CHECK_THAT(DescribePlugins("sensor_s"), Contains("sensors"));
 }
