@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 constexpr const char* kScript = "argos3_sample.lua";
 constexpr const char* kExperiment =
     R"(<experiment length="1" ticks_per_second="10" random_seed="1" />)";
-constexpr const char* kArena = R"(<arena size="20,20,10">{}</arena>)";
+constexpr const char* kArena = R"(<arena size="10,10,10">{}</arena>)";
 constexpr const char* kFloor =
     R"(<floor id="sample_floor" source="loop_functions" pixels_per_meter="1" />)";
 

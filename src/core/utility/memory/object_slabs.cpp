@@ -146,12 +146,17 @@ std::byte* CObjectSlabs::SState::TakeSlab() {
   return std::exchange(NextSlab, NextSlab + kSlab);
 }
 
-// called when no object is left
+// called when no object is left; keeps a region, because mapping one takes longer than making a few
+// objects, and some code makes and deletes one after the other
 void CObjectSlabs::SState::ReleaseAll() {
   Sizes.fill(SSizeClass());
-  Regions.clear();
   Areas.clear();
   NextSlab = EndOfSlabs = nullptr;
+  if (!Regions.empty()) {
+    Regions.resize(1);
+    NextSlab = Regions.front().get();
+    EndOfSlabs = NextSlab + kRegion;
+  }
 }
 
 CObjectSlabs::CObjectSlabs() : m_state(std::make_unique<SState>()) {}
