@@ -40,7 +40,9 @@ inline void Connect(TBodyForest& parents, UInt32 a, UInt32 b) {
 /** A body, or a contact of one, in a list that is sorted by the roots of bodies. */
 struct SForestMember {
   UInt32 Root, Number;
-  auto operator<=>(const SForestMember& other) const = default;
+  bool operator<(const SForestMember& other) const {
+    return Root != other.Root ? Root < other.Root : Number < other.Number;
+  }
 };
 
 /** @return the members with that root. @param next  the first of them; then what follows them. */
