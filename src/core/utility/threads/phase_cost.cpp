@@ -13,7 +13,7 @@ constexpr Real kWeightOfSlower = 0.125;
 constexpr Real kMaxSlowdown = 4.0;
 
 // Of what sharing costs, after each phase that was not shared: the decision for one thread is tried
-// again after a few hundred phases, and costs a thousandth of the time if it is right.
+// again after a few hundred phases.
 constexpr Real kRemembered = 1.0 - 1.0 / 512.0;
 
 // adds a measurement to an average

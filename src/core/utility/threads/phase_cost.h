@@ -44,9 +44,9 @@ class CPhaseCost {
 
 /**
  * What it costs to share a phase with other threads: to wake them, and to wait for them. By
- * measurement, because that takes 1 to 5 us while they look for work, 50 us and more where they
- * sleep on a virtual machine, and far longer on a machine that is busy with something else. Decides
- * whether a phase is shared. Has no effect on results.
+ * measurement, because that takes longer where they sleep than while they look for work, and far
+ * longer on a machine that is busy with something else. Decides whether a phase is shared. Has no
+ * effect on results.
  */
 class CSharingCost {
  public:
