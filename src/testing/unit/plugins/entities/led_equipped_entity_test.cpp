@@ -78,6 +78,8 @@ TEST_CASE("leds: all ways of setting and reading a colour agree", "[entities]") 
   if (asEntitiesFirst) {
     leds.GetLEDs();
   }
+  leds.SetAllLEDsColors(std::vector<CColor>(8, CColor::GREEN));
+  CHECK(leds.GetLEDColor(6) == CColor::GREEN);
   leds.SetAllLEDsColors(CColor::BLUE);
   leds.SetLEDColor(2, CColor::YELLOW);
   CHECK(leds.GetLEDColor(1) == CColor::BLUE);

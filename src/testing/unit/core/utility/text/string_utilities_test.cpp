@@ -10,11 +10,20 @@
 #include <limits>
 #include <memory>
 #include <stdexcept>
+#include <vector>
 
 namespace string_utilities_test {
 
 using namespace argos;
 using Catch::Contains;
+
+namespace my_argos {
+struct SThing {};
+}  // namespace my_argos
+
+namespace lab::argos {
+struct SThing {};
+}  // namespace lab::argos
 
 namespace {
 
@@ -275,6 +284,11 @@ TEST_CASE("strings: environment variables are expanded", "[core][strings]") {
 TEST_CASE("strings: type names are readable", "[core][strings]") {
   CHECK(DemangledName(typeid(int)) == "int");
   CHECK(DemangledName(typeid(CARGoSException)) == "CARGoSException");
+  // also within names, but not the end of another name
+  CHECK_THAT(DemangledName(typeid(std::vector<CARGoSException>)),
+             Catch::StartsWith("std::vector<CARGoSException, "));
+  CHECK_THAT(DemangledName(typeid(my_argos::SThing)), Catch::EndsWith("::my_argos::SThing"));
+  CHECK_THAT(DemangledName(typeid(lab::argos::SThing)), Catch::EndsWith("::lab::argos::SThing"));
 }
 
 // nearest names

@@ -1,4 +1,5 @@
 #include <argos3/plugins/simulator/outputs/recording/format/frame_coding.h>
+#include <argos3/plugins/simulator/outputs/recording/format/recording_blocks.h>
 #include <argos3/plugins/simulator/outputs/recording/format/recording_reader.h>
 #include <argos3/plugins/simulator/outputs/recording/format/recording_writer.h>
 #include <argos3/core/utility/errors/argos_exception.h>
@@ -244,6 +245,38 @@ TEST_CASE("recording: other files are refused", "[core][recording]") {
   CHECK_THAT(ErrorOf(file), Contains("has version 2 of the format") &&
                                 Contains("reads versions up to 1") &&
                                 Contains("needs a newer version of argos3"));
+}
+
+TEST_CASE("recording: blocks that are not in the order of their ticks are refused",
+          "[core][recording]") {
+  const CFile file;
+  Record(file);
+  const std::string content = file.Read();
+  std::vector<std::string> frames;
+  std::string rest = content.substr(kFileHeaderSize);
+  std::string before = content.substr(0, kFileHeaderSize);
+  for (;;) {
+    const SBlockHeader header = ReadBlockHeader(rest.substr(0, kBlockHeaderSize)).value();
+    if (header.Kind == EBlock::Index) {
+      break;
+    }
+    const std::string block = rest.substr(0, kBlockHeaderSize + header.PackedSize);
+    rest.erase(0, block.size());
+    if (header.Kind == EBlock::Frames) {
+      frames.push_back(block);
+    } else {
+      REQUIRE(frames.empty());
+      before += block;
+    }
+  }
+  REQUIRE(frames.size() == 3);
+  // without its index, as after a crash
+  file.Write(before + frames[0] + frames[1]);
+  CHECK(ErrorOf(file).empty());
+  file.Write(before + frames[1] + frames[0]);
+  CHECK_THAT(ErrorOf(file), Contains("its ticks are not in order"));
+  file.Write(before + frames[0] + frames[0]);
+  CHECK_THAT(ErrorOf(file), Contains("its ticks are not in order"));
 }
 
 TEST_CASE("recording: a file that is no recording is not overwritten", "[core][recording]") {
