@@ -56,6 +56,10 @@ export function labelOfShape(shape: Shape): Label {
   });
 }
 
+function linesOf(label: Label): string[] {
+  return label.text.slice(0, kMaxText).split("\n");
+}
+
 /** Writes a text that can be read on any ground. */
 export function contourText(
   context: CanvasRenderingContext2D,
@@ -66,23 +70,53 @@ export function contourText(
   contour: string,
 ): void {
   context.lineJoin = "round";
-  context.lineWidth = 3;
+  context.lineWidth = kContour;
   context.strokeStyle = contour;
   context.fillStyle = color;
   context.strokeText(text, x, y);
   context.fillText(text, x, y);
 }
 
+/** A part of the picture, in its pixels (those of CSS). */
+export interface Part {
+  left: number;
+  top: number;
+  right: number;
+  bottom: number;
+}
+
+interface PlacedLabel {
+  label: Label;
+  x: number;
+  y: number;
+  factor: number;
+}
+
+const kMaxText = 2000;
+const kContour = 3; // pixels
+const kLineHeight = 1.2; // of the size
+const kStep = 32; // pixels of the screen: the canvas seldom changes its size
+
+/**
+ * The canvas covers only what is written, and is drawn only when that changes: where the processor draws, a browser that blends
+ * a second canvas over the whole picture takes as long as for the picture itself.
+ */
 export class LabelCanvas {
   private readonly context: CanvasRenderingContext2D;
-  private isEmpty = true;
+  private drawn = "";
+  private part: Part = { left: 0, top: 0, right: 0, bottom: 0 };
 
   /** @param isSoftware  the processor draws: then the browser does it without WebGL's detour. */
   constructor(
-    private readonly canvas: HTMLCanvasElement,
+    readonly canvas: HTMLCanvasElement,
     isSoftware: boolean,
   ) {
     this.context = canvas.getContext("2d", { willReadFrequently: isSoftware })!;
+  }
+
+  /** What the canvas covers. */
+  get covered(): Readonly<Part> {
+    return this.part;
   }
 
   draw(
@@ -90,59 +124,96 @@ export class LabelCanvas {
     overlay: Shape[],
     look: Look,
     project: (point: Vector) => { x: number; y: number } | null,
-    pictureScale: number,
+    { clientWidth: width, clientHeight: height }: HTMLCanvasElement,
   ): void {
-    if (this.isEmpty && labels.length === 0 && overlay.length === 0) {
-      return;
-    }
-    const hasNothing = labels.length === 0 && overlay.length === 0;
-    this.canvas.style.visibility = hasNothing ? "hidden" : ""; // browsers then need not blend it
-    const ratio = window.devicePixelRatio;
-    const width = this.canvas.clientWidth;
-    const height = this.canvas.clientHeight;
-    if (this.canvas.width !== Math.round(width * ratio)) {
-      this.canvas.width = Math.round(width * ratio);
-    }
-    if (this.canvas.height !== Math.round(height * ratio)) {
-      this.canvas.height = Math.round(height * ratio);
-    }
-    const { context } = this;
-    context.setTransform(ratio, 0, 0, ratio, 0, 0);
-    context.clearRect(0, 0, width, height);
-    this.isEmpty = labels.length === 0 && overlay.length === 0;
-    for (const shape of overlay) {
-      if (shape.kind !== ShapeKind.Text) {
-        this.drawShape(shape, pictureScale);
-      }
-    }
+    // recordings draw for a picture 960 pixels high
+    const pictureScale = height / 960;
+    const placed: PlacedLabel[] = [];
     for (const label of labels) {
       const place = project(label.position);
       if (place !== null && place.x > -200 && place.x < width + 200) {
-        this.drawLabel(label, place.x, place.y, look, 1);
+        placed.push({ label, ...place, factor: 1 });
       }
     }
-    for (const shape of overlay) {
-      if (shape.kind === ShapeKind.Text) {
-        const [x, y] = shape.position;
-        const label = labelOfShape(shape);
-        this.drawLabel(label, x * pictureScale, y * pictureScale, look, pictureScale);
-      }
+    const shapes = overlay.filter((shape) => shape.kind !== ShapeKind.Text);
+    for (const shape of overlay.filter(({ kind }) => kind === ShapeKind.Text)) {
+      const [x, y] = shape.position;
+      placed.push({ label: labelOfShape(shape), x: x * pictureScale, y: y * pictureScale, factor: pictureScale });
+    }
+    const ratio = window.devicePixelRatio;
+    const { text, textContour } = look;
+    const toDraw = JSON.stringify([width, height, ratio, text, textContour, placed, shapes]);
+    if (toDraw === this.drawn) {
+      return;
+    }
+    this.drawn = toDraw;
+    const whole = { left: 0, top: 0, right: width, bottom: height };
+    this.cover(shapes.length > 0 ? whole : this.partOf(placed, whole), ratio);
+    for (const shape of shapes) {
+      this.drawShape(shape, pictureScale);
+    }
+    for (const label of placed) {
+      this.drawLabel(label, look);
     }
   }
 
-  private drawLabel(label: Label, x: number, y: number, look: Look, factor: number): void {
-    const { context } = this;
+  private partOf(placed: PlacedLabel[], whole: Part): Part {
+    const part = { left: whole.right, top: whole.bottom, right: 0, bottom: 0 };
+    for (const { label, x, y, factor } of placed) {
+      const size = this.setFont(label, factor);
+      const lines = linesOf(label);
+      const length = Math.max(...lines.map((line) => this.context.measureText(line).width)) + 2 * kContour;
+      const start = { left: 0, center: 0.5, right: 1 }[label.align as "left" | "center" | "right"] * length;
+      part.left = Math.min(part.left, x - start - kContour);
+      part.right = Math.max(part.right, x - start + length + kContour);
+      part.top = Math.min(part.top, y - label.above - kLineHeight * size - kContour);
+      part.bottom = Math.max(part.bottom, y - label.above + kLineHeight * size * (lines.length - 0.5) + kContour);
+    }
+    return {
+      left: Math.max(part.left, 0),
+      top: Math.max(part.top, 0),
+      right: Math.min(part.right, whole.right),
+      bottom: Math.min(part.bottom, whole.bottom),
+    };
+  }
+
+  // empties the canvas and places it over a part of the picture, at whole pixels of the screen
+  private cover(part: Part, ratio: number): void {
+    const { style } = this.canvas;
+    if (part.right <= part.left || part.bottom <= part.top) {
+      this.part = { left: 0, top: 0, right: 0, bottom: 0 };
+      style.visibility = "hidden"; // browsers then need not blend it
+      return;
+    }
+    const down = (length: number): number => Math.floor((length * ratio) / kStep) * kStep;
+    const up = (length: number): number => Math.ceil((length * ratio) / kStep) * kStep;
+    const [left, top, right, bottom] = [down(part.left), down(part.top), up(part.right), up(part.bottom)];
+    this.part = { left: left / ratio, top: top / ratio, right: right / ratio, bottom: bottom / ratio };
+    style.visibility = "visible";
+    style.left = `${this.part.left}px`;
+    style.top = `${this.part.top}px`;
+    style.width = `${this.part.right - this.part.left}px`;
+    style.height = `${this.part.bottom - this.part.top}px`;
+    this.canvas.width = right - left; // also when it stays: that empties it
+    this.canvas.height = bottom - top;
+    this.context.setTransform(ratio, 0, 0, ratio, -left, -top);
+  }
+
+  private setFont(label: Label, factor: number): number {
     const size = Math.max(8, label.size * factor);
-    context.font = `${label.weight} ${size}px ${label.family}`;
+    this.context.font = `${label.weight} ${size}px ${label.family}`;
+    return size;
+  }
+
+  private drawLabel({ label, x, y, factor }: PlacedLabel, look: Look): void {
+    const { context } = this;
+    const size = this.setFont(label, factor);
     context.textAlign = label.align;
     const contour = label.color === null ? look.textContour : contourOf(label.color);
     const color = label.color === null ? look.text : css(label.color);
-    label.text
-      .slice(0, 2000)
-      .split("\n")
-      .forEach((line, i) => {
-        contourText(context, line, x, y - label.above + 1.2 * size * i, color, contour);
-      });
+    linesOf(label).forEach((line, i) => {
+      contourText(context, line, x, y - label.above + kLineHeight * size * i, color, contour);
+    });
   }
 
   private drawShape(shape: Shape, factor: number): void {

@@ -272,15 +272,23 @@ void main() {
 }
 `;
 
+// Corners are numbered from 0 to 3 along each axis: the ground's side, two in the arena, the other side.
 export const kGroundVertex = /* glsl */ `${kCommon}
 in vec3 position;
-uniform vec2 uMin;
-uniform vec2 uMax;
+uniform vec2 uArenaMin;
+uniform vec2 uArenaMax;
+uniform float uFadeLength;
+uniform float uGridSpacing;
 uniform mat4 viewMatrix;
 uniform mat4 projectionMatrix;
 out vec2 vPosition;
+out vec2 vCell;
 void main() {
-  vPosition = mix(uMin, uMax, position.xy);
+  vec2 inset = 0.02 * (uArenaMax - uArenaMin); // more than the boundary's width
+  vec2 low = mix(uArenaMin - uFadeLength, uArenaMin + inset, step(0.5, position.xy));
+  vec2 high = mix(uArenaMax - inset, uArenaMax + uFadeLength, step(2.5, position.xy));
+  vPosition = mix(low, high, step(1.5, position.xy));
+  vCell = vPosition / uGridSpacing;
   gl_Position = projectionMatrix * (viewMatrix * vec4(vPosition, 0.0, 1.0));
 }
 `;
@@ -364,9 +372,13 @@ void main() {
 }
 `;
 
-/** The same where the processor draws: colours are sRGB, one grid, no shadows. */
+/**
+ * The same where the processor draws: colours are sRGB, one grid, no shadows. IS_INSIDE: neither boundary nor fading; pixels
+ * take 0.6 of the time.
+ */
 export const kPlainGroundFragment = /* glsl */ `${kCommon}
 in vec2 vPosition;
+in vec2 vCell;
 uniform vec2 uArenaMin;
 uniform vec2 uArenaMax;
 uniform float uFadeLength;
@@ -382,27 +394,26 @@ uniform sampler2D uFloor;
 #endif
 out vec4 outColor;
 void main() {
-  vec2 pixel = max(fwidth(vPosition), vec2(1e-7));
-  vec2 inward = min(vPosition - uArenaMin, uArenaMax - vPosition);
-  float least = min(inward.x, inward.y);
-  vec3 color = uGroundOutside;
-  if (least > 0.0) {
 #ifdef HAS_FLOOR
-    color = texture(uFloor, (vPosition - uArenaMin) / (uArenaMax - uArenaMin)).rgb;
+  vec3 color = texture(uFloor, (vPosition - uArenaMin) / (uArenaMax - uArenaMin)).rgb;
 #else
-    color = uGround;
+  vec3 color = uGround;
 #endif
-  }
-  vec2 toLine = abs(fract(vPosition / uGridSpacing - 0.5) - 0.5) * uGridSpacing / pixel;
-  vec2 lines = clamp(1.1 - toLine, 0.0, 1.0) * clamp(uGridSpacing / pixel * 0.011, 0.0, 0.6);
+#ifndef IS_INSIDE
+  vec2 inward = min(vPosition - uArenaMin, uArenaMax - vPosition);
+  color = min(inward.x, inward.y) > 0.0 ? color : uGroundOutside;
+#endif
+  vec2 perCell = 1.0 / max(fwidth(vCell), vec2(1e-7)); // pixels
+  vec2 toLine = abs(vCell - round(vCell)) * perCell;
+  vec2 lines = clamp(1.1 - toLine, 0.0, 1.0) * min(0.011 * perCell, 0.6);
   color = mix(color, uGridLine, max(lines.x, lines.y) * uGridStrength);
-  vec2 toSide = abs(inward) / pixel;
-  vec2 border = clamp(1.6 - toSide, 0.0, 1.0) * step(-pixel.yx, inward.yx);
+#ifndef IS_INSIDE
+  vec2 perMeter = perCell / uGridSpacing;
+  vec2 border = clamp(1.6 - abs(inward) * perMeter, 0.0, 1.0) * step(-1.0, inward.yx * perMeter.yx);
   color = mix(color, uBoundary, max(border.x, border.y));
-  if (least < 0.0) {
-    float outside = length(min(inward, vec2(0.0)));
-    color = mix(color, uBackground, smoothstep(0.0, 1.0, outside / uFadeLength));
-  }
+  float outside = length(min(inward, vec2(0.0)));
+  color = mix(color, uBackground, smoothstep(0.0, 1.0, outside / uFadeLength));
+#endif
   outColor = vec4(color, 1.0);
 }
 `;

@@ -10,7 +10,7 @@ export interface Surface {
 }
 
 function open(canvas: HTMLCanvasElement, antialias: boolean): WebGL2RenderingContext | null {
-  return canvas.getContext("webgl2", { antialias, powerPreference: "high-performance" });
+  return canvas.getContext("webgl2", { antialias, alpha: false, powerPreference: "high-performance" });
 }
 
 function nameOf(gl: WebGL2RenderingContext): string {

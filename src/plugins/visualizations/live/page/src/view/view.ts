@@ -1,20 +1,13 @@
 // The picture of an experiment: takes states, draws them, and tells what is where.
 
 import {
-  BufferAttribute,
-  BufferGeometry,
   Color as ThreeColor,
-  DataTexture,
-  LinearFilter,
-  LinearMipmapLinearFilter,
   Matrix4,
   Mesh,
   NoToneMapping,
   OrthographicCamera,
   Points,
   LinearSRGBColorSpace,
-  RGBAFormat,
-  type RawShaderMaterial,
   Scene,
   Vector2,
   Vector3,
@@ -22,14 +15,15 @@ import {
   WebGLRenderer,
 } from "three";
 
-import type { Floor, Frame } from "../decode/frames";
+import type { Frame } from "../decode/frames";
 import { RayKind } from "../decode/frames";
 import { type Shape, ShapeKind } from "../decode/drawing";
 import { type Color, type Entity, TypeKind, type Vector } from "../decode/types";
 import { type Box, ViewCamera } from "./camera";
 import { compose } from "./compose";
 import { EntityDrawer, kGpuBudget, kSoftwareBudget } from "./entities";
-import { StateTextures, type Uniforms, makeMaterial } from "./gpu";
+import { StateTextures, type Uniforms } from "./gpu";
+import { Ground } from "./ground";
 import { type Label, LabelCanvas, labelOfShape, makeLabel } from "./labels";
 import { type Look, kLightLook } from "./looks";
 import { type Dot, DotSet, type Line, LineSet, RingSet, UserDrawing, kWorld } from "./marks";
@@ -45,7 +39,6 @@ import {
   withoutJumps,
 } from "./math";
 import type { Surface } from "./surface";
-import { kGroundFragment, kGroundVertex, kPlainGroundFragment } from "./shaders";
 
 /** What is shown besides the entities. */
 export interface ViewOptions {
@@ -75,7 +68,6 @@ export const kDefaultOptions: Readonly<ViewOptions> = {
   clock: true,
 };
 
-const kGroundColors = ["uBackground", "uGround", "uGroundOutside", "uGridLine", "uBoundary"];
 const kFreeRay: Color = [36, 122, 196, 170];
 const kObstructedRay: Color = [214, 52, 58, 230];
 const kHitPoint: Color = [232, 40, 34, 255];
@@ -102,7 +94,6 @@ export class View {
   private readonly scene = new Scene();
   private readonly textures: StateTextures;
   private readonly uniforms: Uniforms;
-  private readonly groundUniforms: Uniforms;
   private readonly entityDrawer: EntityDrawer;
   private readonly userDrawing: UserDrawing;
   private readonly rayLines: LineSet;
@@ -113,10 +104,7 @@ export class View {
   private readonly hits: DotSet;
   private readonly rings: RingSet;
   private readonly labels: LabelCanvas;
-  private readonly ground: Mesh;
-  private readonly groundMaterial: RawShaderMaterial;
-  private floorTexture: DataTexture | null = null;
-  private floor: Floor | null = null;
+  private readonly ground: Ground;
   private look: Look = kLightLook;
   private arena: Box = { min: [-1, -1, 0], max: [1, 1, 1] };
   private drawing: Shape[] | null = null;
@@ -132,7 +120,7 @@ export class View {
 
   constructor(
     { canvas, gl, rendererName, isSoftware }: Surface,
-    private readonly labelCanvas: HTMLCanvasElement,
+    labelCanvas: HTMLCanvasElement,
   ) {
     if (gl === null) {
       throw new Error("The picture needs WebGL 2, which this browser does not have, or which is switched off in it.");
@@ -146,10 +134,6 @@ export class View {
     this.renderer.autoClear = false;
     this.textures = new StateTextures(this.isSoftware);
     this.uniforms = this.makeUniforms();
-    this.groundUniforms = { ...this.uniforms };
-    for (const name of kGroundColors) {
-      this.groundUniforms[name] = { value: new Vector3() };
-    }
     this.entityDrawer = new EntityDrawer(
       this.uniforms,
       this.isSoftware ? kSoftwareBudget : kGpuBudget,
@@ -164,15 +148,8 @@ export class View {
     this.hits = new DotSet(this.uniforms);
     this.rings = new RingSet(this.uniforms);
     this.labels = new LabelCanvas(labelCanvas, isSoftware);
-    this.groundMaterial = makeMaterial(
-      kGroundVertex,
-      this.isSoftware ? kPlainGroundFragment : kGroundFragment,
-      this.groundUniforms,
-      { defines: this.isSoftware ? {} : { HAS_SHADOWS: 1 } },
-    );
-    this.groundMaterial.side = 2;
-    this.ground = this.makeGround();
-    this.scene.add(this.ground, this.entityDrawer.scene, this.userDrawing.scene);
+    this.ground = new Ground(this.uniforms, isSoftware);
+    this.scene.add(this.ground.mesh, this.entityDrawer.scene, this.userDrawing.scene);
     this.scene.add(this.rayLines.batch.mesh, this.extraLines.batch.mesh);
     this.scene.add(this.deviceLines.batch.mesh, this.deviceDots.batch.mesh);
     this.scene.add(this.trailLines.batch.mesh, this.hits.batch.mesh, this.rings.batch.mesh);
@@ -182,7 +159,7 @@ export class View {
 
   // what each picture needs, while the first state is on its way
   private compileFirst(): void {
-    for (const mesh of [this.ground, this.extraLines.batch.mesh]) {
+    for (const mesh of [this.ground.mesh, this.extraLines.batch.mesh]) {
       this.renderer.compile(mesh, this.camera.update(), this.scene);
     }
   }
@@ -199,18 +176,9 @@ export class View {
       const color = new ThreeColor(hex); // three.js decodes it to linear light
       return new Vector3(color.r, color.g, color.b);
     };
-    const ground = (hex: string): Vector3 => {
-      const color = new ThreeColor().setStyle(hex, LinearSRGBColorSpace);
-      return this.isSoftware ? new Vector3(color.r, color.g, color.b) : linear(hex);
-    };
     const marker = new ThreeColor().setStyle(look.marker, LinearSRGBColorSpace);
     u.uMarker!.value = new Vector3(marker.r, marker.g, marker.b);
-    const g = this.groundUniforms;
-    g.uBackground!.value = ground(look.background);
-    g.uGround!.value = ground(look.ground);
-    g.uGroundOutside!.value = ground(look.groundOutside);
-    g.uGridLine!.value = ground(look.gridLine);
-    g.uBoundary!.value = ground(look.boundary);
+    this.ground.setLook(look);
     u.uSkyLight!.value = linear(look.sky);
     u.uBounceLight!.value = linear(look.bounce);
     u.uSunIntensity!.value = look.sun;
@@ -228,14 +196,7 @@ export class View {
     ++this.changes;
     this.arena = arena;
     this.camera.setHome(arena);
-    const size = Math.max(arena.max[0] - arena.min[0], arena.max[1] - arena.min[1]);
-    const reach = 0.6 * size;
-    const u = this.uniforms;
-    u.uArenaMin!.value = new Vector2(arena.min[0], arena.min[1]);
-    u.uArenaMax!.value = new Vector2(arena.max[0], arena.max[1]);
-    u.uMin!.value = new Vector2(arena.min[0] - reach, arena.min[1] - reach);
-    u.uMax!.value = new Vector2(arena.max[0] + reach, arena.max[1] + reach);
-    u.uFadeLength!.value = reach;
+    this.ground.setArena(arena);
     this.hasExtras = false;
   }
 
@@ -472,7 +433,7 @@ export class View {
 
   /** Draws the picture with its texts over a canvas. Only after render() in the same task: then the browser shows and drops it. */
   copyTo(target: HTMLCanvasElement, clock: string): void {
-    compose(target, [this.canvas, this.labelCanvas], this.look, clock);
+    compose(target, this.canvas, this.labels, this.look, clock);
   }
 
   private show(frame: Frame, isJump: boolean): void {
@@ -495,7 +456,7 @@ export class View {
     }
     this.textures.push(this.toPoses, words);
     this.blend = 0;
-    this.showFloor(frame.floor);
+    this.ground.setFloor(frame.floor);
     this.showMarks(frame);
     if (this.options.trails) {
       this.addTrails();
@@ -522,43 +483,6 @@ export class View {
         this.renderer.compile(object, this.camera.update(), this.scene);
       }
     });
-  }
-
-  private showFloor(floor: Floor | null): void {
-    if (floor === this.floor) {
-      return;
-    }
-    const before = this.floor;
-    this.floor = floor;
-    const isSame = before?.width === floor?.width && before?.height === floor?.height;
-    if (!isSame || this.floorTexture === null || floor === null) {
-      this.floorTexture?.dispose();
-      this.floorTexture = null;
-      const defines = this.groundMaterial.defines as Record<string, number>;
-      delete defines.HAS_FLOOR;
-      if (floor !== null) {
-        defines.HAS_FLOOR = 1;
-        const data = new Uint8Array(4 * floor.width * floor.height);
-        const texture = new DataTexture(data, floor.width, floor.height, RGBAFormat);
-        texture.magFilter = LinearFilter;
-        texture.minFilter = this.isSoftware ? LinearFilter : LinearMipmapLinearFilter;
-        texture.generateMipmaps = !this.isSoftware;
-        this.floorTexture = texture;
-      }
-      this.groundMaterial.needsUpdate = true;
-    }
-    if (floor !== null && this.floorTexture !== null) {
-      const data = this.floorTexture.image.data as Uint8Array;
-      for (let i = 0, place = 0; i < floor.pixels.length; i += 3, place += 4) {
-        data[place] = floor.pixels[i]!;
-        data[place + 1] = floor.pixels[i + 1]!;
-        data[place + 2] = floor.pixels[i + 2]!;
-        data[place + 3] = 255;
-      }
-      this.floorTexture.needsUpdate = true;
-      this.uniforms.uFloor!.value = this.floorTexture;
-      this.uniforms.uFloorSize!.value = new Vector2(floor.width, floor.height);
-    }
   }
 
   private showMarks(frame: Frame): void {
@@ -851,9 +775,7 @@ export class View {
       }
       overlay = frame.drawing.filter((shape) => shape.isOverlay);
     }
-    // recordings draw for a picture 960 pixels high
-    const pictureScale = this.canvas.clientHeight / 960;
-    this.labels.draw(labels, overlay, this.look, (point) => this.camera.project(point), pictureScale);
+    this.labels.draw(labels, overlay, this.look, (point) => this.camera.project(point), this.canvas);
   }
 
   private addId(labels: Label[], number: number): void {
@@ -902,29 +824,18 @@ export class View {
       ...["uSkyLight"],
       ...["uBounceLight", "uSunIntensity", "uAmbientIntensity", "uSpecularIntensity"],
       ...["uEdgeDarkening", "uContactDarkening", "uHaloStrength", "uHaloOpacity", "uNear"],
-      ...["uPixelsPerUnit", "uPixelScale", "uSignalPixels", "uArenaMin", "uArenaMax", "uMin"],
-      ...["uMax", "uFadeLength", "uFloor", "uFloorSize", "uShadowMap", "uShadowTexel"],
+      ...["uPixelsPerUnit", "uPixelScale", "uSignalPixels", "uArenaMin", "uArenaMax"],
+      ...["uFadeLength", "uFloor", "uFloorSize", "uShadowMap", "uShadowTexel"],
       ...["uShadowOffset"],
     ]) {
       add(name, 0);
     }
-    for (const name of ["uArenaMin", "uArenaMax", "uMin", "uMax", "uFloorSize"]) {
+    for (const name of ["uArenaMin", "uArenaMax", "uFloorSize"]) {
       add(name, new Vector2(1, 1));
     }
     add("uFloor", null);
     add("uShadowMap", null);
     return uniforms;
-  }
-
-  private makeGround(): Mesh {
-    const geometry = new BufferGeometry();
-    const corners = new Float32Array([0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0]);
-    geometry.setAttribute("position", new BufferAttribute(corners, 3));
-    geometry.setIndex([0, 1, 2, 2, 1, 3]);
-    const mesh = new Mesh(geometry, this.groundMaterial);
-    mesh.frustumCulled = false;
-    mesh.renderOrder = 0;
-    return mesh;
   }
 }
 
