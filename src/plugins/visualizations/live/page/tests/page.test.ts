@@ -126,6 +126,111 @@ test("page: every button has a name and a title, at 1280 and 390 pixels", { skip
   }
 });
 
+test("page: many robots are the same points whether WebGL draws them or the page", { skip, timeout: kTimeout }, async () => {
+  const tab = await Tab.open(browser, url);
+  await tab.openRecording(record("rooms", 1));
+  for (const elevation of [Math.PI / 2, 0.9, 0.15]) {
+    const { drawnAs, points, different } = await tab.page.evaluate((angle) => {
+      const view = (window as any).argosView;
+      const drawer = view.entityDrawer;
+      view.camera.elevation = angle; // from above, and so low that walls hide robots
+      const shoot = (pointsByWebGL: number): Uint8ClampedArray => {
+        drawer.budget.pointsByWebGL = pointsByWebGL;
+        drawer.setEntities(drawer.entities, view.frame.words.length);
+        view.lastChoice = 0;
+        const { width, height } = view.capture(false);
+        return view.capture(false).getContext("2d").getImageData(0, 0, width, height).data;
+      };
+      const [byWebGL, byPage, none] = [shoot(Infinity), shoot(0), shoot(0)];
+      drawer.points.visible = false;
+      view.lastChoice = performance.now() + 1e6; // is not chosen again
+      ++view.changes;
+      const canvas = view.capture(false);
+      none.set(canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data);
+      const differs = (a: Uint8ClampedArray, b: Uint8ClampedArray, i: number): boolean =>
+        Math.abs(a[i]! - b[i]!) + Math.abs(a[i + 1]! - b[i + 1]!) + Math.abs(a[i + 2]! - b[i + 2]!) > 12;
+      let [numPoints, numDifferent] = [0, 0];
+      for (let i = 0; i < none.length; i += 4) {
+        numPoints += differs(byWebGL, none, i) ? 1 : 0;
+        numDifferent += differs(byWebGL, byPage, i) ? 1 : 0;
+      }
+      return { drawnAs: view.counts.points, points: numPoints, different: numDifferent };
+    }, elevation);
+    assert.equal(drawnAs, 1000);
+    assert.ok(points > 1000, `${points} pixels of points at ${elevation} rad`);
+    // rounding of a point's edge
+    assert.ok(different < 0.05 * points, `${different} of ${points} pixels differ at ${elevation} rad`);
+  }
+  assert.deepEqual(await tab.close(), []);
+});
+
+test("page: texts are drawn where they are, and only when they change", { skip, timeout: kTimeout }, async () => {
+  const tab = await Tab.open(browser, url);
+  await tab.openRecording(recording);
+  const place = (): Promise<{ width: number; height: number }> =>
+    tab.page.evaluate(() => {
+      const { width, height } = document.querySelector("canvas.labels")!.getBoundingClientRect();
+      return { width, height };
+    });
+  const scaleBar = await place();
+  assert.ok(scaleBar.width > 0 && scaleBar.width <= 128 && scaleBar.height <= 96, JSON.stringify(scaleBar));
+  await tab.page.evaluate(() => {
+    const view = (window as any).argosView;
+    const { cover } = Object.getPrototypeOf(view.labels);
+    const counts = { covers: 0, pictures: 0 };
+    Object.assign(window, { counts });
+    view.labels.cover = function (...all: unknown[]): void {
+      ++counts.covers;
+      cover.apply(this, all);
+    };
+    const { render } = Object.getPrototypeOf(view);
+    view.render = (now: number): boolean => {
+      const isDrawn = render.call(view, now);
+      counts.pictures += isDrawn ? 1 : 0;
+      return isDrawn;
+    };
+  });
+  await tab.button("Play").click();
+  const counts = (): Promise<{ covers: number; pictures: number }> =>
+    tab.page.evaluate(() => (window as any).counts);
+  await tab.page.waitForFunction(() => (window as any).counts.pictures > 5);
+  assert.equal((await counts()).covers, 0);
+  await tab.page.evaluate(() => {
+    (window as any).argosView.camera.azimuth += 0.3;
+  });
+  await tab.page.waitForFunction(() => (window as any).counts.covers > 0);
+  await tab.button("Pause").click();
+  assert.equal((await counts()).covers, 1);
+  // ids of robots all over the picture, on it and in a saved one
+  await tab.page.evaluate(() => {
+    const view = (window as any).argosView;
+    view.options.ids = true;
+    view.optionsChanged();
+  });
+  await tab.page.waitForFunction(() => document.querySelector("canvas.labels")!.clientWidth > 300);
+  const texts = await tab.page.evaluate(() => {
+    const view = (window as any).argosView;
+    const pixels = (canvas: HTMLCanvasElement): Uint8ClampedArray =>
+      canvas.getContext("2d")!.getImageData(0, 0, canvas.width, canvas.height).data;
+    const saved = view.capture(true);
+    const [with_, without] = [pixels(saved), pixels(view.capture(false))];
+    const { left, top, right, bottom } = view.labels.covered;
+    let [inside, outside] = [0, 0];
+    for (let i = 0; i < with_.length; i += 4) {
+      const [x, y] = [(i / 4) % saved.width, Math.floor(i / 4 / saved.width)];
+      const isInside = x >= left && x < right && y >= top && y < bottom;
+      const differs = Math.abs(with_[i]! - without[i]!) > 8;
+      inside += differs && isInside ? 1 : 0;
+      outside += differs && !isInside ? 1 : 0;
+    }
+    return { inside, outside, sameSize: with_.length === without.length };
+  });
+  assert.ok(texts.sameSize);
+  assert.ok(texts.inside > 500, `${texts.inside} pixels of texts`);
+  assert.equal(texts.outside, 0);
+  assert.deepEqual(await tab.close(), []);
+});
+
 test("page: a recording inside the page opens from disk", { skip, timeout: kTimeout }, async () => {
   const path = join(folder, "embedded.html");
   writeFileSync(path, embed(recording));

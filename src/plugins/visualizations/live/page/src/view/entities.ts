@@ -22,6 +22,7 @@ import { type FieldSpec, InstanceBatch, type Uniforms, makeMaterial, makeQuad } 
 import { add, rotate } from "./math";
 import { MeshKind, kMeshKinds, makeCylinder, makeDisc, makeMesh } from "./meshes";
 import { type Model, type Solid, makeModel } from "./models";
+import { PointPicture, type PointRobot, type PointScene } from "./point_picture";
 import {
   kContactFragment,
   kContactVertex,
@@ -77,6 +78,8 @@ export interface Budget {
   /** Merged discs have half the corners, and no edge between top and side. */
   hasSmoothDiscs: boolean;
   hasShadows: boolean;
+  /** Points that WebGL draws; the page draws more itself, which costs as much as about 4,000 of WebGL. */
+  pointsByWebGL: number;
 }
 
 export const kGpuBudget: Budget = {
@@ -86,6 +89,7 @@ export const kGpuBudget: Budget = {
   mergedSegments: 12,
   hasSmoothDiscs: false,
   hasShadows: true,
+  pointsByWebGL: Infinity,
 };
 
 export const kSoftwareBudget: Budget = {
@@ -95,6 +99,7 @@ export const kSoftwareBudget: Budget = {
   mergedSegments: 6,
   hasSmoothDiscs: true,
   hasShadows: false,
+  pointsByWebGL: 4000,
 };
 
 function makeGeometry(kind: MeshKind, segments: number): BufferGeometry {
@@ -121,7 +126,8 @@ export class EntityDrawer {
   private readonly mergedMaterial: RawShaderMaterial;
   private readonly pointMaterial: RawShaderMaterial;
   private merged: Mesh | null = null;
-  private points: Points | null = null;
+  private points: Points | Mesh | null = null;
+  private pointPicture: PointPicture | null = null;
   private modelsOfTypes = new Map<EntityType, Model>();
   private isNear = new Uint8Array(0);
   private numSolids = 0;
@@ -432,6 +438,8 @@ export class EntityDrawer {
       }
     }
     this.merged = this.points = null;
+    this.pointPicture?.dispose();
+    this.pointPicture = null;
   }
 
   // the largest solid of each, of few corners
@@ -494,27 +502,42 @@ export class EntityDrawer {
   }
 
   private makePoints(): void {
-    const robots = this.models.flatMap((model, i) => (model.isRobot ? [i] : []));
-    const positions = new Float32Array(3 * robots.length);
-    const places = new Uint32Array(2 * robots.length);
-    const radii = new Float32Array(robots.length);
-    robots.forEach((number, i) => {
-      const { max, min } = this.models[number]!;
-      const entity = this.entities[number]!;
-      positions[3 * i + 2] = max[2];
-      places.set([entity.firstPose, entity.firstWord], 2 * i);
-      radii[i] = 0.5 * Math.max(max[0] - min[0], max[1] - min[1]);
+    const robots = this.models.flatMap(({ isRobot, max, min }, i) => {
+      const { firstPose: pose, firstWord: word } = this.entities[i]!;
+      return isRobot ? [{ pose, word, top: max[2], radius: 0.5 * Math.max(max[0] - min[0], max[1] - min[1]) }] : [];
     });
-    const geometry = new BufferGeometry();
-    geometry.setAttribute("position", new BufferAttribute(positions, 3));
-    geometry.setAttribute("inPlace", new BufferAttribute(places, 2));
-    geometry.setAttribute("inRadius", new BufferAttribute(radii, 1));
-    this.points = new Points(geometry, this.pointMaterial);
-    this.points.frustumCulled = false;
-    this.points.visible = false;
-    this.points.renderOrder = 3;
+    if (robots.length <= this.budget.pointsByWebGL) {
+      this.points = new Points(makePointGeometry(robots), this.pointMaterial);
+      this.points.frustumCulled = false;
+      this.points.visible = false;
+      this.points.renderOrder = 3;
+    } else {
+      this.pointPicture = new PointPicture(this.uniforms, robots);
+      this.points = this.pointPicture.mesh;
+    }
     this.scene.add(this.points);
   }
+
+  /** Draws the points that WebGL does not draw. */
+  drawPoints(scene: PointScene): void {
+    if (this.pointPicture?.mesh.visible === true) {
+      this.pointPicture.draw(scene);
+    }
+  }
+}
+
+function makePointGeometry(robots: PointRobot[]): BufferGeometry {
+  const positions = new Float32Array(3 * robots.length);
+  const places = new Uint32Array(2 * robots.length);
+  robots.forEach(({ pose, word, top }, i) => {
+    positions[3 * i + 2] = top;
+    places.set([pose, word], 2 * i);
+  });
+  const geometry = new BufferGeometry();
+  geometry.setAttribute("position", new BufferAttribute(positions, 3));
+  geometry.setAttribute("inPlace", new BufferAttribute(places, 2));
+  geometry.setAttribute("inRadius", new BufferAttribute(Float32Array.from(robots, ({ radius }) => radius), 1));
+  return geometry;
 }
 
 function placeMesh(

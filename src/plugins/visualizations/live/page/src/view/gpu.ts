@@ -262,6 +262,15 @@ export class StateTextures {
 
   private numPoses = 0;
 
+  /** Of this picture: eight numbers for each pose, of which three are its position. */
+  get poses(): Float32Array {
+    return (this.uniforms.uTo!.value as DataTexture).image.data as Float32Array;
+  }
+
+  get wordsOfState(): Uint32Array {
+    return this.words.image.data as Uint32Array;
+  }
+
   /** Which entities are drawn in full, by number. */
   setNear(isNear: Uint8Array): void {
     const rows = Math.max(1, Math.ceil(isNear.length / kWordsPerRow));

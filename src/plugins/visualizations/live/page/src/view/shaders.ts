@@ -272,6 +272,31 @@ void main() {
 }
 `;
 
+// see point_picture.ts
+export const kPointPictureVertex = /* glsl */ `${kCommon}
+in vec3 position;
+void main() {
+  gl_Position = vec4(2.0 * position.xy - 1.0, 0.0, 1.0);
+}
+`;
+
+export const kPointPictureFragment = /* glsl */ `${kCommon}${kPoses}
+uniform usampler2D uPicture;
+uniform float uStep;
+uniform mat4 projectionMatrix;
+uniform vec3 uMarker;
+out vec4 outColor;
+void main() {
+  uint pixel = texelFetch(uPicture, ivec2(gl_FragCoord.xy), 0).r;
+  if (pixel == 0u) {
+    discard;
+  }
+  vec4 place = projectionMatrix * vec4(0.0, 0.0, -uStep * float(pixel >> 1), 1.0);
+  gl_FragDepth = 0.5 * place.z / place.w + 0.5;
+  outColor = Paled(vec4(uMarker, 1.0), pixel);
+}
+`;
+
 // Corners are numbered from 0 to 3 along each axis: the ground's side, two in the arena, the other side.
 export const kGroundVertex = /* glsl */ `${kCommon}
 in vec3 position;

@@ -383,10 +383,21 @@ export class View {
     this.updateExtras();
     this.updateRings();
     this.drawShadows();
+    this.entityDrawer.drawPoints({
+      ...{ camera, size, poses: this.textures.poses, words: this.textures.wordsOfState },
+      ...{ pixelsPerUnit: perUnit, pixels: 3 * Math.max(scale, 0.75), farthest: this.farthest(eye) },
+    });
     this.renderer.clear();
     this.renderer.render(this.scene, camera);
     this.drawLabels();
     return true;
+  }
+
+  // from the camera to a corner of the arena
+  private farthest({ x, y, z }: Vector3): number {
+    const { min, max } = this.arena;
+    const along = (at: number, i: number): number => Math.max(Math.abs(at - min[i]!), Math.abs(at - max[i]!));
+    return Math.hypot(along(x, 0), along(y, 1), along(z, 2));
   }
 
   private pictureKey = "";
