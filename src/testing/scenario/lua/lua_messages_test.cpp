@@ -91,6 +91,17 @@ TEST_CASE("lua messages: errors that no name explains stay as they are", "[lua][
   CHECK_THAT(error, !Contains("did you mean"));
 }
 
+TEST_CASE("lua messages: lines before are blamed only for names that are nearly right",
+          "[lua][program]") {
+  const auto [name, isBlamed] =
+      GENERATE(table<std::string, bool>({{"robot.whels", true}, {"robot.qqq", false}}));
+  const std::string error = ErrorOf("local kept = " + name + "\nlocal x = nil\nlog(x.y)");
+  CHECK_THAT(error, Contains("s.lua:5: attempt to index a nil value (local 'x')"));
+  CHECK((error.find("line 3: robot has no \"whels\"; did you mean \"wheels\"?") !=
+         std::string::npos) == isBlamed);
+  CHECK_THAT(error, !Contains("qqq"));
+}
+
 TEST_CASE("lua messages: a colon in place of a dot is named", "[lua][program]") {
   CHECK_THAT(ErrorOf("robot.wheels:set_velocity(1, 1)"),
              Contains("s.lua:3: robot.wheels.set_velocity: argument 1 must be a number, got table; "

@@ -176,6 +176,9 @@ TEST_CASE("lua sandbox: coroutines work as before", "[lua][sandbox]") {
   CHECK(lua.Get("select('#', coroutine.wrap(function() return 1, nil, nil end)())") == "3");
   CHECK_THAT(lua.GetError("coroutine.wrap(function() error('no good') end)()"),
              Contains("no good") && StartsWith("test:1:"));
+  // texts of errors begin with the place of the call, as in Lua
+  CHECK(lua.GetError("\ncoroutine.wrap(function() error('no good', 0) end)()") ==
+        "test:2: no good");
   CHECK(lua.GetError("coroutine.wrap(function() error({}) end)()") ==
         "(the error is a table value)");
   CHECK_THAT(lua.GetError("local c = coroutine.wrap(function() end) c() c()"),
