@@ -5,6 +5,7 @@
 #endif
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <cstdlib>
 #include <mutex>
@@ -59,6 +60,11 @@ struct SFreeRegion {
   void operator()(std::byte* region) const { std::free(region); }
 };
 using TRegion = std::unique_ptr<std::byte[], SFreeRegion>;
+
+// The region that was released last, for any slabs; null if it is in use. Mapping one and touching
+// its pages takes longer than making a few robots, and some programs make and delete one small
+// simulation after the other.
+std::atomic<std::byte*> spareRegion = nullptr;
 
 // regions that ReserveAhead() has mapped together
 class CArea {
@@ -129,7 +135,10 @@ struct CObjectSlabs::SState {
 
 std::byte* CObjectSlabs::SState::TakeSlab() {
   if (NextSlab == EndOfSlabs) {
-    TRegion region(static_cast<std::byte*>(std::aligned_alloc(kRegion, kRegion)));
+    TRegion region(spareRegion.exchange(nullptr));
+    if (region == nullptr) {
+      region.reset(static_cast<std::byte*>(std::aligned_alloc(kRegion, kRegion)));
+    }
     if (region == nullptr) {
       throw std::bad_alloc();
     }
@@ -146,17 +155,15 @@ std::byte* CObjectSlabs::SState::TakeSlab() {
   return std::exchange(NextSlab, NextSlab + kSlab);
 }
 
-// called when no object is left; keeps a region, because mapping one takes longer than making a few
-// objects, and some code makes and deletes one after the other
+// called when no object is left
 void CObjectSlabs::SState::ReleaseAll() {
   Sizes.fill(SSizeClass());
   Areas.clear();
   NextSlab = EndOfSlabs = nullptr;
   if (!Regions.empty()) {
-    Regions.resize(1);
-    NextSlab = Regions.front().get();
-    EndOfSlabs = NextSlab + kRegion;
+    const TRegion previous(spareRegion.exchange(Regions.front().release()));
   }
+  Regions.clear();
 }
 
 CObjectSlabs::CObjectSlabs() : m_state(std::make_unique<SState>()) {}

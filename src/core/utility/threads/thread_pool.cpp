@@ -73,6 +73,12 @@ constexpr char kForkedInPhase[] =
     "has only one of these threads and cannot go on; it must call exec() or _exit(). fork() "
     "between ticks is possible";
 
+// never 0; the system would read a file each time
+UInt32 CountCores() {
+  static const UInt32 cores = std::max(1U, std::thread::hardware_concurrency());
+  return cores;
+}
+
 // it is a child that has this worker only: nothing could end its phase
 [[noreturn]] void EndForkedWorker() {
   CSignalSafeText text;
@@ -88,7 +94,7 @@ CThreadPool::CThreadPool(UInt32 threads, std::unique_ptr<CSchedule> schedule, bo
     : m_numThreads(std::max<UInt32>(1, threads)),
       m_numForks(CountForks()),
       m_pinToCores(pinToCores),
-      m_spin(m_numThreads <= std::thread::hardware_concurrency()),
+      m_spin(m_numThreads <= CountCores()),
       m_schedule(std::move(schedule)),
       m_startWorker(std::move(startWorker)) {
   m_phases.reserve(kMaxPhases);
@@ -320,10 +326,9 @@ size_t CThreadPool::DoRuns(UInt32 thread) {
 }
 
 void CThreadPool::Pin(std::thread& worker, UInt32 thread) {
-  const UInt32 cores = std::max(1U, std::thread::hardware_concurrency());
   cpu_set_t set;
   CPU_ZERO(&set);
-  CPU_SET(thread % cores, &set);
+  CPU_SET(thread % CountCores(), &set);
   // a refusal costs speed only, so it is not an error
   pthread_setaffinity_np(worker.native_handle(), sizeof(set), &set);
 }
