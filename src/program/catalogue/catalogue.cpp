@@ -48,19 +48,6 @@ void Search(const SElement& parent, const TElementPath& path, const std::string&
   }
 }
 
-// a child of a section at any depth; null if there is none
-const SElement* FindIn(const SElement& parent, const std::string& section,
-                       const SElementName& name) {
-  for (const auto& [tag, child] : parent.Children) {
-    const SElement* found = tag.Tag == section ? child.Find(name) : nullptr;
-    found = found == nullptr ? FindIn(child, section, name) : found;
-    if (found != nullptr) {
-      return found;
-    }
-  }
-  return nullptr;
-}
-
 void CollectNames(const SElement& element, std::set<std::string>& names) {
   for (const auto& [name, attribute] : element.Attributes) {
     names.insert(name);
@@ -100,9 +87,10 @@ const SElement* CCatalogue::FindElement(const SMatch& match) {
   }
   const SElementName name = SElementName::FromLabel(match.Plugin->Label);
   // outputs are among the views
-  const SElement* const output =
-      section == "visualization" ? FindIn(GetElements(), "outputs", name) : nullptr;
-  return output != nullptr ? output : FindIn(GetElements(), section, name);
+  TElementPath path =
+      section == "visualization" ? GetElements().FindIn("outputs", name) : TElementPath();
+  path = path.empty() ? GetElements().FindIn(section, name) : path;
+  return path.empty() ? nullptr : GetElements().FindAt(path);
 }
 
 bool CCatalogue::IsMeant(const SMatch& match, const std::string& query) const {

@@ -136,19 +136,23 @@ const std::vector<std::string>& CDevices::GetRobots() {
 }
 
 const SDeviceFacts& CDevices::Describe(const SPluginKind& kind, const std::string& label) {
-  const auto [known, isNew] = m_facts.try_emplace({kind.Section, label});
-  SDeviceFacts& facts = known->second;
-  if (!isNew) {
-    return facts;
+  SDeviceFacts& facts = TryOnRobots(kind, label, true);
+  if (facts.Interface.Name.empty()) {
+    facts.Interface = FindInterface(kind, label);
+    facts.Class = m_headers.Describe(facts.Interface.Name);
   }
-  facts.Interface = FindInterface(kind, label);
-  facts.Class = m_headers.Describe(facts.Interface.Name);
+  return facts;
+}
+
+SDeviceFacts& CDevices::TryOnRobots(const SPluginKind& kind, const std::string& label, bool all) {
+  SDeviceFacts& facts = m_facts[{kind.Section, label}];
+  const std::vector<std::string>& robots = GetRobots();
   const SSample device = m_samples.Of(kind.Section, SElementName::FromLabel(label)).front();
-  for (const std::string& robot : GetRobots()) {
-    TryOn(robot, device, facts);
+  for (; facts.NumTried < robots.size() && (all || facts.Robots.empty()); ++facts.NumTried) {
+    TryOn(robots[facts.NumTried], device, facts);
   }
-  if (facts.Robots.empty() && !GetRobots().empty()) {
-    facts.Arena = Robots(GetRobots().front(), "");
+  if (facts.Robots.empty() && !robots.empty()) {
+    facts.Arena = Robots(robots.front(), "");
   }
   return facts;
 }
@@ -215,7 +219,7 @@ SSampleExperiment CDevices::MakeExperiment(const SSample& sample) {
   SSampleExperiment experiment = m_samples.MakeExperiment(sample);
   for (const SPluginKind& kind : m_kinds) {
     if (kind.IsOfDevices() && kind.Section == sample.Section) {
-      experiment.SetRobots(Describe(kind, sample.Name.ToLabel()).Arena);
+      experiment.SetRobots(TryOnRobots(kind, sample.Name.ToLabel(), false).Arena);
     }
   }
   return experiment;

@@ -31,6 +31,7 @@ struct SDeviceFacts {
   std::vector<SFit> Robots;
   std::string Problem; /**< why it does not fit the first robot, if it fits none */
   std::string Arena; /**< robots that it fits, as XML; the first robot if it fits none */
+  std::size_t NumTried = 0; /**< of the robots */
 };
 
 /** A device that fits a robot. */
@@ -64,6 +65,8 @@ class CDevices {
   CSampleLoader& GetLoader() { return m_loader; }
 
  private:
+  // @param all  otherwise as many robots as it takes to find one that the device fits
+  SDeviceFacts& TryOnRobots(const SPluginKind& kind, const std::string& label, bool all);
   bool IsRobot(const std::string& label);
   std::string Robots(const std::string& label, const std::string& parts) const;
   void TryOn(const std::string& robot, const SSample& device, SDeviceFacts& facts);

@@ -37,6 +37,11 @@ EValueType Merged(EValueType one, EValueType other) {
 
 }  // namespace
 
+TElementPath operator/(TElementPath path, const SElementName& name) {
+  path.push_back(name);
+  return path;
+}
+
 const char* NameOf(EValueType type) {
   static constexpr const char* kNames[] = {"text",    "text",    "real",    "real",
                                            "integer", "natural", "boolean", "colour",
@@ -61,6 +66,27 @@ const SElement* SElement::Find(const SElementName& name) const {
 
 SElement* SElement::Find(const SElementName& name) {
   return const_cast<SElement*>(std::as_const(*this).Find(name));
+}
+
+const SElement* SElement::FindAt(const TElementPath& path) const {
+  const SElement* found = this;
+  for (auto name = path.begin(); found != nullptr && name != path.end(); ++name) {
+    found = found->Find(*name);
+  }
+  return found;
+}
+
+TElementPath SElement::FindIn(const std::string& section, const SElementName& name) const {
+  for (const auto& [tag, child] : Children) {
+    TElementPath path = tag.Tag == section && child.Find(name) != nullptr
+                            ? TElementPath{name}
+                            : child.FindIn(section, name);
+    if (!path.empty()) {
+      path.insert(path.begin(), tag);
+      return path;
+    }
+  }
+  return {};
 }
 
 void SElement::Merge(const SElement& other) {

@@ -5,8 +5,15 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 namespace argos {
+
+/** Names from below the root: framework, experiment. */
+using TElementPath = std::vector<SElementName>;
+
+/** The path of an element inside another one. */
+TElementPath operator/(TElementPath path, const SElementName& name);
 
 /** How the text of an attribute is read. */
 enum class EValueType : UInt8 {
@@ -59,6 +66,10 @@ struct SElement {
   /** Null if there is none. */
   SElement* Find(const SElementName& name);
   const SElement* Find(const SElementName& name) const;
+  /** The element at a path from here; null if there is none. */
+  const SElement* FindAt(const TElementPath& path) const;
+  /** The path of a child of such a section, at any depth; empty if there is none. */
+  TElementPath FindIn(const std::string& section, const SElementName& name) const;
   /** Adds what is read of another one; required are the attributes of this one. */
   void Merge(const SElement& other);
 };

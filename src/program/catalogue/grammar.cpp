@@ -18,24 +18,37 @@ constexpr const char* kRoot = "argos-configuration";
 constexpr const char* kNoValue = "no_such_value";
 constexpr const char* kLibraryText = "path or name of the library that contains the plug-in.";
 
+SElementName NameOf(const TConfigurationNode& element) {
+  return {element.Value(), element.GetAttribute("implementation")};
+}
+
+/* An element of a sample. */
+struct SPart {
+  TConfigurationNode Element;
+  TElementPath Path;
+};
+
 // all elements of a tree; the order does not change while attributes are removed
-void CollectElements(TConfigurationNode& element, std::vector<TConfigurationNode>& all) {
-  all.push_back(element);
+void CollectParts(TConfigurationNode& element, const TElementPath& path,
+                  std::vector<SPart>& parts) {
+  parts.push_back({element, path});
   TConfigurationNodeIterator it;
   for (it = it.begin(&element); it != it.end(); ++it) {
-    CollectElements(*it, all);
+    CollectParts(*it, path / NameOf(*it), parts);
   }
 }
 
 /* The elements of a sample, which can be changed. */
 class CChange {
  public:
-  explicit CChange(const SSample& sample) : m_sample(sample) {
+  // place: path of the sample's element
+  explicit CChange(const SSample& sample, const TElementPath& place = {}) : m_sample(sample) {
     m_document.Parse(sample.Text, "(example)");
-    CollectElements(m_document.GetRoot(), m_elements);
+    CollectParts(m_document.GetRoot(), place, m_parts);
   }
 
-  std::vector<TConfigurationNode>& GetElements() { return m_elements; }
+  std::vector<SPart>& GetParts() { return m_parts; }
+  TConfigurationNode& GetElement(size_t index) { return m_parts[index].Element; }
   SSample MakeSample() {
     std::ostringstream text;
     text << m_document.GetRoot();
@@ -45,7 +58,7 @@ class CChange {
  private:
   const SSample& m_sample;
   CConfigurationDocument m_document;
-  std::vector<TConfigurationNode> m_elements;
+  std::vector<SPart> m_parts;
 };
 
 bool IsWord(const std::string& text) {
@@ -217,11 +230,6 @@ void CollectOverlays(const SElement& element, SElement& all) {
 
 }  // namespace
 
-TElementPath operator/(TElementPath path, const SElementName& name) {
-  path.push_back(name);
-  return path;
-}
-
 TElementPath PathOf(const std::string& section, const SElementName& name) {
   if (section.empty()) {
     return {name};
@@ -279,7 +287,7 @@ void CGrammar::NoteAlways(TConfigurationNode& element, const TElementPath& path)
   always = std::move(names);
   TConfigurationNodeIterator it;
   for (it = it.begin(&element); it != it.end(); ++it) {
-    NoteAlways(*it, path / SElementName{it->Value(), it->GetAttribute("implementation")});
+    NoteAlways(*it, path / NameOf(*it));
   }
 }
 
@@ -306,14 +314,24 @@ void CGrammar::MarkRequired(SElement& element, const TElementPath& path) const {
   }
 }
 
-// loads a sample again without each of its attributes
+TElementPath CGrammar::PlaceOf(const SSample& sample) const {
+  TElementPath path = PathOf(sample.Section, sample.Name);
+  // overlays are in a view
+  return m_root.FindAt(path) != nullptr ? path : m_root.FindIn(sample.Section, sample.Name);
+}
+
+// loads a sample again without each of the attributes that all samples have
 void CGrammar::RecordWithout(const SSample& sample) {
-  CChange whole(sample);
-  for (size_t i = 0; i < whole.GetElements().size(); ++i) {
-    for (const std::string& name : whole.GetElements()[i].GetAttributeNames()) {
-      CChange change(sample);
-      change.GetElements()[i].RemoveAttribute(name);
-      if (name != "implementation") {
+  CChange whole(sample, PlaceOf(sample));
+  for (size_t i = 0; i < whole.GetParts().size(); ++i) {
+    const auto known = m_requirements.find(whole.GetParts()[i].Path);
+    if (known == m_requirements.end() || !known->second.Always) {
+      continue;
+    }
+    for (const std::string& name : whole.GetElement(i).GetAttributeNames()) {
+      if (name != "implementation" && known->second.Always->count(name) > 0) {
+        CChange change(sample);
+        change.GetElement(i).RemoveAttribute(name);
         SSampleExperiment experiment = m_devices.MakeExperiment(change.MakeSample());
         Load(experiment, [this](const SRequestedElement& root) { NoteMissed(root, {}); });
       }
@@ -321,21 +339,35 @@ void CGrammar::RecordWithout(const SSample& sample) {
   }
 }
 
-// Loads it again with the other values that the error of a wrong one lists: a model of noise, for
-// example, decides which other attributes are read.
+// unknown if it was not read
+EValueType CGrammar::TypeOf(const TElementPath& path, const std::string& name) const {
+  const SElement* const element = m_root.FindAt(path);
+  const bool isKnown = element != nullptr && element->Attributes.count(name) > 0;
+  return isKnown ? element->Attributes.at(name).Type : EValueType::Unknown;
+}
+
+// Loads it again with the other values of its attributes, each attribute once for all samples: a
+// model of noise, for example, decides which other attributes are read. Colours, and ids of other
+// elements, decide nothing.
 void CGrammar::RecordVariants(const SSample& sample) {
-  CChange whole(sample);
-  for (size_t i = 0; i < whole.GetElements().size(); ++i) {
-    for (const std::string& name : whole.GetElements()[i].GetAttributeNames()) {
-      const std::string value = whole.GetElements()[i].GetAttribute(name);
-      if (!IsWord(value) || name == "id" || name == "config" || name == "implementation") {
+  const std::set<std::string> ids = ValuesIn(m_devices.MakeExperiment(sample).ToXml(), "id");
+  CChange whole(sample, PlaceOf(sample));
+  for (size_t i = 0; i < whole.GetParts().size(); ++i) {
+    const TElementPath& path = whole.GetParts()[i].Path;
+    for (const std::string& name : whole.GetElement(i).GetAttributeNames()) {
+      const std::string value = whole.GetElement(i).GetAttribute(name);
+      const EValueType type = TypeOf(path, name);
+      if (!IsWord(value) || name == "id" || name == "implementation" || ids.count(value) > 0 ||
+          type == EValueType::Colour || m_varied.count({path, name}) > 0) {
         continue;
       }
-      CChange wrong(sample);
-      wrong.GetElements()[i].SetAttribute(name, std::string(kNoValue));
-      SSampleExperiment experiment = m_devices.MakeExperiment(wrong.MakeSample());
-      for (const std::string& other : ListedWords(m_devices.GetLoader().Load(experiment))) {
-        if (other != value && other != name) {
+      const std::optional<std::set<std::string>> values = ListValues(sample, i, name, type);
+      if (!values) {
+        continue;
+      }
+      m_varied.insert({path, name});
+      for (const std::string& other : *values) {
+        if (other != value && other != name && ids.count(other) == 0) {
           RecordVariant(sample, i, name, other);
         }
       }
@@ -343,12 +375,29 @@ void CGrammar::RecordVariants(const SSample& sample) {
   }
 }
 
+// Those that the error of a wrong value lists; nothing if the sample has another error.
+std::optional<std::set<std::string>> CGrammar::ListValues(const SSample& sample, size_t index,
+                                                          const std::string& name,
+                                                          EValueType type) {
+  if (type == EValueType::Boolean) {
+    return std::set<std::string>{"false", "true"};
+  }
+  CChange wrong(sample);
+  wrong.GetElement(index).SetAttribute(name, std::string(kNoValue));
+  SSampleExperiment experiment = m_devices.MakeExperiment(wrong.MakeSample());
+  const std::string error = m_devices.GetLoader().Load(experiment);
+  if (!error.empty() && error.find(kNoValue) == std::string::npos) {
+    return std::nullopt;
+  }
+  return ListedWords(error);
+}
+
 // adds attributes that the value needs
 void CGrammar::RecordVariant(const SSample& sample, size_t index, const std::string& name,
                              const std::string& value) {
   constexpr int kMaxAdditions = 4;
   CChange change(sample);
-  TConfigurationNode& element = change.GetElements()[index];
+  TConfigurationNode& element = change.GetElement(index);
   element.SetAttribute(name, value);
   for (int i = 0; i < kMaxAdditions; ++i) {
     std::pair<std::string, std::string> missed;
@@ -363,16 +412,15 @@ void CGrammar::RecordVariant(const SSample& sample, size_t index, const std::str
 }
 
 void CGrammar::Record(const std::string& section, const SElementName& name) {
-  bool isFirst = true;
-  for (const SSample& sample : m_devices.GetSamples().Of(section, name)) {
+  const std::vector<SSample> samples = m_devices.GetSamples().Of(section, name);
+  for (const SSample& sample : samples) {
     if (RecordSample(sample).empty()) {
       m_known.insert(PathOf(section, name));
     }
     RecordVariants(sample);
-    if (isFirst) {
-      RecordWithout(sample);
-    }
-    isFirst = false;
+  }
+  if (!samples.empty()) {
+    RecordWithout(samples.front());
   }
 }
 

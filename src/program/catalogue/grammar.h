@@ -9,15 +9,10 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace argos {
-
-/** Names from below the root: framework, experiment. */
-using TElementPath = std::vector<SElementName>;
-
-/** The path of an element inside another one. */
-TElementPath operator/(TElementPath path, const SElementName& name);
 
 /** The path of the element of a plug-in. @param section  empty: it is one. */
 TElementPath PathOf(const std::string& section, const SElementName& name);
@@ -55,10 +50,15 @@ class CGrammar {
   };
   using TUse = std::function<void(const SRequestedElement&)>;
 
+  // path of the element of a sample
+  TElementPath PlaceOf(const SSample& sample) const;
+  EValueType TypeOf(const TElementPath& path, const std::string& name) const;
   std::string Load(SSampleExperiment& experiment, const TUse& use);
   std::string RecordSample(const SSample& sample, const TUse& use = nullptr);
   void RecordWithout(const SSample& sample);
   void RecordVariants(const SSample& sample);
+  std::optional<std::set<std::string>> ListValues(const SSample& sample, std::size_t index,
+                                                  const std::string& name, EValueType type);
   void RecordVariant(const SSample& sample, std::size_t index, const std::string& name,
                      const std::string& value);
   void NoteAlways(TConfigurationNode& element, const TElementPath& path);
@@ -70,6 +70,8 @@ class CGrammar {
   SElement m_root;
   std::set<TElementPath> m_known;  // plug-ins of which a sample was loaded
   std::map<TElementPath, SRequirements> m_requirements;
+  // attributes of elements that were loaded with all values
+  std::set<std::pair<TElementPath, std::string>> m_varied;
 };
 
 }  // namespace argos

@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <regex>
 #include <sstream>
 
 namespace argos {
@@ -35,13 +34,8 @@ std::string TextOf(const TConfigurationNode& element) {
 
 // one for each id that a robot names
 std::string Controllers(const std::string& arena, const std::string& devices) {
-  static const std::regex kConfig("\\bconfig=[\"']([^\"']*)[\"']");
-  std::set<std::string> ids;
-  for (std::sregex_iterator it(arena.begin(), arena.end(), kConfig), end; it != end; ++it) {
-    ids.insert((*it)[1]);
-  }
   std::string controllers;
-  for (const std::string& id : ids) {
+  for (const std::string& id : ValuesIn(arena, "config")) {
     controllers +=
         fmt::format(R"(<lua_controller id="{}">{}<params script="{}" /></lua_controller>)", id,
                     devices, kScript);
@@ -70,6 +64,16 @@ std::string LoadXml(const std::string& xml, const std::function<void(CSimulator&
 }
 
 }  // namespace
+
+std::set<std::string> ValuesIn(const std::string& xml, const std::string& attribute) {
+  const std::string start = ' ' + attribute + "=\"";
+  std::set<std::string> values;
+  for (size_t at = xml.find(start); at != std::string::npos; at = xml.find(start, at)) {
+    at += start.size();
+    values.insert(xml.substr(at, xml.find('"', at) - at));
+  }
+  return values;
+}
 
 std::string WithTag(const std::string& tag, const std::string& contents) {
   return fmt::format("<{0}>{1}</{0}>", tag, contents);
@@ -150,7 +154,10 @@ void CSamples::AddChildren(const std::string& section, TConfigurationNode& paren
 
 void CSamples::Add(const std::string& section, TConfigurationNode& element) {
   const std::string text = TextOf(element);
-  m_samples.push_back({section, {element.Value(), element.GetAttribute("implementation")}, text});
+  const SSample sample = {section, {element.Value(), element.GetAttribute("implementation")}, text};
+  if (std::find(m_samples.begin(), m_samples.end(), sample) == m_samples.end()) {
+    m_samples.push_back(sample);
+  }
   if (section == "media" && m_mediaIds.insert(element.GetAttribute("id")).second) {
     m_media += text;
   }

@@ -22,6 +22,8 @@ struct SSample {
   std::string Section; /**< "arena", "sensors", "overlays", ...; empty: it is a whole section */
   SElementName Name;
   std::string Text;
+
+  bool operator==(const SSample&) const = default;
 };
 
 /** A small experiment: whole sections by tag, as XML; those that are needed have defaults. */
@@ -34,6 +36,9 @@ struct SSampleExperiment {
   /** Each robot has a controller in Lua with the devices, whatever its "config" is. */
   std::string ToXml() const;
 };
+
+/** The values of all attributes of that name. @param xml  as SSample::Text. */
+std::set<std::string> ValuesIn(const std::string& xml, const std::string& attribute);
 
 /** "<tag>contents</tag>" */
 std::string WithTag(const std::string& tag, const std::string& contents);
