@@ -1,10 +1,13 @@
 #include <argos3/core/simulator/query_plugins.h>
 
 #include <argos3/core/simulator/medium/medium.h>
+#include <argos3/core/utility/configuration/argos_configuration.h>
+#include <argos3/core/utility/datatypes/color.h>
 
 #include <catch2/catch.hpp>
 
-#include <sstream>
+#include <map>
+#include <string>
 
 namespace query_plugins_test {
 
@@ -22,6 +25,50 @@ REGISTER_MEDIUM(CQueryTestMedium, "query_test_one", "A. Author", "1.5", "The fir
                 "All about the first.\n", "Usable")
 REGISTER_MEDIUM(CQueryTestMedium, "query_test_two", "B. Author", "2.5", "The second of two.",
                 "All about the second.\n", "Experimental")
+
+// counts how often each value of an attribute is read, as "mode=fast"
+class CQueryTestChoices : public CMedium {
+ public:
+  static std::map<std::string, int> Values;
+
+  void Init(TConfigurationNode& tree) override {
+    CMedium::Init(tree);
+    const auto mode = Read<std::string>(tree, "mode");
+    const bool isLimited = Read<bool>(tree, "is_limited");
+    const bool isRed = Read<CColor>(tree, "tint") == CColor::RED;
+    for (const std::string& value :
+         {"mode=" + mode, std::string(isLimited ? "limited" : "unlimited"),
+          std::string(isRed ? "tint=red" : "tint=other")}) {
+      ++Values[value];
+    }
+    if (isLimited) {
+      Read<Real>(tree, "query_limit");
+    }
+    if (mode != "fast" && mode != "slow") {
+      THROW_ARGOSEXCEPTION("unknown mode \"" << mode << "\"; known: fast, slow");
+    }
+    if (mode == "slow") {
+      Read<Real>(tree, "query_delay");
+    }
+  }
+  void Update() override {}
+
+ private:
+  template <typename T>
+  static T Read(TConfigurationNode& tree, const char* name) {
+    T value;
+    GetNodeAttribute(tree, name, value);
+    return value;
+  }
+};
+std::map<std::string, int> CQueryTestChoices::Values;
+REGISTER_MEDIUM(CQueryTestChoices, "query_choices", "C. Author", "1.0", "It has choices.",
+                "EXAMPLES\n\n"
+                "  <query_choices id=\"first\" mode=\"fast\" tint=\"red\" "
+                "is_limited=\"false\" />\n\n"
+                "  <query_choices id=\"second\" mode=\"fast\" tint=\"red\" "
+                "is_limited=\"false\" />\n",
+                "Usable")
 
 }  // namespace
 
@@ -108,6 +155,19 @@ TEST_CASE("query: a search without results names near labels", "[core][query]") 
   CHECK_FALSE(answer.IsFound);
   CHECK(AnswerQuery("query_test_one").IsFound);
   CHECK_THAT(DescribePlugins("sensor_s"), Contains("sensors"));
+}
+
+TEST_CASE("query: what is read is found by loading samples, with the values that may decide",
+          "[core][query]") {
+  CQueryTestChoices::Values.clear();
+  CHECK_THAT(DescribePlugins("query_limit"), Contains("media/query_choices"));
+  std::map<std::string, int>& values = CQueryTestChoices::Values;
+  CHECK(values["mode=slow"] > 0);
+  CHECK(values["mode=slow"] < 5);
+  CHECK(values["limited"] > 0);
+  CHECK(values["tint=red"] > 0);
+  CHECK(values["tint=other"] == 0);
+  CHECK_THAT(DescribePlugins("query_delay"), Contains("media/query_choices"));
 }
 
 TEST_CASE("query: controllers in Lua are documented", "[core][query]") {
