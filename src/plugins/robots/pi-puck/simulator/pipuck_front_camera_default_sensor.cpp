@@ -101,44 +101,35 @@ std::vector<CVector3> CPiPuckFrontCameraDefaultSensor::ComputeCorners() const {
   return corners;
 }
 
-SBoundingBox CPiPuckFrontCameraDefaultSensor::ComputeField() const {
-  SBoundingBox field{m_position, m_position};
-  // encloses the corners at the far end, and the camera; ComputeCorners() would need memory
-  const Real x = 0.5 * m_cResolution.GetX() / m_cFocalLength.GetX() * kFar;
-  const Real y = 0.5 * m_cResolution.GetY() / m_cFocalLength.GetY() * kFar;
-  for (const Real signX : {-1.0, 1.0}) {
-    for (const Real signY : {-1.0, 1.0}) {
-      const CVector3 corner =
-          CVector3(signX * x, signY * y, kFar).Rotate(m_orientation) + m_position;
-      for (UInt32 axis = 0; axis < 3; ++axis) {
-        field.MinCorner[axis] = std::min(field.MinCorner[axis], corner[axis]);
-        field.MaxCorner[axis] = std::max(field.MaxCorner[axis], corner[axis]);
-      }
-    }
-  }
-  return field;
+CViewVolume CPiPuckFrontCameraDefaultSensor::ComputeVolume() const {
+  const Real x = 0.5 * m_cResolution.GetX() / m_cFocalLength.GetX();
+  const Real y = 0.5 * m_cResolution.GetY() / m_cFocalLength.GetY();
+  return CViewVolume(SFrustum{m_position, CVector3(CVector3::X).Rotate(m_orientation),
+                              CVector3(CVector3::Y).Rotate(m_orientation),
+                              CVector3(CVector3::Z).Rotate(m_orientation),
+                              CRange<Real>(kNear, kFar), CRange<Real>(-x, x), CRange<Real>(-y, y)});
 }
 
 void CPiPuckFrontCameraDefaultSensor::Update() {
   m_position = CVector3(POSITION_OFFSET).Rotate(m_anchor->Orientation) + m_anchor->Position;
   m_orientation = m_anchor->Orientation * m_cOrientationOffset;
-  const SBoundingBox field = ComputeField();
+  const CViewVolume view = ComputeVolume();
   m_tags.clear();
   m_leds.clear();
   if (m_tagMedium != nullptr) {
-    FindTags(field);
+    FindTags(view);
   }
   if (m_ledMedium != nullptr) {
-    FindLEDs(field);
+    FindLEDs(view);
   }
   if (m_showsFrustum) {
     ShowFrustum();
   }
 }
 
-void CPiPuckFrontCameraDefaultSensor::FindTags(const SBoundingBox& field) {
+void CPiPuckFrontCameraDefaultSensor::FindTags(const CViewVolume& view) {
   m_tagsInSight.Detect(
-      *m_tagMedium, m_position, field, [](const CVector3&) { return true; },
+      *m_tagMedium, m_position, view,
       [this](const CTagEntity& tag, SSightPoint* points) {
         const CVector3 image = m_tagsInSight.FindImage(tag.GetPosition());
         if (!tag.Faces(m_position - image)) {
@@ -168,9 +159,9 @@ void CPiPuckFrontCameraDefaultSensor::FindTags(const SBoundingBox& field) {
       m_showsTagRays);
 }
 
-void CPiPuckFrontCameraDefaultSensor::FindLEDs(const SBoundingBox& field) {
+void CPiPuckFrontCameraDefaultSensor::FindLEDs(const CViewVolume& view) {
   m_ledsInSight.Detect(
-      *m_ledMedium, m_position, field, [](const CVector3&) { return true; },
+      *m_ledMedium, m_position, view,
       [this](const CDirectionalLEDEntity& led, SSightPoint* points) {
         const CVector3 image = m_ledsInSight.FindImage(led.GetPosition());
         points[0].Position = led.GetPosition() + image;

@@ -47,9 +47,9 @@ class CPiPuckFrontCameraDefaultSensor : public CSimulatedSensor,
   bool Project(const CVector3& point, CVector2& pixel) const;
   /** The corners of the view, m, world frame: near, then far. */
   std::vector<CVector3> ComputeCorners() const;
-  SBoundingBox ComputeField() const;
-  void FindTags(const SBoundingBox& field);
-  void FindLEDs(const SBoundingBox& field);
+  CViewVolume ComputeVolume() const;
+  void FindTags(const CViewVolume& view);
+  void FindLEDs(const CViewVolume& view);
   void ShowFrustum() const;
 
   CControllableEntity* m_robot = nullptr;

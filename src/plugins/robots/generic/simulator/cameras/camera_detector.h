@@ -60,10 +60,7 @@ class CCameraDetector : public CCameraSensorSimulatedAlgorithm, public INTERFACE
   void Detect(const CPinholeCamera& camera, LOCATE&& locate, SEE&& see) {
     ClearReadings();
     m_sight.Detect(
-        *m_medium, camera.GetPosition(), camera.GetField(),
-        [&camera](const CVector3& point) {
-          return camera.IsNearView(point, CEntitiesInSight<ENTITY, NUM_POINTS>::kMargin);
-        },
+        *m_medium, camera.GetPosition(), camera.GetVolume(),
         [&](const ENTITY& entity, SSightPoint* points) {
           const CVector3 displacement = m_sight.FindImage(entity.GetPosition());
           points[0].Position = entity.GetPosition() + displacement;

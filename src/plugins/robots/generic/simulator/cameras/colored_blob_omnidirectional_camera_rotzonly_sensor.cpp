@@ -46,12 +46,7 @@ void CColoredBlobOmnidirectionalCameraRotZOnlySensor::Update() {
                               CVector3(c.GetX() + eye.HalfSide, c.GetY() + eye.HalfSide, c.GetZ())};
   if (eye.HalfSide > 0.0) {
     m_sight.Detect(
-        *m_medium, c, field,
-        [&eye, &c](const CVector3& point) {
-          const Real reach = eye.HalfSide + CEntitiesInSight<CLEDEntity>::kMargin;
-          return std::abs(point.GetX() - c.GetX()) < reach &&
-                 std::abs(point.GetY() - c.GetY()) < reach;
-        },
+        *m_medium, c, CViewVolume(field),
         [this, &eye, &c](const CLEDEntity& led, SSightPoint* point) {
           point->Position = led.GetPosition() + m_sight.FindImage(led.GetPosition());
           const CVector3 toLED = point->Position - c;

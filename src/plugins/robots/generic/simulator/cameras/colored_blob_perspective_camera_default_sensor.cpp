@@ -36,27 +36,16 @@ class CColoredBlobPerspectiveCameraDefaultSensor::CEye {
 
   const CVector3& GetPosition() const { return m_position; }
 
-  // encloses the cone of view, world frame
-  SBoundingBox GetField() const {
-    const CVector3 end = m_position + m_ahead * m_range;
-    SBoundingBox field;
-    for (UInt32 axis = 0; axis < 3; ++axis) {
-      // extent of the disc at the end of the cone, whose normal is the direction
-      const Real extent =
-          m_range * m_tanAperture * std::sqrt(std::max(0.0, 1.0 - m_ahead[axis] * m_ahead[axis]));
-      field.MinCorner[axis] = std::min(m_position[axis], end[axis] - extent);
-      field.MaxCorner[axis] = std::max(m_position[axis], end[axis] + extent);
-    }
-    return field;
-  }
-
-  // returns false if the point, world frame, is outside the cone of view by more than the margin, m
-  bool IsNearView(const CVector3& point, Real margin) const {
-    const CVector3 toPoint = point - m_position;
-    const Real ahead = m_ahead.DotProduct(toPoint);
-    const Real radius = (ahead + margin) * m_tanAperture + margin;
-    return ahead > -margin && ahead < m_range + margin &&
-           toPoint.SquareLength() - ahead * ahead <= radius * radius;
+  // contains the image and one pixel more to each side, because decimals of pixels are cut off
+  CViewVolume GetVolume() const {
+    const auto slopes = [this](Real mtSize, SInt32 pxSize) {
+      const Real most = (0.5 * mtSize + mtSize / pxSize) / m_focalLength;
+      return CRange<Real>(-most, most);
+    };
+    return CViewVolume(SFrustum{m_position, -CVector3(CVector3::Y).Rotate(m_view),
+                                -CVector3(CVector3::Z).Rotate(m_view), m_ahead,
+                                CRange<Real>(0.0, m_range), slopes(m_mtWidth, m_pxWidth),
+                                slopes(m_mtHeight, m_pxHeight)});
   }
 
   // returns false if the point, world frame, is not in the image; otherwise writes its pixel
@@ -103,10 +92,7 @@ void CColoredBlobPerspectiveCameraDefaultSensor::Update() {
   StartImage();
   const CEye eye(*m_camera);
   m_sight.Detect(
-      *m_medium, eye.GetPosition(), eye.GetField(),
-      [&eye](const CVector3& point) {
-        return eye.IsNearView(point, CEntitiesInSight<CLEDEntity>::kMargin);
-      },
+      *m_medium, eye.GetPosition(), eye.GetVolume(),
       [this, &eye](const CLEDEntity& led, SSightPoint* point) {
         Real x = 0.0;
         Real y = 0.0;

@@ -4,7 +4,6 @@
 #include <argos3/plugins/simulator/entities/anchor_use.h>
 #include <argos3/plugins/simulator/entities/value_checks.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace argos {
@@ -64,21 +63,16 @@ void CPinholeCamera::Update() {
   m_down.Rotate(m_orientation);
   m_ahead = CVector3::Z;
   m_ahead.Rotate(m_orientation);
-  m_field = ComputeField();
-  ComputeSides();
-}
-
-// a side is the plane through the camera on which u, or v, is constant
-void CPinholeCamera::ComputeSides() {
-  const auto side = [this](const CVector3& axis, Real focalLength, Real fromCenter, Real sign) {
-    return (sign * (focalLength * axis - fromCenter * m_ahead)).Normalize();
-  };
-  const CVector2& center = m_principalPoint;
-  const CVector2 rest = m_resolution - center;
-  m_sides = {side(m_right, m_focalLength.GetX(), -center.GetX(), -1.0),
-             side(m_right, m_focalLength.GetX(), rest.GetX(), 1.0),
-             side(m_down, m_focalLength.GetY(), -center.GetY(), -1.0),
-             side(m_down, m_focalLength.GetY(), rest.GetY(), 1.0)};
+  const CVector2 first = -m_principalPoint;
+  const CVector2 last = m_resolution - m_principalPoint;
+  m_volume = CViewVolume(
+      SFrustum{m_position,
+               m_right,
+               m_down,
+               m_ahead,
+               m_range,
+               {first.GetX() / m_focalLength.GetX(), last.GetX() / m_focalLength.GetX()},
+               {first.GetY() / m_focalLength.GetY(), last.GetY() / m_focalLength.GetY()}});
 }
 
 std::array<CVector3, 8> CPinholeCamera::ComputeCorners() const {
@@ -95,18 +89,6 @@ std::array<CVector3, 8> CPinholeCamera::ComputeCorners() const {
     corners[i] += m_position;
   }
   return corners;
-}
-
-SBoundingBox CPinholeCamera::ComputeField() const {
-  const std::array<CVector3, 8> corners = ComputeCorners();
-  SBoundingBox field = {corners[0], corners[0]};
-  for (const CVector3& corner : corners) {
-    for (UInt32 axis = 0; axis < 3; ++axis) {
-      field.MinCorner[axis] = std::min(field.MinCorner[axis], corner[axis]);
-      field.MaxCorner[axis] = std::max(field.MaxCorner[axis], corner[axis]);
-    }
-  }
-  return field;
 }
 
 }  // namespace argos

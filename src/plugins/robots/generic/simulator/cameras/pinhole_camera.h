@@ -1,19 +1,19 @@
 #ifndef ARGOS3_PLUGINS_ROBOTS_GENERIC_SIMULATOR_CAMERAS_PINHOLE_CAMERA_H
 #define ARGOS3_PLUGINS_ROBOTS_GENERIC_SIMULATOR_CAMERAS_PINHOLE_CAMERA_H
 
-#include <argos3/core/simulator/physics_engine/physics_model.h>
 #include <argos3/core/utility/configuration/argos_configuration.h>
 #include <argos3/core/utility/math/quaternion.h>
 #include <argos3/core/utility/math/range.h>
 #include <argos3/core/utility/math/vector2.h>
 #include <argos3/core/utility/math/vector3.h>
+#include <argos3/plugins/simulator/media/view_volume.h>
 
-#include <algorithm>
 #include <array>
 
 namespace argos {
 
 class CEmbodiedEntity;
+struct SAnchor;
 
 /**
  * A pinhole camera without distortion, fixed to an anchor of a body.
@@ -56,17 +56,8 @@ class CPinholeCamera {
     return pixel.GetX() >= 0.0 && pixel.GetX() < m_resolution.GetX() && pixel.GetY() >= 0.0 &&
            pixel.GetY() < m_resolution.GetY();
   }
-  /** @return false if a point is outside the view by more than @p margin, m. */
-  bool IsNearView(const CVector3& point, Real margin) const {
-    const CVector3 toPoint = point - m_position;
-    const Real depth = m_ahead.DotProduct(toPoint);
-    return depth > m_range.GetMin() - margin && depth < m_range.GetMax() + margin &&
-           std::all_of(m_sides.begin(), m_sides.end(), [&](const CVector3& outward) {
-             return outward.DotProduct(toPoint) < margin;
-           });
-  }
-  /** A box around the field of view, m, world frame; as of Update(). */
-  const SBoundingBox& GetField() const { return m_field; }
+  /** Contains the field of view; as of Update(). */
+  const CViewVolume& GetVolume() const { return m_volume; }
   /**
    * The corners of the view, m, world frame: the four at the near end of the range, around the
    * image from pixel (0,0) along u first, then the four at the far end.
@@ -74,9 +65,6 @@ class CPinholeCamera {
   std::array<CVector3, 8> ComputeCorners() const;
 
  private:
-  SBoundingBox ComputeField() const;
-  void ComputeSides();
-
   SAnchor* m_anchor;
   bool m_inUse = false;
   CVector3 m_offset;  // anchor's frame, m
@@ -89,8 +77,7 @@ class CPinholeCamera {
   CVector3 m_position;  // m, world frame
   CQuaternion m_orientation;  // world frame
   CVector3 m_right, m_down, m_ahead;  // its axes x, y and z, world frame
-  SBoundingBox m_field;  // m, world frame
-  std::array<CVector3, 4> m_sides;  // outward normals of the planes around the view, of length 1
+  CViewVolume m_volume{SBoundingBox()};
 };
 
 }  // namespace argos

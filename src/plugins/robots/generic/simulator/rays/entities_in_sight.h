@@ -49,12 +49,6 @@ struct SSightPoint {
 template <class ENTITY, size_t NUM_POINTS = 1>
 class CEntitiesInSight {
  public:
-  /**
-   * m; user code may have moved an entity since the update of the medium by up to so much without
-   * its body, and it is still found.
-   */
-  static constexpr Real kMargin = 0.1;
-
   /** @throws CARGoSException if the robot has no "body" or "controller". */
   void SetRobot(CComposableEntity& robot) {
     m_root = &robot.GetRootEntity();
@@ -75,21 +69,19 @@ class CEntitiesInSight {
    * Processes one image.
    * @param medium a CPositionalMedium that has KeepPoints().
    * @param eye    position of the camera, m, world frame.
-   * @param field  a box around the field of view, m, world frame.
-   * @param mayContain  bool(const CVector3&): false if a point, m, world frame, is outside the
-   *               field of view by more than kMargin.
+   * @param view   contains the field of view.
    * @param locate bool(ENTITY&, SSightPoint*): false if the entity is not in the field of view;
    *               else writes its NUM_POINTS points.
    * @param see    void(ENTITY&, const SSightPoint*): called for every visible entity, in order of
    *               creation.
    * @param show   true: records the lines of sight for visualizations.
    */
-  template <class MEDIUM, typename MAY_CONTAIN, typename LOCATE, typename SEE>
-  void Detect(MEDIUM& medium, const CVector3& eye, const SBoundingBox& field,
-              MAY_CONTAIN&& mayContain, LOCATE&& locate, SEE&& see, bool show = false) {
+  template <class MEDIUM, typename LOCATE, typename SEE>
+  void Detect(MEDIUM& medium, const CVector3& eye, const CViewVolume& view, LOCATE&& locate,
+              SEE&& see, bool show = false) {
     SScratch& scratch = GetScratch();
     m_eye = eye;
-    Collect(scratch, medium, field, mayContain, locate);
+    Collect(scratch, medium, view, locate);
     scratch.Sort();
     const SHeightRange heights = scratch.ComputeHeights(eye.GetZ());
     const bool mayOcclude = show || CSightLines::MayOcclude(m_robot, heights.Min, heights.Max);
@@ -187,39 +179,35 @@ class CEntitiesInSight {
     size_t m_size = 0;  // number in the batch
   };
 
-  template <class MEDIUM, typename MAY_CONTAIN, typename LOCATE>
-  void Collect(SScratch& scratch, MEDIUM& medium, const SBoundingBox& field,
-               MAY_CONTAIN&& mayContain, LOCATE&& locate) const {
+  template <class MEDIUM, typename LOCATE>
+  void Collect(SScratch& scratch, MEDIUM& medium, const CViewVolume& view, LOCATE&& locate) const {
     scratch.Candidates.clear();
     CCollect<LOCATE> collect(*m_root, scratch, locate);
     if (!m_period->IsOn()) {
-      CollectIn(medium, field, mayContain, collect);
+      CollectIn(medium, view, collect);
     } else {
-      const CVector3& min = field.MinCorner;
-      const CVector3& max = field.MaxCorner;
+      const CVector3& min = view.GetBox().MinCorner;
+      const CVector3& max = view.GetBox().MaxCorner;
       m_period->ForDisplacements({min.GetX(), min.GetY(), max.GetX(), max.GetY()},
                                  [&](Real dx, Real dy) {
-                                   const CVector3 way(dx, dy, 0.0);
-                                   CollectIn(medium, {min + way, max + way}, mayContain, collect);
+                                   CViewVolume image = view;
+                                   image.Move(CVector3(dx, dy, 0.0));
+                                   CollectIn(medium, image, collect);
                                  });
     }
     collect.Finish();
   }
 
-  template <class MEDIUM, typename MAY_CONTAIN, class COLLECT>
-  void CollectIn(MEDIUM& medium, const SBoundingBox& field, MAY_CONTAIN&& mayContain,
-                 COLLECT& collect) const {
+  template <class MEDIUM, class COLLECT>
+  void CollectIn(MEDIUM& medium, const CViewVolume& view, COLLECT& collect) const {
     const CEntityPoints<ENTITY>* const points = medium.GetPoints();
     if (points == nullptr || m_robot.GetSpace().GetBodyIndex().HasMovedBodies()) {
-      medium.GetIndex().ForEntitiesInBoxRange((field.MinCorner + field.MaxCorner) * 0.5,
-                                              (field.MaxCorner - field.MinCorner) * 0.5, collect);
+      const SBoundingBox& box = view.GetBox();
+      medium.GetIndex().ForEntitiesInBoxRange((box.MinCorner + box.MaxCorner) * 0.5,
+                                              (box.MaxCorner - box.MinCorner) * 0.5, collect);
     } else {
-      const CVector3 margin(kMargin, kMargin, kMargin);
-      const SBoundingBox wide = {field.MinCorner - margin, field.MaxCorner + margin};
-      points->ForPointsNear(wide, [&](const typename CEntityPoints<ENTITY>::SPoint& point) {
-        if (mayContain(point.Position + FindImage(point.Position))) {
-          collect.Add(*point.Entity, *point.Root, point.Index);
-        }
+      points->ForPointsInside(view, [&](const typename CEntityPoints<ENTITY>::SPoint& point) {
+        collect.Add(*point.Entity, *point.Root, point.Index);
       });
     }
   }
