@@ -82,7 +82,6 @@ class CBodyIndex {
   }
   template <typename VISIT>
   void ForEachBody(VISIT&& visit) const; /**< calls visit(CEmbodiedEntity&), by number */
-  SHeightRange GetHeights() const; /**< of all solids; all heights if HasMovedBodies() */
   size_t GetNumBodies() const { return m_numAlive; }
   size_t GetEndOfNumbers() const { return m_bodies.size(); } /**< numbers of bodies are less */
 
@@ -102,11 +101,12 @@ class CBodyIndex {
   void ListDiscsNear(const SDiscQuery& query, SDiscList& discs, TAKE_DISCS&& takeDiscs,
                      VISIT&& visit) const;
   /**
-   * Calls visit(const SIndexedShape&) for every solid whose footprint touches @p area, and perhaps
-   * for others. Each solid once. Vertical position is ignored.
+   * Calls visit(const SIndexedShape&) for every solid whose footprint touches @p area, and that may
+   * be at one of the heights, and perhaps for others. Each solid once.
    */
   template <typename VISIT>
-  void ForShapesInArea(const SPlanarArea& area, VISIT&& visit) const;
+  void ForShapesInArea(const SPlanarArea& area, VISIT&& visit,
+                       const SHeightRange& heights = SHeightRange::All()) const;
   /**
    * Calls visit(const SIndexedShape&) for every solid that comes within @p reach of a point of
    * @p ray, and perhaps for others; wide solids perhaps repeatedly. Ignores the part of the ray
@@ -221,14 +221,15 @@ class CBodyIndex {
   template <typename VISIT>
   void ForImagesNear(Real x, Real y, Real reach, VISIT&& visit) const;
   template <typename VISIT>
-  void ForImagesInArea(const SPlanarArea& area, VISIT&& visit) const;
+  void ForImagesInArea(const SPlanarArea& area, const SHeightRange& heights, VISIT&& visit) const;
   template <typename VISIT, typename DONE>
   void ForImagesAlongRay(const CRay3& ray, const SRayReach& reach, VISIT&& visit,
                          DONE&& isDone) const;
   template <typename VISIT>
   void ForShapesNearHere(Real x, Real y, Real reach, VISIT&& visit) const;
   template <typename VISIT>
-  void ForShapesInAreaHere(const SPlanarArea& area, VISIT&& visit) const;
+  void ForShapesInAreaHere(const SPlanarArea& area, const SHeightRange& heights,
+                           VISIT&& visit) const;
   template <typename VISIT, typename DONE>
   void ForShapesAlongRayHere(const CRay3& ray, const SRayReach& reach, VISIT&& visit,
                              DONE&& isDone) const;
@@ -236,12 +237,15 @@ class CBodyIndex {
   bool IsStale(UInt32 body) const { return m_numStale > 0 && m_bodies[body].Stale; }
   // cells no farther than the margin, m, from an area
   SCellRange CellsAround(const SPlanarArea& area, Real margin) const;
-  template <typename VISIT>
-  void VisitNear(const SCellRange& small, const SCellRange& wide, VISIT&& visit) const;
+  // counts(const auto& shape): false for a solid or packed solid that is not to be visited
+  template <typename COUNTS, typename VISIT>
+  void VisitNear(const SCellRange& small, const SCellRange& wide, const SHeightRange& heights,
+                 COUNTS&& counts, VISIT&& visit) const;
   template <typename VISIT>
   void VisitUnsorted(const SCellRange& small, const SCellRange& wide, VISIT&& visit) const;
-  template <typename VISIT>
-  void VisitSmall(const SCellRange& cells, VISIT&& visit) const;
+  static bool CountAny(const SPackedShape&) { return true; }
+  template <typename COUNTS, typename VISIT>
+  void VisitSmall(const SCellRange& cells, COUNTS&& counts, VISIT&& visit) const;
   template <typename VISIT, typename TAKE_DISCS>
   void ListSmall(const SCellRange& cells, const SDiscQuery& query, SDiscList& discs,
                  TAKE_DISCS&& takeDiscs, VISIT&& visit) const;

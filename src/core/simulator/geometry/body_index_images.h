@@ -26,9 +26,10 @@ template <typename VISIT>
 
 template <typename VISIT>
 [[gnu::noinline, gnu::cold]] void CBodyIndex::ForImagesInArea(const SPlanarArea& area,
+                                                              const SHeightRange& heights,
                                                               VISIT&& visit) const {
   ForImages(area, [&](Real dx, Real dy) {
-    ForShapesInAreaHere({area.MinX + dx, area.MinY + dy, area.MaxX + dx, area.MaxY + dy},
+    ForShapesInAreaHere({area.MinX + dx, area.MinY + dy, area.MaxX + dx, area.MaxY + dy}, heights,
                         [&](const SIndexedShape& shape) { visit(Displace(shape, -dx, -dy)); });
   });
 }

@@ -21,12 +21,6 @@ void CBodyIndex::ForEachBody(VISIT&& visit) const {
   }
 }
 
-inline SHeightRange CBodyIndex::GetHeights() const {
-  SHeightRange heights = HasMovedBodies() ? SHeightRange{-HUGE_VAL, HUGE_VAL} : m_smallHeights;
-  heights.Include(m_wideHeights.Min, m_wideHeights.Max);
-  return heights;
-}
-
 inline SIndexedShape CBodyIndex::Unpack(size_t place) const {
   const SPackedShape& packed = m_shapes[place];
   SBoxSides sides{1.0, 0.0, packed.Radius, packed.Radius};
@@ -48,12 +42,12 @@ inline SCellRange CBodyIndex::CellsAround(const SPlanarArea& area, Real margin) 
 }
 
 // a row of cells is one run of the sorted solids
-template <typename VISIT>
-void CBodyIndex::VisitSmall(const SCellRange& cells, VISIT&& visit) const {
+template <typename COUNTS, typename VISIT>
+void CBodyIndex::VisitSmall(const SCellRange& cells, COUNTS&& counts, VISIT&& visit) const {
   m_grid.ForRows(cells, [&](UInt32 first, UInt32 last) {
     const UInt32 end = m_sort.End(last);
     for (UInt32 place = m_sort.Begin(first); place < end; ++place) {
-      if (!IsStale(m_shapes[place].Body)) {
+      if (counts(m_shapes[place]) && !IsStale(m_shapes[place].Body)) {
         visit(Unpack(place));
       }
     }
@@ -156,12 +150,17 @@ void CBodyIndex::ListSmall(const SCellRange& cells, const SDiscQuery& query, SDi
 }
 
 // the solids in two ranges of cells: of those sorted by cell, and of those listed in cells
-template <typename VISIT>
-void CBodyIndex::VisitNear(const SCellRange& small, const SCellRange& wide, VISIT&& visit) const {
-  if (!m_shapes.empty()) {
-    VisitSmall(small, visit);
+template <typename COUNTS, typename VISIT>
+void CBodyIndex::VisitNear(const SCellRange& small, const SCellRange& wide,
+                           const SHeightRange& heights, COUNTS&& counts, VISIT&& visit) const {
+  if (!m_shapes.empty() && heights.Overlaps(m_smallHeights)) {
+    VisitSmall(small, counts, visit);
   }
-  VisitUnsorted(small, wide, visit);
+  VisitUnsorted(small, wide, [&](const SIndexedShape& shape) {
+    if (counts(shape)) {
+      visit(shape);
+    }
+  });
 }
 
 template <typename VISIT>
@@ -189,15 +188,14 @@ void CBodyIndex::ForShapesNear(Real x, Real y, Real reach, VISIT&& visit) const 
 
 template <typename VISIT>
 void CBodyIndex::ForShapesNearHere(Real x, Real y, Real reach, VISIT&& visit) const {
+  const auto isNear = [&](const auto& shape) {
+    const Real dx = shape.X - x;
+    const Real dy = shape.Y - y;
+    const Real far = reach + shape.Radius;
+    return dx * dx + dy * dy <= far * far;
+  };
   VisitNear(m_grid.CellsAround(x, y, reach + SmallReach()), m_grid.CellsAround(x, y, reach),
-            [&](const SIndexedShape& shape) {
-              const Real dx = shape.X - x;
-              const Real dy = shape.Y - y;
-              const Real far = reach + shape.Radius;
-              if (dx * dx + dy * dy <= far * far) {
-                visit(shape);
-              }
-            });
+            SHeightRange::All(), isNear, visit);
 }
 
 template <typename VISIT, typename TAKE_DISCS>
@@ -210,7 +208,7 @@ void CBodyIndex::ListDiscsNear(const SDiscQuery& query, SDiscList& discs, TAKE_D
   const SCellRange small = m_grid.CellsAround(query.X, query.Y, query.Reach + SmallReach());
   if (!m_shapes.empty()) {
     if (m_numStale > 0) {
-      VisitSmall(small, visit);
+      VisitSmall(small, CountAny, visit);
     } else {
       ListSmall(small, query, discs, takeDiscs, visit);
     }
@@ -219,26 +217,28 @@ void CBodyIndex::ListDiscsNear(const SDiscQuery& query, SDiscList& discs, TAKE_D
 }
 
 template <typename VISIT>
-void CBodyIndex::ForShapesInArea(const SPlanarArea& area, VISIT&& visit) const {
+void CBodyIndex::ForShapesInArea(const SPlanarArea& area, VISIT&& visit,
+                                 const SHeightRange& heights) const {
   if (m_period.IsOn()) {
-    ForImagesInArea(area, visit);
+    ForImagesInArea(area, heights, visit);
   } else {
-    ForShapesInAreaHere(area, visit);
+    ForShapesInAreaHere(area, heights, visit);
   }
 }
 
 template <typename VISIT>
-void CBodyIndex::ForShapesInAreaHere(const SPlanarArea& area, VISIT&& visit) const {
+void CBodyIndex::ForShapesInAreaHere(const SPlanarArea& area, const SHeightRange& heights,
+                                     VISIT&& visit) const {
   // more by a rounding, so that a touched border counts
   const Real rounded = 1e-9;
-  VisitNear(CellsAround(area, SmallReach() + rounded), CellsAround(area, rounded),
-            [&](const SIndexedShape& shape) {
-              const Real radius = shape.Radius + rounded;
-              if (shape.X + radius >= area.MinX && shape.X - radius <= area.MaxX &&
-                  shape.Y + radius >= area.MinY && shape.Y - radius <= area.MaxY) {
-                visit(shape);
-              }
-            });
+  const auto isIn = [&](const auto& shape) {
+    const Real radius = shape.Radius + rounded;
+    return shape.X + radius >= area.MinX && shape.X - radius <= area.MaxX &&
+           shape.Y + radius >= area.MinY && shape.Y - radius <= area.MaxY &&
+           heights.Overlaps({shape.ZMin, shape.ZMax});
+  };
+  VisitNear(CellsAround(area, SmallReach() + rounded), CellsAround(area, rounded), heights, isIn,
+            visit);
 }
 
 template <typename VISIT, typename DONE>
@@ -271,7 +271,7 @@ void CBodyIndex::ForShapesAlongRayHere(const CRay3& ray, const SRayReach& reach,
   const Real margin = SmallReach() + rounded;
   if (!m_shapes.empty()) {
     forRows(m_smallHeights.FindPart(ray, reach.Vertical), margin,
-            [&](const SCellRange& row) { VisitSmall(row, visit); });
+            [&](const SCellRange& row) { VisitSmall(row, CountAny, visit); });
   }
   if (!m_overlay.IsEmpty()) {
     forRows(whole, margin, [&](const SCellRange& row) { VisitOverlay(row, visit); });

@@ -13,6 +13,8 @@ namespace argos {
 struct SHeightRange {
   Real Min = HUGE_VAL, Max = -HUGE_VAL;
 
+  static SHeightRange All() { return {-HUGE_VAL, HUGE_VAL}; }
+  bool Overlaps(const SHeightRange& other) const { return Min <= other.Max && Max >= other.Min; }
   void Include(Real min, Real max) {
     Min = std::min(Min, min);
     Max = std::max(Max, max);

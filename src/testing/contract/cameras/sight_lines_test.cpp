@@ -8,6 +8,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -82,10 +83,30 @@ SView MakeView(CRandomStream& random, size_t groupSize) {
   return view;
 }
 
+SBoundingBox Enclose(const SView& view) {
+  SBoundingBox box{view.Eye, view.Eye};
+  for (const CVector3& point : view.Points) {
+    for (UInt32 axis = 0; axis < 3; ++axis) {
+      box.MinCorner[axis] = std::min(box.MinCorner[axis], point[axis]);
+      box.MaxCorner[axis] = std::max(box.MaxCorner[axis], point[axis]);
+    }
+  }
+  return box;
+}
+
+// @return true if something may occlude points between two heights in a square around the middle of
+// the arena
+bool MayOcclude(const CRayCaster& robot, Real minZ, Real maxZ) {
+  CSightLines lines;
+  lines.Start(robot, CVector3(0.0, 0.0, minZ));
+  return lines.FindOccluders({CVector3(-kReach, -kReach, minZ), CVector3(kReach, kReach, maxZ)});
+}
+
 // @return the number of visible groups, after a comparison of each
 size_t CountVisible(const CRayCaster& robot, const SView& view, bool all) {
   CSightLines lines;
   lines.Start(robot, view.Eye, view.GroupSize);
+  lines.FindOccluders(Enclose(view));
   for (const CVector3& point : view.Points) {
     lines.Add(point);
   }
@@ -141,14 +162,16 @@ TEST_CASE("sight lines: without bodies between the heights of eye and points, al
   CRayCaster robot;
   robot.SetRobot(dynamic_cast<CComposableEntity&>(world.GetRobot("r").GetRootEntity()));
   world.Step();
-  CHECK_FALSE(CSightLines::MayOcclude(robot, 0.15, 0.3));
-  CHECK(CSightLines::MayOcclude(robot, 0.14, 0.3));
-  CHECK_FALSE(CSightLines::MayOcclude(robot, -0.3, -0.01));
-  // what has been moved since the last tick may be anywhere
+  CHECK_FALSE(MayOcclude(robot, 0.15, 0.3));
+  CHECK(MayOcclude(robot, 0.14, 0.3));
+  CHECK_FALSE(MayOcclude(robot, -0.3, -0.01));
+  // a body that has been moved since the last tick is found where it is now
   auto& other = world.GetRobot("other").GetParent().GetComponent<CEmbodiedEntity>("body");
   REQUIRE(other.MoveTo(CVector3(0.5, 0.2, 0.1), CQuaternion()));
-  CHECK(CSightLines::MayOcclude(robot, 0.15, 0.3));
-  CHECK(CSightLines::MayOcclude(robot, 5.0, 6.0));
+  CHECK(MayOcclude(robot, 0.15, 0.3));
+  CHECK_FALSE(MayOcclude(robot, 0.25, 0.3));
+  REQUIRE(other.MoveTo(CVector3(1.5, 0.2, 0.0), CQuaternion()));
+  CHECK_FALSE(MayOcclude(robot, 0.1, 0.3));
 }
 
 }  // namespace sight_lines_test

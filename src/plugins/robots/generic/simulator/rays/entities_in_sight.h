@@ -4,7 +4,6 @@
 #include <argos3/core/simulator/context/simulation_context.h>
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/geometry/body_index.h>
-#include <argos3/core/simulator/geometry/height_range.h>
 #include <argos3/core/simulator/physics_engine/physics_model.h>
 #include <argos3/core/simulator/space/positional_indices/positional_index.h>
 #include <argos3/core/simulator/space/space.h>
@@ -83,8 +82,11 @@ class CEntitiesInSight {
     m_eye = eye;
     Collect(scratch, medium, view, locate);
     scratch.Sort();
-    const SHeightRange heights = scratch.ComputeHeights(eye.GetZ());
-    const bool mayOcclude = show || CSightLines::MayOcclude(m_robot, heights.Min, heights.Max);
+    if (scratch.Candidates.empty()) {
+      return;
+    }
+    scratch.Lines.Start(m_robot, m_eye, NUM_POINTS);
+    const bool mayOcclude = scratch.Lines.FindOccluders(scratch.Enclose(eye)) || show;
     if (mayOcclude) {
       Trace(scratch, show);
     }
@@ -125,8 +127,8 @@ class CEntitiesInSight {
       Order.reserve(kInitialCapacity);
     }
     void Sort();
-    // the heights of all points of the candidates and of the eye, m, world frame
-    SHeightRange ComputeHeights(Real eyeZ) const;
+    // a box around all points of the candidates and the eye, m, world frame
+    SBoundingBox Enclose(const CVector3& eye) const;
   };
 
   static SScratch& GetScratch() {
@@ -215,7 +217,6 @@ class CEntitiesInSight {
   // computes which candidates are visible, in their order
   void Trace(SScratch& scratch, bool show) const {
     CSightLines& lines = scratch.Lines;
-    lines.Start(m_robot, m_eye, NUM_POINTS);
     for (const SPlace& place : scratch.Order) {
       const SCandidate& candidate = scratch.Candidates[place.Candidate];
       for (const SSightPoint& point : candidate.Points) {
@@ -251,14 +252,17 @@ void CEntitiesInSight<ENTITY, NUM_POINTS>::SScratch::Sort() {
 }
 
 template <class ENTITY, size_t NUM_POINTS>
-SHeightRange CEntitiesInSight<ENTITY, NUM_POINTS>::SScratch::ComputeHeights(Real eyeZ) const {
-  SHeightRange heights{eyeZ, eyeZ};
+SBoundingBox CEntitiesInSight<ENTITY, NUM_POINTS>::SScratch::Enclose(const CVector3& eye) const {
+  SBoundingBox box{eye, eye};
   for (const SCandidate& candidate : Candidates) {
     for (const SSightPoint& point : candidate.Points) {
-      heights.Include(point.Position.GetZ(), point.Position.GetZ());
+      for (UInt32 axis = 0; axis < 3; ++axis) {
+        box.MinCorner[axis] = std::min(box.MinCorner[axis], point.Position[axis]);
+        box.MaxCorner[axis] = std::max(box.MaxCorner[axis], point.Position[axis]);
+      }
     }
   }
-  return heights;
+  return box;
 }
 
 }  // namespace argos

@@ -26,15 +26,19 @@ constexpr UInt32 kBits[] = {1U << 0,  1U << 1,  1U << 2,  1U << 3, 1U << 4,  1U 
 struct CSightLines::SBlock {
   static constexpr size_t kSize = 16;
 
-  float DX[kSize], DY[kSize];  // vector of the axis, m
-  float Inverse[kSize];  // 1 / square of its length, 1/m^2
+  Real X[kSize], Y[kSize];  // vector of the axis, m
+  Real Lowest[kSize], Highest[kSize];  // m, of the points
   float Spread[kSize];  // m, of the other points around the first, seen from above
-  float Drop[kSize], Rise[kSize];  // inverse of how far the lines go down, and up, at most, 1/m
   size_t Size = 0;  // number of groups
   UInt32 Open = 0;  // bit i: group i is to be tested
+  // written by Finish()
+  float DX[kSize], DY[kSize];  // X and Y
+  float Inverse[kSize];  // 1 / square of the length of the axis, 1/m^2
+  float Drop[kSize], Rise[kSize];  // inverse of how far the lines go down, and up, at most, 1/m
 
-  void Add(const SLine& line);
-  void Widen(const SLine& first, const SLine& line);
+  void Add(const CVector3& toEnd);
+  void Widen(const CVector3& toEnd);
+  void Finish();
   // the numbers of the groups that may meet a solid, as bits
   UInt32 FindNear(const SDisc& disc) const;
 };
@@ -48,43 +52,68 @@ void CSightLines::Start(const CRayCaster& robot, const CVector3& eye, size_t gro
   m_groupSize = groupSize;
   m_lines.clear();
   m_blocks.clear();
-  m_minZ = eye.GetZ();
-  m_maxZ = eye.GetZ();
+  m_isAnyHit = false;
 }
 
 void CSightLines::Reserve(size_t num, size_t groupSize) {
   m_lines.reserve(num * groupSize);
   m_blocks.reserve(num / SBlock::kSize + 1);
+  m_occluders.reserve(num);
 }
 
-namespace {
-
-// infinite unless the height is positive: then no fraction of a line gets to a solid
-float InverseHeight(Real height) {
-  return height > 0.0 ? 1.0F / static_cast<float>(height) : HUGE_VALF;
+bool CSightLines::FindOccluders(const SBoundingBox& box) {
+  m_occluders.clear();
+  if (m_robot->AreBodiesOutsideIndex()) {
+    return true;
+  }
+  const CVector3& min = box.MinCorner;
+  const CVector3& max = box.MaxCorner;
+  const UInt32 ownBody = m_robot->GetBody().GetBodyNumber();
+  m_robot->GetSpace().GetBodyIndex().ForShapesInArea(
+      {min.GetX(), min.GetY(), max.GetX(), max.GetY()},
+      [this, ownBody](const SIndexedShape& shape) {
+        if (shape.Body != ownBody) {
+          m_occluders.push_back(shape);
+        }
+      },
+      {min.GetZ(), max.GetZ()});
+  return !m_occluders.empty();
 }
 
-}  // namespace
-
-void CSightLines::SBlock::Add(const SLine& line) {
-  DX[Size] = static_cast<float>(line.DX);
-  DY[Size] = static_cast<float>(line.DY);
-  Inverse[Size] = 1.0F / static_cast<float>(line.SquareLengthXY);
+void CSightLines::SBlock::Add(const CVector3& toEnd) {
+  X[Size] = toEnd.GetX();
+  Y[Size] = toEnd.GetY();
+  Lowest[Size] = toEnd.GetZ();
+  Highest[Size] = toEnd.GetZ();
   Spread[Size] = 0.0F;
-  Drop[Size] = InverseHeight(-line.DZ);
-  Rise[Size] = InverseHeight(line.DZ);
   Open |= UInt32(1) << Size;
   ++Size;
 }
 
 // extends the last group
-void CSightLines::SBlock::Widen(const SLine& first, const SLine& line) {
-  const Real dx = line.DX - first.DX;
-  const Real dy = line.DY - first.DY;
+void CSightLines::SBlock::Widen(const CVector3& toEnd) {
   const size_t last = Size - 1;
+  const Real dx = toEnd.GetX() - X[last];
+  const Real dy = toEnd.GetY() - Y[last];
+  Lowest[last] = std::min(Lowest[last], toEnd.GetZ());
+  Highest[last] = std::max(Highest[last], toEnd.GetZ());
   Spread[last] = std::max(Spread[last], static_cast<float>(std::sqrt(dx * dx + dy * dy)));
-  Drop[last] = std::min(Drop[last], InverseHeight(-line.DZ));
-  Rise[last] = std::min(Rise[last], InverseHeight(line.DZ));
+}
+
+// Inverse heights are infinite unless the height is positive: then no fraction of a line gets to a
+// solid.
+ARGOS_VECTORIZED
+void CSightLines::SBlock::Finish() {
+  ARGOS_VECTOR_LOOP
+  for (size_t i = 0; i < kSize; ++i) {
+    DX[i] = static_cast<float>(X[i]);
+    DY[i] = static_cast<float>(Y[i]);
+    Inverse[i] = 1.0F / static_cast<float>(X[i] * X[i] + Y[i] * Y[i]);
+    const float drop = 1.0F / static_cast<float>(-Lowest[i]);
+    const float rise = 1.0F / static_cast<float>(Highest[i]);
+    Drop[i] = Lowest[i] < 0.0 ? drop : HUGE_VALF;
+    Rise[i] = Highest[i] > 0.0 ? rise : HUGE_VALF;
+  }
 }
 
 namespace {
@@ -100,61 +129,30 @@ bool IsBelowBase(const CEmbodiedEntity& body, CVector3 point) {
 }  // namespace
 
 void CSightLines::Add(const CVector3& point, const CEmbodiedEntity* open) {
-  const CVector3 toEnd = point - m_eye;
-  const Real length = toEnd.Length();
-  SLine line;
-  line.End = point;
-  line.Open = open != nullptr && IsBelowBase(*open, m_eye) ? open : nullptr;
-  line.DX = toEnd.GetX();
-  line.DY = toEnd.GetY();
-  line.DZ = toEnd.GetZ();
-  line.SquareLengthXY = line.DX * line.DX + line.DY * line.DY;
-  line.Limit = length > kTouch ? 1.0 - kTouch / length : 0.0;
-  line.Hit = 1.0;
-  m_minZ = std::min(m_minZ, point.GetZ());
-  m_maxZ = std::max(m_maxZ, point.GetZ());
-  AddToGroup(line);
-  m_lines.push_back(line);
-}
-
-void CSightLines::AddToGroup(const SLine& line) {
-  const size_t place = m_lines.size() % m_groupSize;
-  if (place != 0) {
-    m_blocks.back().Widen(m_lines[m_lines.size() - place], line);
-    return;
+  const bool isOpen = open != nullptr && IsBelowBase(*open, m_eye);
+  if (m_lines.size() % m_groupSize != 0) {
+    m_blocks.back().Widen(point - m_eye);
+  } else {
+    if (m_blocks.empty() || m_blocks.back().Size == SBlock::kSize) {
+      m_blocks.emplace_back();
+    }
+    m_blocks.back().Add(point - m_eye);
   }
-  if (m_blocks.empty() || m_blocks.back().Size == SBlock::kSize) {
-    m_blocks.emplace_back();
-  }
-  m_blocks.back().Add(line);
-}
-
-bool CSightLines::MayOcclude(const CRayCaster& robot, Real minZ, Real maxZ) {
-  const SHeightRange heights = robot.GetSpace().GetBodyIndex().GetHeights();
-  return (heights.Min <= maxZ && heights.Max >= minZ) || robot.AreBodiesOutsideIndex();
+  m_lines.push_back({point, isOpen ? open : nullptr, 1.0, true});
 }
 
 void CSightLines::Trace(bool all) {
-  if (m_lines.empty() || !MayOcclude(*m_robot, m_minZ, m_maxZ)) {
-    return;
-  }
   if (m_robot->AreBodiesOutsideIndex()) {
     TraceOneByOne();
     return;
   }
-  // encloses the projections of all lines onto the ground
-  SPlanarArea area = SPlanarArea::Empty();
-  area.Include(m_eye.GetX(), m_eye.GetY());
-  for (const SLine& line : m_lines) {
-    area.Include(line.End.GetX(), line.End.GetY());
+  for (SBlock& block : m_blocks) {
+    block.Finish();
   }
   const CBodyIndex& index = m_robot->GetSpace().GetBodyIndex();
-  const UInt32 ownBody = m_robot->GetBody().GetBodyNumber();
-  index.ForShapesInArea(area, [&](const SIndexedShape& shape) {
-    if (shape.Body != ownBody && shape.ZMax >= m_minZ && shape.ZMin <= m_maxZ) {
-      TraceShape(index, shape, all);
-    }
-  });
+  for (const SIndexedShape& shape : m_occluders) {
+    TraceShape(index, shape, all);
+  }
 }
 
 // the upright bounding cylinder of a solid, relative to the eye
@@ -168,23 +166,22 @@ struct CSightLines::SDisc {
 
   SDisc(const SIndexedShape& shape, const CVector3& eye);
 
-  // true if the infinite line intersects the circle, projected onto the ground
-  bool IntersectsPlanar(const SLine& line) const {
-    return IsCircleOnLine(X, Y, line.DX, line.DY, SquareRadius, line.SquareLengthXY);
-  }
-  // true if the line segment may intersect the cylinder
-  bool Intersects(const SLine& line, Real eyeZ) const {
-    const Real endZ = line.End.GetZ();
-    if (std::min(eyeZ, endZ) > ZMax || std::max(eyeZ, endZ) < ZMin) {
+  // true if the line segment from the eye, by a vector, m, may intersect the cylinder
+  bool MayIntersect(const CVector3& line, Real eyeZ, Real endZ) const {
+    const Real dx = line.GetX();
+    const Real dy = line.GetY();
+    const Real squareLength = dx * dx + dy * dy;
+    if (!IsCircleOnLine(X, Y, dx, dy, SquareRadius, squareLength) || std::min(eyeZ, endZ) > ZMax ||
+        std::max(eyeZ, endZ) < ZMin) {
       return false;
     }
-    const Real along = X * line.DX + Y * line.DY;
+    const Real along = X * dx + Y * dy;
     if (along <= 0.0) {
       return X * X + Y * Y <= SquareRadius;
     }
-    const Real toEndX = X - line.DX;
-    const Real toEndY = Y - line.DY;
-    return along < line.SquareLengthXY || toEndX * toEndX + toEndY * toEndY <= SquareRadius;
+    const Real toEndX = X - dx;
+    const Real toEndY = Y - dy;
+    return along < squareLength || toEndX * toEndX + toEndY * toEndY <= SquareRadius;
   }
 };
 
@@ -250,17 +247,27 @@ void CSightLines::TraceGroup(const CBodyIndex& index, const SIndexedShape& shape
                              size_t group) {
   for (size_t i = group * m_groupSize; i < (group + 1) * m_groupSize; ++i) {
     SLine& line = m_lines[i];
-    if (disc.IntersectsPlanar(line) && disc.Intersects(line, m_eye.GetZ()) &&
+    if (disc.MayIntersect(line.End - m_eye, m_eye.GetZ(), line.End.GetZ()) &&
         (line.Open == nullptr || line.Open->GetBodyNumber() != shape.Body)) {
-      line.Hit = std::min(line.Hit, index.Intersect(shape, CRay3(m_eye, line.End)));
+      Meet(line, index.Intersect(shape, CRay3(m_eye, line.End)));
     }
+  }
+}
+
+// a body occludes the end unless the line meets it within kTouch of the end
+void CSightLines::Meet(SLine& line, Real fraction) {
+  if (fraction < line.Hit) {
+    const Real length = (line.End - m_eye).Length();
+    line.Hit = fraction;
+    line.IsClear = length <= kTouch || fraction >= 1.0 - kTouch / length;
+    m_isAnyHit = true;
   }
 }
 
 bool CSightLines::IsGroupClear(size_t group) const {
   const auto first = m_lines.begin() + static_cast<std::ptrdiff_t>(group * m_groupSize);
-  return std::all_of(first, first + static_cast<std::ptrdiff_t>(m_groupSize),
-                     [](const SLine& line) { return line.IsClear(); });
+  return !m_isAnyHit || std::all_of(first, first + static_cast<std::ptrdiff_t>(m_groupSize),
+                                    [](const SLine& line) { return line.IsClear; });
 }
 
 // the fraction of the ray at which it meets the first body besides the robot's own and another; 1
@@ -282,9 +289,9 @@ void CSightLines::TraceOneByOne() {
   for (SLine& line : m_lines) {
     const CRay3 ray(m_eye, line.End);
     if (line.Open != nullptr) {
-      line.Hit = FindHitBesides(*line.Open, ray);
+      Meet(line, FindHitBesides(*line.Open, ray));
     } else if (GetClosestEmbodiedEntityIntersectedByRay(hit, ray, m_robot->GetBody())) {
-      line.Hit = hit.TOnRay;
+      Meet(line, hit.TOnRay);
     }
   }
 }
