@@ -9,6 +9,7 @@
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/utility/math/vector2.h>
 #include <argos3/core/utility/memory/load_ahead.h>
+#include <argos3/plugins/robots/generic/simulator/number_sort.h>
 #include <argos3/plugins/robots/generic/simulator/sight_lines.h>
 #include <argos3/plugins/simulator/media/entity_points.h>
 
@@ -92,7 +93,7 @@ class CEntitiesInSight {
     }
     for (size_t i = 0; i < scratch.Order.size(); ++i) {
       if (!mayOcclude || scratch.Lines.IsGroupClear(i)) {
-        const SCandidate& candidate = scratch.Candidates[scratch.Order[i].Candidate];
+        const SCandidate& candidate = scratch.GetCandidate(i);
         see(*candidate.Entity, candidate.Points.data());
       }
     }
@@ -102,6 +103,9 @@ class CEntitiesInSight {
   static constexpr size_t kInitialCapacity = 64;  // entities in the field of view
   // entities whose positions are prefetched together
   static constexpr size_t kBatch = 16;
+  // an index has at most 39 bits
+  static constexpr int kNumberBits = 24;
+  static constexpr UInt64 kNumberMask = (UInt64(1) << kNumberBits) - 1;
 
   // an entity in the field of view
   struct SCandidate {
@@ -109,17 +113,12 @@ class CEntitiesInSight {
     ssize_t Index;  // its CEntity::GetIndex()
     std::array<SSightPoint, NUM_POINTS> Points;
   };
-  // place of a candidate in the order of creation
-  struct SPlace {
-    ssize_t Index;  // as above
-    UInt32 Candidate;  // number
-  };
-
   // memory for one image
   struct SScratch {
     CSightLines Lines;
     std::vector<SCandidate> Candidates;  // entities are not owned
-    std::vector<SPlace> Order;  // places of the candidates
+    // the candidates in order of creation: index plus 1 above kNumberBits, number below
+    std::vector<UInt64> Order;
 
     SScratch() {
       Lines.Reserve(kInitialCapacity, NUM_POINTS);
@@ -127,6 +126,9 @@ class CEntitiesInSight {
       Order.reserve(kInitialCapacity);
     }
     void Sort();
+    const SCandidate& GetCandidate(size_t place) const {
+      return Candidates[Order[place] & kNumberMask];
+    }
     // a box around all points of the candidates and the eye, m, world frame
     SBoundingBox Enclose(const CVector3& eye) const;
   };
@@ -217,8 +219,8 @@ class CEntitiesInSight {
   // computes which candidates are visible, in their order
   void Trace(SScratch& scratch, bool show) const {
     CSightLines& lines = scratch.Lines;
-    for (const SPlace& place : scratch.Order) {
-      const SCandidate& candidate = scratch.Candidates[place.Candidate];
+    for (size_t i = 0; i < scratch.Order.size(); ++i) {
+      const SCandidate& candidate = scratch.GetCandidate(i);
       for (const SSightPoint& point : candidate.Points) {
         lines.Add(point.Position, detail::FindBodyOpenBeneath(*candidate.Entity, 0));
       }
@@ -240,15 +242,14 @@ template <class ENTITY, size_t NUM_POINTS>
 void CEntitiesInSight<ENTITY, NUM_POINTS>::SScratch::Sort() {
   Order.clear();
   for (const SCandidate& candidate : Candidates) {
-    Order.push_back({candidate.Index, static_cast<UInt32>(Order.size())});
+    Order.push_back((static_cast<UInt64>(candidate.Index + 1) << kNumberBits) | Order.size());
   }
-  std::sort(Order.begin(), Order.end(),
-            [](const SPlace& a, const SPlace& b) { return a.Index < b.Index; });
-  Order.erase(std::unique(Order.begin(), Order.end(),
-                          [this](const SPlace& a, const SPlace& b) {
-                            return Candidates[a.Candidate].Entity == Candidates[b.Candidate].Entity;
-                          }),
-              Order.end());
+  SortNumbers(Order);
+  const auto isSame = [this](UInt64 a, UInt64 b) {
+    return a >> kNumberBits == b >> kNumberBits &&
+           Candidates[a & kNumberMask].Entity == Candidates[b & kNumberMask].Entity;
+  };
+  Order.erase(std::unique(Order.begin(), Order.end(), isSame), Order.end());
 }
 
 template <class ENTITY, size_t NUM_POINTS>
