@@ -23,7 +23,7 @@ CDirectionalLEDEntity::~CDirectionalLEDEntity() {
 
 void CDirectionalLEDEntity::Init(TConfigurationNode& tree) {
   CMediumMember::Init(tree);
-  m_observableAngle = ReadObservableAngle(tree);
+  m_cone = CObservableCone(ReadObservableAngle(tree));
   GetNodeAttributeOrDefault(tree, "color", m_initColor, CColor());
   m_color = m_initColor;
 }
@@ -36,12 +36,8 @@ void CDirectionalLEDEntity::Reset() {
 void CDirectionalLEDEntity::SetObservableAngle(const CRadians& angle) {
   CRobotsCode::CheckShared(*this, "SetObservableAngle()");
   RequireObservableAngle(angle, "directional LED \"" + GetContext() + GetId() + "\"");
-  KeepForReset(m_observableAngle);
-  m_observableAngle = angle;
-}
-
-bool CDirectionalLEDEntity::ShinesOn(const CVector3& point) const {
-  return IsObservableFrom(*this, m_observableAngle, point);
+  KeepForReset(m_cone);
+  m_cone = CObservableCone(angle);
 }
 
 void CDirectionalLEDEntity::UpdateDigest(CDigest& digest) const {

@@ -7,6 +7,7 @@
 #include <argos3/core/utility/math/angles.h>
 #include <argos3/plugins/simulator/entities/cell_updaters.h>
 #include <argos3/plugins/simulator/entities/medium_member.h>
+#include <argos3/plugins/simulator/entities/observable.h>
 
 #include <vector>
 
@@ -58,21 +59,21 @@ class CDirectionalLEDEntity : public CMediumMember<CDirectionalLEDEntity, CDirec
   /** Hides that of CMediumMember. */
   bool IsInCells() const { return IsLit(); }
 
-  const CRadians& GetObservableAngle() const { return m_observableAngle; }
+  const CRadians& GetObservableAngle() const { return m_cone.GetAngle(); }
   /**
    * @param angle  half angle of the visibility cone around the z axis, in (0, PI].
    * @throws CARGoSException if the angle is out of range.
    */
   void SetObservableAngle(const CRadians& angle);
   /** @return true if a point (m, world frame) is in the visibility cone. */
-  bool ShinesOn(const CVector3& point) const;
+  bool ShinesOn(const CVector3& point) const { return m_cone.Contains(*this, point); }
 
   void UpdateDigest(CDigest& digest) const override;
 
  private:
   CColor m_color;
   CColor m_initColor;
-  CRadians m_observableAngle = CRadians::PI;
+  CObservableCone m_cone;
 };
 
 /** Put a directional LED into its cell, unless it is black. */

@@ -19,21 +19,22 @@ CRadians ReadObservableAngle(TConfigurationNode& tree) {
   return RequireObservableAngle(ToRadians(degrees), OwnerOf(tree));
 }
 
-bool IsObservableFrom(const CPositionalEntity& entity, const CRadians& angle,
-                      const CVector3& point) {
+CObservableCone::CObservableCone(const CRadians& angle) : m_angle(angle), m_cosine(Cos(angle)) {}
+
+bool CObservableCone::Contains(const CPositionalEntity& entity, const CVector3& point) const {
   // all directions, independently of rounding
-  if (angle >= CRadians::PI) {
+  if (m_angle >= CRadians::PI) {
     return true;
   }
   CVector3 normal = CVector3::Z;
   normal.Rotate(entity.GetOrientation());
   const CVector3 toPoint = point - entity.GetPosition();
   const Real ahead = normal.DotProduct(toPoint);
-  // a cheap test that settles most cases without a cosine
-  if (ahead < 0.0 && angle <= CRadians::PI_OVER_TWO) {
+  // settles most cases without a root
+  if (ahead < 0.0 && m_angle <= CRadians::PI_OVER_TWO) {
     return false;
   }
-  return ahead >= Cos(angle) * toPoint.Length();
+  return ahead >= m_cosine * toPoint.Length();
 }
 
 }  // namespace argos

@@ -20,9 +20,23 @@ CRadians RequireObservableAngle(const CRadians& angle, const std::string& owner)
  * invalid.
  */
 CRadians ReadObservableAngle(TConfigurationNode& tree);
-/** @return true if the direction to a point (m, world frame) is within that angle of the z axis. */
-bool IsObservableFrom(const CPositionalEntity& entity, const CRadians& angle,
-                      const CVector3& point);
+
+/** A cone around the z axis of an entity, from whose inside it is visible. */
+class CObservableCone {
+ public:
+  /** All directions. */
+  CObservableCone() = default;
+  /** @param angle  from the axis, see RequireObservableAngle(). */
+  explicit CObservableCone(const CRadians& angle);
+
+  const CRadians& GetAngle() const { return m_angle; }
+  /** @return true if a point, m, world frame, is in the cone of @p entity. */
+  bool Contains(const CPositionalEntity& entity, const CVector3& point) const;
+
+ private:
+  CRadians m_angle = CRadians::PI;
+  Real m_cosine = -1.0;  // of the angle
+};
 
 }  // namespace argos
 

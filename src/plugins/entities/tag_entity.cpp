@@ -24,7 +24,7 @@ CTagEntity::~CTagEntity() {
 
 void CTagEntity::Init(TConfigurationNode& tree) {
   CMediumMember::Init(tree);
-  m_observableAngle = ReadObservableAngle(tree);
+  m_cone = CObservableCone(ReadObservableAngle(tree));
   ReadPositive(tree, "side_length", "m", m_sideLength);
   GetNodeAttributeOrDefault(tree, "payload", m_initPayload, std::string());
   m_payload = m_initPayload;
@@ -56,12 +56,8 @@ std::array<CVector3, 4> CTagEntity::ComputeCorners() const {
 void CTagEntity::SetObservableAngle(const CRadians& angle) {
   CRobotsCode::CheckShared(*this, "SetObservableAngle()");
   RequireObservableAngle(angle, "tag \"" + GetContext() + GetId() + "\"");
-  KeepForReset(m_observableAngle);
-  m_observableAngle = angle;
-}
-
-bool CTagEntity::Faces(const CVector3& point) const {
-  return IsObservableFrom(*this, m_observableAngle, point);
+  KeepForReset(m_cone);
+  m_cone = CObservableCone(angle);
 }
 
 void CTagEntity::UpdateDigest(CDigest& digest) const {

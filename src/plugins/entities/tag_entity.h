@@ -5,6 +5,7 @@
 #include <argos3/core/utility/math/angles.h>
 #include <argos3/plugins/simulator/entities/cell_updaters.h>
 #include <argos3/plugins/simulator/entities/medium_member.h>
+#include <argos3/plugins/simulator/entities/observable.h>
 
 #include <array>
 #include <string>
@@ -67,19 +68,19 @@ class CTagEntity : public CMediumMember<CTagEntity, CTagMedium> {
    */
   std::array<CVector3, 4> ComputeCorners() const;
 
-  const CRadians& GetObservableAngle() const { return m_observableAngle; }
+  const CRadians& GetObservableAngle() const { return m_cone.GetAngle(); }
   /**
    * @param angle  half angle of the readability cone around the z axis, in (0, PI].
    * @throws CARGoSException if the angle is out of range.
    */
   void SetObservableAngle(const CRadians& angle);
   /** @return true if a point (m, world frame) is in that cone. */
-  bool Faces(const CVector3& point) const;
+  bool Faces(const CVector3& point) const { return m_cone.Contains(*this, point); }
 
   void UpdateDigest(CDigest& digest) const override;
 
  private:
-  CRadians m_observableAngle = CRadians::PI;
+  CObservableCone m_cone;
   Real m_sideLength = 0.1;  // m
   std::string m_payload;
   std::string m_initPayload;
