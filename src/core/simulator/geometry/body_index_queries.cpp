@@ -5,8 +5,6 @@
 #include <argos3/core/simulator/geometry/solid_overlap.h>
 #include <argos3/core/utility/memory/load_ahead.h>
 
-#include <limits>
-
 namespace argos {
 
 namespace {
@@ -81,23 +79,17 @@ Real CBodyIndex::Intersect(const SIndexedShape& shape, const CRay3& ray) const {
 bool CBodyIndex::FindClosestHit(SEmbodiedEntityIntersectionItem& item, const CRay3& ray,
                                 const CEmbodiedEntity* ignored) const {
   item = SEmbodiedEntityIntersectionItem();
-  Real closest = std::numeric_limits<Real>::infinity();
   UInt32 closestBody = kNoBody;
   ForShapesAlongRay(ray, SRayReach(0.0, 0.0), [&](const SIndexedShape& shape) {
     const Real t = Intersect(shape, ray);
-    if (t > 1.0 || t > closest || (t == closest && shape.Body >= closestBody) ||
+    if (t > item.TOnRay || (t == item.TOnRay && shape.Body >= closestBody) ||
         m_bodies[shape.Body].Entity == ignored) {
       return;
     }
-    closest = t;
+    item = {m_bodies[shape.Body].Entity, t};
     closestBody = shape.Body;
   });
-  if (closestBody == kNoBody) {
-    return false;
-  }
-  item.IntersectedEntity = m_bodies[closestBody].Entity;
-  item.TOnRay = closest;
-  return true;
+  return closestBody != kNoBody;
 }
 
 void CBodyIndex::FindAllHits(TEmbodiedEntityIntersectionData& data, const CRay3& ray) const {
