@@ -41,6 +41,7 @@ void CContractGripper::Init(TConfigurationNode& params) {
   GetNodeAttributeOrDefault(params, "right", m_right, m_right);
   GetNodeAttributeOrDefault(params, "lock", m_lock, m_lock);
   GetNodeAttributeOrDefault(params, "turret", m_turretIsOn, m_turretIsOn);
+  GetNodeAttributeOrDefault(params, "grip", m_grips, m_grips);
   bool random = false;
   GetNodeAttributeOrDefault(params, "random", random, random);
   if (random) {
@@ -77,7 +78,7 @@ void CContractGripper::DrawCommands() {
   Left = m_random->Uniform(-15.0, 15.0);
   Right = m_random->Uniform(-15.0, 15.0);
   // locked most of the time
-  Lock = m_random->Bernoulli(0.95);
+  Lock = m_random->Bernoulli(0.95) && m_grips;
   Mode = static_cast<CCI_FootBotTurretActuator::ETurretModes>(
       m_random->UniformInteger(m_turretIsOn ? UInt64(4) : UInt64(2)));
   TurretSpeed = static_cast<SInt32>(m_random->UniformInteger(SInt64(-4), SInt64(4)));

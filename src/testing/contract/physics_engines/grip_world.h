@@ -21,8 +21,8 @@ namespace argos {
 class CContractGripper : public CCI_Controller {
  public:
   /**
-   * Reads left and right, cm/s, default 0; lock and random, default false; turret, default true:
-   * whether random orders include those to the turret's motor.
+   * Reads left and right, cm/s, default 0; lock and random, default false; turret and grip, default
+   * true: whether random orders include those to the turret's motor and to the gripper.
    */
   void Init(TConfigurationNode& params) override;
   void ControlStep() override;
@@ -42,7 +42,7 @@ class CContractGripper : public CCI_Controller {
   CCI_FootBotTurretActuator* m_turret = nullptr;
   Real m_left = 0.0, m_right = 0.0;  // cm/s, of the XML
   bool m_lock = false;  // of the XML
-  bool m_turretIsOn = true;
+  bool m_turretIsOn = true, m_grips = true;
   UInt32 m_tick = 0;
   std::optional<CRandomStream> m_random;
 };

@@ -1,4 +1,5 @@
-// Foot-bots that push, grip and drag objects about, while objects are added, removed and moved.
+// Foot-bots that push objects, and grip and drag them where the engine has grips, while objects are
+// added, removed and moved.
 
 #include <argos3/core/simulator/loop_functions.h>
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
@@ -23,7 +24,12 @@ constexpr Real kHalf = 3.0;  // of the side of the pen, m
 constexpr int kRobots = 50;
 constexpr int kObjects = 40;
 
-std::string MakeArena() {
+bool HasGrips(const SEngineType& engine) {
+  return std::any_of(kEnginesWithGrips.begin(), kEnginesWithGrips.end(),
+                     [&engine](const SEngineType& other) { return other.Tag == engine.Tag; });
+}
+
+std::string MakeArena(const SEngineType& engine) {
   std::ostringstream arena;
   for (const int side : {-1, 1}) {
     const Real at = side * (kHalf + 0.1);
@@ -36,7 +42,9 @@ std::string MakeArena() {
            "<orientation method='uniform' min='0,0,0' max='360,0,0'/><entity quantity='"
         << kRobots
         << "' max_trials='1000'><foot-bot id='r'><controller config='gripper'><params "
-           "random='true'/></controller></foot-bot></entity></distribute>";
+           "random='true' grip='"
+        << (HasGrips(engine) ? "true" : "false")
+        << "'/></controller></foot-bot></entity></distribute>";
   return arena.str();
 }
 
@@ -68,12 +76,15 @@ class CObjectTurnover {
     m_owners.clear();
     for (CEmbodiedEntity* body : ListBodies()) {
       const SAnchor& origin = body->GetOriginAnchor();
+      CAPTURE(body->GetRootEntity().GetId(), origin.Position, m_ticks);
       REQUIRE(body->GetPhysicsModelsNum() == 1);
       REQUIRE(std::max(std::abs(origin.Position.GetX()), std::abs(origin.Position.GetY())) <
               kHalf + 0.2);
       if (!IsUpright(origin)) {
+        ++m_tilted;
         continue;
       }
+      ++m_upright;
       const size_t first = m_solids.size();
       AppendFootprints(*body->GetBodyDescription(), ComputePlanarPose(origin), m_solids);
       for (size_t i = first; i < m_solids.size(); ++i) {
@@ -89,6 +100,11 @@ class CObjectTurnover {
   Real GetDeepest() const { return m_deepest; }
   /** Which ones these were, and when. */
   const std::string& GetDeepestPair() const { return m_deepestPair; }
+  /** Of the bodies that were checked, the share that lean or are off the floor: not measured. */
+  Real GetShareTilted() const {
+    return static_cast<Real>(m_tilted) / static_cast<Real>(m_tilted + m_upright);
+  }
+  UInt64 GetNumAdded() const { return m_added; }
   /** Sum over ticks of the robots that hold something. */
   UInt64 GetNumHeld() const { return m_held; }
 
@@ -202,6 +218,7 @@ class CObjectTurnover {
   UInt64 m_added = 0;
   UInt64 m_held = 0;
   UInt64 m_ticks = 0;
+  UInt64 m_tilted = 0, m_upright = 0;
   Real m_deepest = 0.0;
   std::string m_deepestPair;
 };
@@ -216,30 +233,44 @@ CGripWorld::SOptions MakeOptions(const SEngineType& engine) {
 
 TEST_CASE("objects: none is lost or enters another while they are gripped, added and removed",
           "[contract][engine][grip]") {
-  const SEngineType engine = GENERATE(from_range(kEnginesWithGrips));
+  const SEngineType engine = GENERATE(from_range(kEnginesWithContacts));
   CAPTURE(engine);
-  CGripWorld world(MakeArena(), MakeOptions(engine));
+  CGripWorld world(MakeArena(engine), MakeOptions(engine));
   CObjectTurnover turnover(world);
   const UInt32 ticks = FewerIfSanitized(300);
   for (UInt32 tick = 0; tick < ticks; ++tick) {
     turnover.Tick();
     turnover.Check();
   }
-  CHECK(turnover.GetNumHeld() > ticks * kRobots / 100);
+  CHECK(turnover.GetNumHeld() >= (HasGrips(engine) ? ticks * kRobots / 100 : 0));
   CHECK(turnover.GetDeepest() <= 0.01);
 }
 
+// an hour of simulated time
 TEST_CASE("objects: memory stays flat while they are gripped, added, removed and moved",
           "[.][soak][objects]") {
-  const SEngineType engine = GENERATE(from_range(kEnginesWithGrips));
-  CAPTURE(engine);
-  CGripWorld world(MakeArena(), MakeOptions(engine));
-  CObjectTurnover turnover(world);
-  Soak([&] { turnover.Tick(); }, [&] { turnover.Check(); });
-  WARN("at most " << 100.0 * turnover.GetDeepest()
-                  << " % of the size: " << turnover.GetDeepestPair());
-  // in dynamics3d 1.3 % was seen, in 9,000 ticks
-  CHECK(turnover.GetDeepest() <= (engine.HasSlopes ? 0.02 : 0.01));
+  for (const SEngineType& engine : kEnginesWithContacts) {
+    // choose one section with -c
+    DYNAMIC_SECTION(engine) {
+      CGripWorld world(MakeArena(engine), MakeOptions(engine));
+      CObjectTurnover turnover(world);
+      UInt64 ticks = 0;
+      const auto tick = [&] {
+        turnover.Tick();
+        turnover.Check();
+        ++ticks;
+      };
+      SoakSimulated(10, tick);
+      WARN(engine << ": " << turnover.GetNumAdded() << " objects added; "
+                  << turnover.GetNumHeld() / ticks << " robots hold something; at most "
+                  << 100.0 * turnover.GetDeepest()
+                  << " % of the size: " << turnover.GetDeepestPair() << "; "
+                  << 100.0 * turnover.GetShareTilted() << " % of bodies not measured");
+      CHECK(turnover.GetNumHeld() >= (HasGrips(engine) ? ticks * kRobots / 100 : 0));
+      // in dynamics3d 1.3 % was seen, in 9,000 ticks
+      CHECK(turnover.GetDeepest() <= (engine.HasSlopes ? 0.02 : 0.01));
+    }
+  }
 }
 
 }  // namespace argos::object_turnover_test

@@ -50,10 +50,12 @@ class CTurnover {
 
 /**
  * Runs ticks for ARGOS_SOAK_MINUTES of wall time, 60 if that is not set, and checks that resident
- * memory grows by at most 2 % after the first tenth of the time.
+ * memory grows by at most 2 % and 2 MiB after the first tenth of the time.
  * @param check  called every ten ticks.
  */
 void Soak(const std::function<void()>& tick, const std::function<void()>& check);
+/** The same for so many minutes of simulated time, without a check. */
+void SoakSimulated(UInt32 ticksPerSecond, const std::function<void()>& tick);
 
 }  // namespace argos
 
