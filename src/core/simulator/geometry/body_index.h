@@ -93,24 +93,23 @@ class CBodyIndex {
   void ForShapesNear(Real x, Real y, Real reach, VISIT&& visit) const;
   /**
    * The same, but upright discs that span the heights of @p query are mostly added to @p discs
-   * instead, unless they are out of reach or of the ignored body. Solids that are visited may be
-   * either.
+   * instead, unless they are out of reach or of the ignored body. Visited solids may be either.
    * @param takeDiscs  void(): called when @p discs is full; empties it.
    */
   template <typename VISIT, typename TAKE_DISCS>
   void ListDiscsNear(const SDiscQuery& query, SDiscList& discs, TAKE_DISCS&& takeDiscs,
                      VISIT&& visit) const;
   /**
-   * Calls visit(const SIndexedShape&) for every solid whose footprint touches @p area, and that may
-   * be at one of the heights, and perhaps for others. Each solid once.
+   * Calls visit(const SIndexedShape&) for every solid whose footprint touches @p area and that may
+   * be at one of @p heights, and perhaps for others. Each solid once.
    */
   template <typename VISIT>
   void ForShapesInArea(const SPlanarArea& area, VISIT&& visit,
                        const SHeightRange& heights = SHeightRange::All()) const;
   /**
-   * Calls visit(const SIndexedShape&) for every solid that comes within @p reach of a point of
-   * @p ray, and perhaps for others; wide solids perhaps repeatedly. Ignores the part of the ray
-   * that is above or below all solids.
+   * Calls visit(const SIndexedShape&) for every solid that comes within @p reach of a point of @p
+   * ray, perhaps for others, wide ones perhaps repeatedly. Ignores the ray above and below all
+   * solids.
    * @param isDone  bool(): called before each row of cells; true ends the query.
    */
   template <typename VISIT, typename DONE>
@@ -121,8 +120,7 @@ class CBodyIndex {
     ForShapesAlongRay(ray, reach, visit, [] { return false; });
   }
 
-  /** Where @p ray enters a solid of any kind: fraction in [0,1], 0 if it starts inside; or kNoHit.
-   */
+  /** Where @p ray enters a solid: a fraction in [0,1], 0 if it starts inside; or kNoHit. */
   Real Intersect(const SIndexedShape& shape, const CRay3& ray) const;
   /** Finds the first body that @p ray meets, except @p ignored. @return false if none. */
   bool FindClosestHit(SEmbodiedEntityIntersectionItem& item, const CRay3& ray,
@@ -130,8 +128,7 @@ class CBodyIndex {
   /**
    * True if a third body is between two bodies: if it meets the part of @p segment that is outside
    * both of them. Exchanging the ends changes nothing but rounding.
-   * @param segment  from a point of the body @p start to one of the body @p end, which are numbers
-   *                 or kNoBody.
+   * @param segment  from a point of body @p start to one of body @p end: numbers, or kNoBody.
    */
   bool IsBlocked(const CRay3& segment, UInt32 start, UInt32 end) const;
   /**
@@ -298,7 +295,6 @@ class CBodyIndex {
 }  // namespace argos
 
 #include <argos3/core/simulator/geometry/body_index_impl.h>
-
 #include <argos3/core/simulator/geometry/body_index_images.h>
 
 #endif
