@@ -107,9 +107,9 @@ class CBodyIndex {
   void ForShapesInArea(const SPlanarArea& area, VISIT&& visit,
                        const SHeightRange& heights = SHeightRange::All()) const;
   /**
-   * Calls visit(const SIndexedShape&) for every solid that comes within @p reach of a point of @p
-   * ray, perhaps for others, wide ones perhaps repeatedly. Ignores the ray above and below all
-   * solids.
+   * Calls visit(const SIndexedShape&) for every solid that comes within @p reach of a point of
+   * @p ray, perhaps for others, wide ones perhaps repeatedly. Ignores the part of the ray that is
+   * above or below all solids.
    * @param isDone  bool(): called before each row of cells; true ends the query.
    */
   template <typename VISIT, typename DONE>

@@ -438,8 +438,6 @@ export class EntityDrawer {
       }
     }
     this.merged = this.points = null;
-    this.pointPicture?.dispose();
-    this.pointPicture = null;
   }
 
   // the largest solid of each, of few corners
@@ -509,18 +507,19 @@ export class EntityDrawer {
     if (robots.length <= this.budget.pointsByWebGL) {
       this.points = new Points(makePointGeometry(robots), this.pointMaterial);
       this.points.frustumCulled = false;
-      this.points.visible = false;
       this.points.renderOrder = 3;
     } else {
-      this.pointPicture = new PointPicture(this.uniforms, robots);
+      this.pointPicture ??= new PointPicture(this.uniforms); // its shader is kept when entities change
+      this.pointPicture.robots = robots;
       this.points = this.pointPicture.mesh;
     }
+    this.points.visible = false;
     this.scene.add(this.points);
   }
 
   /** Draws the points that WebGL does not draw. */
   drawPoints(scene: PointScene): void {
-    if (this.pointPicture?.mesh.visible === true) {
+    if (this.pointPicture !== null && this.points === this.pointPicture.mesh && this.points.visible) {
       this.pointPicture.draw(scene);
     }
   }

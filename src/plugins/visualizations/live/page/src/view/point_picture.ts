@@ -44,27 +44,18 @@ const kMostSteps = 32_767;
  */
 export class PointPicture {
   readonly mesh: Mesh;
+  robots: PointRobot[] = [];
   private readonly uniforms: Uniforms;
   private picture: Uint16Array = new Uint16Array(1);
   private texture: DataTexture | null = null;
   private readonly toPicture = new Matrix4();
 
-  constructor(
-    shared: Uniforms,
-    private readonly robots: PointRobot[],
-  ) {
+  constructor(shared: Uniforms) {
     this.uniforms = { ...shared, uPicture: { value: null }, uStep: { value: 1 } };
     const material = makeMaterial(kPointPictureVertex, kPointPictureFragment, this.uniforms);
     this.mesh = new Mesh(makeQuad(), material);
     this.mesh.frustumCulled = false;
-    this.mesh.visible = false;
     this.mesh.renderOrder = 3;
-  }
-
-  dispose(): void {
-    this.texture?.dispose();
-    this.mesh.geometry.dispose();
-    [this.mesh.material].flat().forEach((material) => material.dispose());
   }
 
   draw(scene: PointScene): void {
