@@ -25,6 +25,25 @@ Real Clamped(Real value, Real limit) {
   return std::clamp(value, -limit, limit);
 }
 
+// A grip that would bear more than its limit bears the limit.
+TTriple Shortened(const TTriple& impulses, Real limit) {
+  const Real length = CVector3(impulses[0], impulses[1], impulses[2]).Length();
+  const Real scale = length > limit ? limit / length : 1.0;
+  return {scale * impulses[0], scale * impulses[1], scale * impulses[2]};
+}
+
+TTriple SolveBall(const CImpulseSolver::SBlock& block, SSymmetric3 k, TTriple errors) {
+  k.XX += block.Softness;
+  k.YY += block.Softness;
+  k.ZZ += block.Softness;
+  for (size_t i = 0; i < 3; ++i) {
+    errors[i] += block.Softness * block.Impulses[i];
+  }
+  const TTriple change = Times(k.Inverted(), errors);
+  const TTriple& now = block.Impulses;
+  return Shortened({now[0] - change[0], now[1] - change[1], now[2] - change[2]}, block.ForceLimit);
+}
+
 // The impulses of a block for which its speeds, which are now off their targets by these errors,
 // obey its law.
 TTriple SolveLaw(const CImpulseSolver::SBlock& block, const SSymmetric3& k, const TTriple& errors) {
@@ -32,8 +51,7 @@ TTriple SolveLaw(const CImpulseSolver::SBlock& block, const SSymmetric3& k, cons
   const TTriple& now = block.Impulses;
   TTriple next{};
   if (block.Kind == EKind::Ball) {
-    const TTriple change = Times(k.Inverted(), errors);
-    return {now[0] - change[0], now[1] - change[1], now[2] - change[2]};
+    return SolveBall(block, k, errors);
   }
   Real limit = block.ForceLimit;
   if (block.Kind == EKind::Drive) {

@@ -29,7 +29,7 @@ class CImpulseSolver {
   static constexpr UInt32 kNone = static_cast<UInt32>(-1);
   /** The number of the body that cannot move. */
   static constexpr UInt32 kGround = 0;
-  /** Makes the distribution of a weight on redundant contacts unique: the most even one. */
+  /** Makes the distribution of forces on redundant contacts and balls unique: the most even one. */
   static constexpr Real kSoftness = 1e-3;
 
   struct SBody {
@@ -71,7 +71,7 @@ class CImpulseSolver {
     CVector3 SecondArm;
     CVector3 RotorArm;  // from a point of the rotor's axis to the point, m
     std::array<Real, 3> Targets{};  // relative speeds, m/s, rad/s
-    // of a contact along the normal: m/s for an impulse of 1 N s; 0: kSoftness of its resistance
+    // of a contact along the normal, of a ball: m/s for 1 N s; 0: kSoftness of its resistance
     Real Softness = 0.0;
     Real Settled = 0.0;  // N s, of a contact: normal impulse for which softness makes no speed
     Real Friction = 0.0;  // of a contact: coefficient
@@ -79,7 +79,7 @@ class CImpulseSolver {
     // how far the pressure moves ahead of its middle against rolling
     Real Patch = 0.0;
     Real RollArm = 0.0;
-    Real ForceLimit = 0.0;  // N s, of a drive
+    Real ForceLimit = 0.0;  // N s, of a drive or a ball
     Real TorqueLimit = 0.0;  // N m s, of a drive
     std::array<Real, 3> Impulses{};  // N s; at the start: of the last substep
     // set by Prepare(): speeds as functions of the motion, and changes of it by impulses of 1

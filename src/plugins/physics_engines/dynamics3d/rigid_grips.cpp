@@ -17,6 +17,7 @@ namespace {
 
 // contacts of a sensing disc with one solid
 constexpr int kMaxContacts = 4;
+constexpr Real kRounding = 1e-9;  // share of a force
 
 CEmbodiedEntity& EntityOf(const SRigidBody& body) {
   return body.Source.Owner->GetEmbodiedEntity();
@@ -253,7 +254,8 @@ void CRigidGrips::EndTick(Real tick) {
 void CRigidGrips::BreakOverloadedGrips() {
   for (const auto& each : m_manipulators) {
     if (each->Held != nullptr &&
-        FromODE(each->Pull.f1).Length() > each->Robot->Source.Description->Gripper->MaxForce) {
+        FromODE(each->Pull.f1).Length() >=
+            (1.0 - kRounding) * each->Robot->Source.Description->Gripper->MaxForce) {
       Release(*each);
     }
   }

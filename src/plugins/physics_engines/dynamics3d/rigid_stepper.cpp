@@ -352,6 +352,7 @@ void CRigidStepper::AddHold(const SSubstep& substep, const CRigidGrips::SHold& h
   dJointGetBallAnchor2(hold.Hold, grip);
   SBlock& block = space.Solver.Blocks.emplace_back();
   block.Kind = EBlock::Ball;
+  block.ForceLimit = hold.Robot->Source.Description->Gripper->MaxForce * substep.Length;
   block.First = hold.Robot->SolverBody;
   block.Second = hold.Held->SolverBody;
   block.Directions = {CVector3::X, CVector3::Y, CVector3::Z};

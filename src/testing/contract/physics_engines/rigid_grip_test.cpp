@@ -3,6 +3,7 @@
 #include <argos3/testing/contract/physics_engines/grip_world.h>
 #include <argos3/testing/contract/physics_engines/rigid_scene.h>
 #include <argos3/testing/support/robot_sizes.h>
+#include <argos3/testing/support/sanitizers.h>
 
 #include <argos3/core/simulator/geometry/body_description.h>
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
@@ -10,6 +11,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace argos::rigid_grip_test {
@@ -161,6 +163,52 @@ TEST_CASE(
   CHECK(Run(world, 300) == first);
   CGripWorld threaded(CrowdXml(), Options(4, engine));
   CHECK(Run(threaded, 300) == first);
+}
+
+// Two grips and the touch of two robots share forces along the same line, which must not grow
+// without bound.
+TEST_CASE("rigid grip: robots that hold each other are not thrown by any commands",
+          "[contract][engine][rigid][grip]") {
+  constexpr int kPairs = 10;
+  constexpr UInt32 kTicksPerCommand = 7;
+  std::string arena;
+  const auto nameOf = [](int robot) { return "r" + std::to_string(robot); };
+  for (int robot = 0; robot < 2 * kPairs; ++robot) {
+    const bool isLeft = robot % 2 == 0;
+    const Real x = (isLeft ? -1.0 : 1.0) * (kFootBotRadius + 5e-4);
+    arena += GripperXml(nameOf(robot), x, robot / 2, isLeft ? 0.0 : 180.0, "lock='true'");
+  }
+  CGripWorld world(arena, Options());
+  world.Step();
+  CRandomStream random(1, "test", "pairs", "commands");
+  const UInt32 ticks = FewerIfSanitized(300);
+  CGripWorld::TPoses before = world.GetPoses();
+  UInt32 held = 0;
+  Real highest = 0.0;  // m
+  Real farthest = 0.0;  // m, of the ways in a tick
+  for (UInt32 tick = 0; tick < ticks; ++tick) {
+    for (int robot = 0; tick % kTicksPerCommand == 0 && robot < 2 * kPairs; ++robot) {
+      CContractGripper& driver = world.Driver(nameOf(robot));
+      driver.Left = random.Uniform(-15.0, 15.0);
+      driver.Right = random.Uniform(-15.0, 15.0);
+      driver.Mode = static_cast<TModes>(random.UniformInteger(UInt64(4)));
+      driver.TurretSpeed = static_cast<SInt32>(random.UniformInteger(SInt64(-4), SInt64(4)));
+      driver.TurretRotation = CRadians(random.Uniform(-ARGOS_PI, ARGOS_PI));
+    }
+    world.Step();
+    CGripWorld::TPoses after = world.GetPoses();
+    for (const auto& [id, pose] : after) {
+      farthest = std::max(farthest, Distance(pose.Position, before[id].Position));
+      highest = std::max(highest, pose.Position.GetZ());
+      held += world.Gripper(id).IsGripping() ? 1 : 0;
+    }
+    before = std::move(after);
+  }
+  // only a thrown robot breaks a grip, which bears 10 kN
+  CHECK(held == 2 * kPairs * ticks);
+  // a drive lifts the edge of a robot at most this far, and no wheel turns at more than 15 cm/s
+  CHECK(highest < 0.03);
+  CHECK(farthest < 0.05);
 }
 
 }  // namespace argos::rigid_grip_test
