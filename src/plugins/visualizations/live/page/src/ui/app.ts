@@ -209,7 +209,6 @@ export class App implements SessionListener {
       },
     });
     new ResizeObserver(() => this.view.resize()).observe(this.canvas);
-    this.view.resize();
     window
       .matchMedia("(prefers-color-scheme: dark)")
       .addEventListener("change", () => this.applyTheme());

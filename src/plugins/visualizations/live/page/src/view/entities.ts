@@ -254,7 +254,6 @@ export class EntityDrawer {
       this.counts = { near: entities.length, merged: 0, points: 0 };
       this.fill();
     } else {
-      this.makeMerged();
       this.makePoints();
       this.fill();
       this.setNear(this.isNear);
@@ -294,10 +293,13 @@ export class EntityDrawer {
     }
     const far = this.entities.length - near;
     const asPoints = far > this.budget.merged || largest < kPointPixels;
-    if (this.merged !== null && this.points !== null) {
-      this.merged.visible = !asPoints;
-      this.points.visible = asPoints;
+    if (!asPoints) {
+      this.merged ??= this.makeMerged();
     }
+    if (this.merged !== null) {
+      this.merged.visible = !asPoints;
+    }
+    this.points!.visible = asPoints;
     this.counts = { near, merged: asPoints ? 0 : far, points: asPoints ? far : 0 };
     if (isNear.some((value, i) => value !== this.isNear[i])) {
       this.isNear = isNear;
@@ -441,7 +443,7 @@ export class EntityDrawer {
   }
 
   // the largest solid of each, of few corners
-  private makeMerged(): void {
+  private makeMerged(): Mesh {
     const corners = this.budget.hasSmoothDiscs
       ? makeDisc(this.budget.mergedSegments)
       : makeCylinder(this.budget.mergedSegments, false);
@@ -493,10 +495,11 @@ export class EntityDrawer {
     geometry.setAttribute("inPlace", new BufferAttribute(places, 3));
     geometry.setAttribute("inColor", new BufferAttribute(colors, 4, true));
     geometry.setIndex(new BufferAttribute(indices, 1));
-    this.merged = new Mesh(geometry, this.mergedMaterial);
-    this.merged.frustumCulled = false;
-    this.merged.renderOrder = 3;
-    this.scene.add(this.merged);
+    const merged = new Mesh(geometry, this.mergedMaterial);
+    merged.frustumCulled = false;
+    merged.renderOrder = 3;
+    this.scene.add(merged);
+    return merged;
   }
 
   private makePoints(): void {

@@ -154,6 +154,7 @@ export class View {
     this.scene.add(this.deviceLines.batch.mesh, this.deviceDots.batch.mesh);
     this.scene.add(this.trailLines.batch.mesh, this.hits.batch.mesh, this.rings.batch.mesh);
     this.setLook(kLightLook);
+    this.resize(); // which would wait for what is compiled
     this.compileFirst();
   }
 
