@@ -10,10 +10,7 @@ namespace {
 
 const CVector3 kMargins(CViewVolume::kMargin, CViewVolume::kMargin, CViewVolume::kMargin);
 
-constexpr UInt64 kBits[] = {1U << 0,  1U << 1,  1U << 2,  1U << 3, 1U << 4,  1U << 5,
-                            1U << 6,  1U << 7,  1U << 8,  1U << 9, 1U << 10, 1U << 11,
-                            1U << 12, 1U << 13, 1U << 14, 1U << 15};
-static_assert(sizeof(kBits) == CViewVolume::kBlock * sizeof(UInt64));
+static_assert(sizeof(kLaneBits) == CViewVolume::kBlock * sizeof(UInt64));
 
 // the box around the eight corners
 SBoundingBox Enclose(const SFrustum& frustum) {
@@ -97,7 +94,7 @@ UInt64 CViewVolume::FindInside(const Real* x, const Real* y, const Real* z) cons
   UInt64 inside = 0;
   ARGOS_VECTOR_LOOP
   for (size_t i = 0; i < kBlock; ++i) {
-    inside |= beyond[i] < 0.0 ? kBits[i] : 0;
+    inside |= beyond[i] < 0.0 ? kLaneBits[i] : 0;
   }
   return inside;
 }

@@ -1,6 +1,8 @@
 #ifndef ARGOS3_CORE_UTILITY_MATH_VECTORIZED_H
 #define ARGOS3_CORE_UTILITY_MATH_VECTORIZED_H
 
+#include <argos3/core/utility/datatypes/datatypes.h>
+
 /**
  * Precedes the definition of a function whose time is spent in loops over arrays of numbers: it is
  * compiled for several generations of x86-64 processors, of which the dynamic loader chooses one.
@@ -26,5 +28,14 @@
 #else
 #define ARGOS_VECTOR_LOOP
 #endif
+
+namespace argos {
+
+/** Element i has bit i: loops over lanes gather the numbers of some lanes from these. */
+constexpr UInt64 kLaneBits[] = {1U << 0,  1U << 1,  1U << 2,  1U << 3, 1U << 4,  1U << 5,
+                                1U << 6,  1U << 7,  1U << 8,  1U << 9, 1U << 10, 1U << 11,
+                                1U << 12, 1U << 13, 1U << 14, 1U << 15};
+
+}  // namespace argos
 
 #endif
