@@ -17,6 +17,7 @@
 #include <argos3/core/utility/spatial/planar_grid.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -107,17 +108,18 @@ class CBodyIndex {
   void ForShapesInArea(const SPlanarArea& area, VISIT&& visit,
                        const SHeightRange& heights = SHeightRange::All()) const;
   /**
-   * Calls visit(const SIndexedShape&) for every solid that comes within @p reach of a point of
-   * @p ray, perhaps for others, wide ones perhaps repeatedly. Ignores the part of the ray that is
-   * above or below all solids.
+   * Calls visit(const SIndexedShape&) for every solid that comes within @p reach of a point of one
+   * of @p rays, a range of CRay3, and perhaps for others; for wide ones perhaps repeatedly, and for
+   * all if there are several rays. Ignores the parts of rays that are above or below all solids.
    * @param isDone  bool(): called before each row of cells; true ends the query.
    */
-  template <typename VISIT, typename DONE>
-  void ForShapesAlongRay(const CRay3& ray, const SRayReach& reach, VISIT&& visit,
-                         DONE&& isDone) const;
+  template <typename RAYS, typename VISIT, typename DONE>
+  void ForShapesAlongRays(const RAYS& rays, const SRayReach& reach, VISIT&& visit,
+                          DONE&& isDone) const;
+  /** The same for one ray, to its end. */
   template <typename VISIT>
   void ForShapesAlongRay(const CRay3& ray, const SRayReach& reach, VISIT&& visit) const {
-    ForShapesAlongRay(ray, reach, visit, [] { return false; });
+    ForShapesAlongRays(std::array<CRay3, 1>{ray}, reach, visit, [] { return false; });
   }
 
   /** Where @p ray enters a solid: a fraction in [0,1], 0 if it starts inside; or kNoHit. */
@@ -227,9 +229,9 @@ class CBodyIndex {
   template <typename VISIT>
   void ForShapesInAreaHere(const SPlanarArea& area, const SHeightRange& heights,
                            VISIT&& visit) const;
-  template <typename VISIT, typename DONE>
-  void ForShapesAlongRayHere(const CRay3& ray, const SRayReach& reach, VISIT&& visit,
-                             DONE&& isDone) const;
+  template <typename RAYS, typename VISIT, typename DONE>
+  void ForShapesAlongRaysHere(const RAYS& rays, const SRayReach& reach, VISIT&& visit,
+                              DONE&& isDone) const;
   Real SmallReach() const { return std::max(m_maxSmallReach, m_tiltedReach); }
   bool IsStale(UInt32 body) const { return m_numStale > 0 && m_bodies[body].Stale; }
   // cells no farther than the margin, m, from an area
@@ -249,9 +251,7 @@ class CBodyIndex {
   template <typename VISIT>
   void VisitBody(UInt32 body, VISIT&& visit) const;
   template <typename VISIT>
-  void VisitOverlay(const SCellRange& cells, VISIT&& visit) const;
-  template <typename VISIT>
-  void VisitOverlayWide(const SCellRange& cells, VISIT&& visit) const;
+  void VisitOverlay(const SCellRange& small, const SCellRange& wide, VISIT&& visit) const;
   template <typename VISIT>
   void VisitWide(const SCellRange& cells, VISIT&& visit) const;
   bool FindOccluder(SIndexedShape& found, const CRay3& segment, UInt32 start, UInt32 end) const;

@@ -44,8 +44,8 @@ template <typename VISIT, typename DONE>
   area.Include(ray.GetEnd().GetX(), ray.GetEnd().GetY(), reach.Across, reach.Across);
   ForImages(area, [&](Real dx, Real dy) {
     const CVector3 way(dx, dy, 0.0);
-    ForShapesAlongRayHere(
-        CRay3(ray.GetStart() + way, ray.GetEnd() + way), reach,
+    ForShapesAlongRaysHere(
+        std::array{CRay3(ray.GetStart() + way, ray.GetEnd() + way)}, reach,
         [&](const SIndexedShape& shape) { visit(Displace(shape, -dx, -dy)); }, isDone);
   });
 }

@@ -65,23 +65,24 @@ void CBodyIndex::VisitBody(UInt32 body, VISIT&& visit) const {
 }
 
 template <typename VISIT>
-void CBodyIndex::VisitOverlay(const SCellRange& cells, VISIT&& visit) const {
-  m_grid.ForCells(cells, [&](UInt32 cell) {
-    m_overlay.ForItems(cell, [&](UInt32 body) { VisitBody(body, visit); });
-  });
-}
-
-template <typename VISIT>
-void CBodyIndex::VisitOverlayWide(const SCellRange& cells, VISIT&& visit) const {
-  m_grid.ForCells(cells, [&](UInt32 cell) {
-    m_overlayWideCells.ForItems(cell, [&](UInt32 number) {
-      const SWideShape& wide = m_overlayWide[number];
-      if (CountsInCell(cell, wide, cells) && wide.Shape.Body != kNoBody &&
-          m_bodies[wide.Shape.Body].Entity != nullptr) {
-        visit(wide.Shape);
-      }
+void CBodyIndex::VisitOverlay(const SCellRange& small, const SCellRange& wide,
+                              VISIT&& visit) const {
+  if (!m_overlay.IsEmpty()) {
+    m_grid.ForCells(small, [&](UInt32 cell) {
+      m_overlay.ForItems(cell, [&](UInt32 body) { VisitBody(body, visit); });
     });
-  });
+  }
+  if (!m_overlayWide.empty()) {
+    m_grid.ForCells(wide, [&](UInt32 cell) {
+      m_overlayWideCells.ForItems(cell, [&](UInt32 number) {
+        const SWideShape& shape = m_overlayWide[number];
+        if (CountsInCell(cell, shape, wide) && shape.Shape.Body != kNoBody &&
+            m_bodies[shape.Shape.Body].Entity != nullptr) {
+          visit(shape.Shape);
+        }
+      });
+    });
+  }
 }
 
 template <typename VISIT>
@@ -166,12 +167,7 @@ void CBodyIndex::VisitNear(const SCellRange& small, const SCellRange& wide,
 template <typename VISIT>
 void CBodyIndex::VisitUnsorted(const SCellRange& small, const SCellRange& wide,
                                VISIT&& visit) const {
-  if (!m_overlay.IsEmpty()) {
-    VisitOverlay(small, visit);
-  }
-  if (!m_overlayWide.empty()) {
-    VisitOverlayWide(wide, visit);
-  }
+  VisitOverlay(small, wide, visit);
   if (!m_wide.empty()) {
     VisitWide(wide, visit);
   }
@@ -241,48 +237,56 @@ void CBodyIndex::ForShapesInAreaHere(const SPlanarArea& area, const SHeightRange
             visit);
 }
 
-template <typename VISIT, typename DONE>
-void CBodyIndex::ForShapesAlongRay(const CRay3& ray, const SRayReach& reach, VISIT&& visit,
-                                   DONE&& isDone) const {
-  if (m_period.IsOn()) {
+template <typename RAYS, typename VISIT, typename DONE>
+void CBodyIndex::ForShapesAlongRays(const RAYS& rays, const SRayReach& reach, VISIT&& visit,
+                                    DONE&& isDone) const {
+  if (!m_period.IsOn()) {
+    ForShapesAlongRaysHere(rays, reach, visit, isDone);
+    return;
+  }
+  for (const CRay3& ray : rays) {
     ForImagesAlongRay(ray, reach, visit, isDone);
-  } else {
-    ForShapesAlongRayHere(ray, reach, visit, isDone);
   }
 }
 
-template <typename VISIT, typename DONE>
-void CBodyIndex::ForShapesAlongRayHere(const CRay3& ray, const SRayReach& reach, VISIT&& visit,
-                                       DONE&& isDone) const {
-  const Real x = ray.GetStart().GetX();
-  const Real y = ray.GetStart().GetY();
-  const Real dx = ray.GetEnd().GetX() - x;
-  const Real dy = ray.GetEnd().GetY() - y;
-  const auto forRows = [&](const SRaySpan& part, Real margin, auto&& visitRow) {
-    const Real length = part.Last - part.First;
-    if (length >= 0.0) {
-      m_grid.ForRowsAlongSegment(x + part.First * dx, y + part.First * dy, length * dx, length * dy,
-                                 margin, visitRow, isDone);
+template <typename RAYS, typename VISIT, typename DONE>
+void CBodyIndex::ForShapesAlongRaysHere(const RAYS& rays, const SRayReach& reach, VISIT&& visit,
+                                        DONE&& isDone) const {
+  // parts of rays at some heights that are at most so many cells long share a rectangle of cells
+  const auto forCells = [&](const SHeightRange& heights, Real radius, int numCells,
+                            auto&& visitCells) {
+    // more than the reach by a rounding, so that a touched border counts
+    const Real margin = radius + reach.Across + 1e-9;
+    SPlanarArea shared = SPlanarArea::Empty();
+    for (const CRay3& ray : rays) {
+      const SRaySpan part = heights.FindPart(ray, reach.Vertical);
+      if (part.IsEmpty()) {
+        continue;
+      }
+      const CVector3 way = ray.GetEnd() - ray.GetStart();
+      const CVector3 first = ray.GetStart() + part.First * way;
+      const CVector3 last = ray.GetStart() + part.Last * way;
+      const Real dx = last.GetX() - first.GetX();
+      const Real dy = last.GetY() - first.GetY();
+      if (std::max(std::abs(dx), std::abs(dy)) > numCells * m_grid.GetX().Edge) {
+        m_grid.ForRowsAlongSegment(first.GetX(), first.GetY(), dx, dy, margin, visitCells, isDone);
+      } else {
+        shared.Include(first.GetX(), first.GetY());
+        shared.Include(last.GetX(), last.GetY());
+      }
+    }
+    if (shared.MinX <= shared.MaxX) {
+      visitCells(CellsAround(shared, margin));
     }
   };
-  const SRaySpan whole{0.0, 1.0};
-  // more than the reach by a rounding, so that a touched border counts
-  const Real rounded = reach.Across + 1e-9;
-  const Real margin = SmallReach() + rounded;
-  if (!m_shapes.empty()) {
-    forRows(m_smallHeights.FindPart(ray, reach.Vertical), margin,
-            [&](const SCellRange& row) { VisitSmall(row, CountAny, visit); });
+  forCells(m_smallHeights, SmallReach(), 2,
+           [&](const SCellRange& cells) { VisitSmall(cells, CountAny, visit); });
+  if (HasMovedBodies()) {
+    forCells(SHeightRange::All(), SmallReach(), 2,
+             [&](const SCellRange& cells) { VisitOverlay(cells, cells, visit); });
   }
-  if (!m_overlay.IsEmpty()) {
-    forRows(whole, margin, [&](const SCellRange& row) { VisitOverlay(row, visit); });
-  }
-  if (!m_overlayWide.empty()) {
-    forRows(whole, rounded, [&](const SCellRange& row) { VisitOverlayWide(row, visit); });
-  }
-  if (!m_wide.empty()) {
-    forRows(m_wideHeights.FindPart(ray, reach.Vertical), rounded,
-            [&](const SCellRange& row) { VisitWide(row, visit); });
-  }
+  // there are wide solids in few rows of cells
+  forCells(m_wideHeights, 0.0, 8, [&](const SCellRange& cells) { VisitWide(cells, visit); });
 }
 
 }  // namespace argos

@@ -80,7 +80,7 @@ bool CBodyIndex::FindClosestHit(SEmbodiedEntityIntersectionItem& item, const CRa
                                 const CEmbodiedEntity* ignored) const {
   item = SEmbodiedEntityIntersectionItem();
   UInt32 closestBody = kNoBody;
-  ForShapesAlongRay(ray, SRayReach(0.0, 0.0), [&](const SIndexedShape& shape) {
+  ForShapesAlongRay(ray, SRayReach(), [&](const SIndexedShape& shape) {
     const Real t = Intersect(shape, ray);
     if (t > item.TOnRay || (t == item.TOnRay && shape.Body >= closestBody) ||
         m_bodies[shape.Body].Entity == ignored) {
@@ -93,7 +93,7 @@ bool CBodyIndex::FindClosestHit(SEmbodiedEntityIntersectionItem& item, const CRa
 }
 
 void CBodyIndex::FindAllHits(TEmbodiedEntityIntersectionData& data, const CRay3& ray) const {
-  ForShapesAlongRay(ray, SRayReach(0.0, 0.0), [&](const SIndexedShape& shape) {
+  ForShapesAlongRay(ray, SRayReach(), [&](const SIndexedShape& shape) {
     const Real t = Intersect(shape, ray);
     if (t > 1.0) {
       return;
@@ -120,17 +120,16 @@ bool CBodyIndex::FindOccluder(SIndexedShape& found, const CRay3& segment, UInt32
   // rounding, because the exact test decides
   const Real squareLength = (dx * dx + dy * dy) * (1.0 + 1e-9);
   bool isFound = false;
-  ForShapesAlongRay(
-      segment, SRayReach(0.0, 0.0),
+  ForShapesAlongRays(
+      std::array{segment}, SRayReach(),
       [&](const SIndexedShape& shape) {
         const bool isNear = IsCircleOnLine(shape.X - x, shape.Y - y, dx, dy,
                                            shape.Radius * shape.Radius, squareLength);
-        if (isFound || !isNear || shape.Body == start || shape.Body == end ||
-            Intersect(shape, segment) > 1.0) {
-          return;
+        if (!isFound && isNear && shape.Body != start && shape.Body != end &&
+            Intersect(shape, segment) <= 1.0) {
+          found = shape;
+          isFound = true;
         }
-        found = shape;
-        isFound = true;
       },
       [&isFound] { return isFound; });
   return isFound;

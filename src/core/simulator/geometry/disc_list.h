@@ -3,7 +3,6 @@
 
 #include <argos3/core/utility/datatypes/datatypes.h>
 
-#include <cmath>
 #include <cstddef>
 
 namespace argos {
@@ -26,10 +25,8 @@ struct SDiscQuery {
 
 /** How near to a point of a ray a solid has to come, m. */
 struct SRayReach {
-  Real Across; /**< seen from above */
-  Real Vertical; /**< from the point's height to the solid's span of heights */
-
-  SRayReach(Real across, Real vertical = HUGE_VAL) : Across(across), Vertical(vertical) {}
+  Real Across = 0.0; /**< seen from above */
+  Real Vertical = 0.0; /**< from the point's height to the solid's span of heights */
 };
 
 }  // namespace argos

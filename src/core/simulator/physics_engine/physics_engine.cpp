@@ -164,7 +164,7 @@ void CPhysicsEngine::ListNearBorders(Real reach) {
     const Real length = border.GetLength();
     CVector2 along;
     border.GetDirection(along);
-    m_context.Index->ForShapesAlongRay(ray, reach, [&](const SIndexedShape& shape) {
+    m_context.Index->ForShapesAlongRay(ray, {reach, HUGE_VAL}, [&](const SIndexedShape& shape) {
       const CVector2 offset(shape.X - start.GetX(), shape.Y - start.GetY());
       const Real far = reach + shape.Radius;
       const Real place = along.DotProduct(offset);

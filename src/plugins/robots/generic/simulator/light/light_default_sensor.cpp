@@ -170,8 +170,8 @@ void CLightDefaultSensor::FindOccluded(const CVector3& light, SEyes& eyes, size_
   const CBodyIndex& index = m_caster.GetSpace().GetBodyIndex();
   const UInt32 ownBody = m_caster.GetBody().GetBodyNumber();
   const SBeam beam = {eyes.Center, light, eyes.Reach, eyes.MinZ, eyes.MaxZ};
-  const SRayReach reach(eyes.Reach,
-                        std::max(eyes.MaxZ - eyes.Center.GetZ(), eyes.Center.GetZ() - eyes.MinZ));
+  const SRayReach reach{eyes.Reach,
+                        std::max(eyes.MaxZ - eyes.Center.GetZ(), eyes.Center.GetZ() - eyes.MinZ)};
   SEyes::TLines lines;
   bool haveLines = false;
   const auto test = [&](const SIndexedShape& shape) {
@@ -192,8 +192,8 @@ void CLightDefaultSensor::FindOccluded(const CVector3& light, SEyes& eyes, size_
       }
     }
   };
-  index.ForShapesAlongRay(CRay3(eyes.Center, light), reach, test,
-                          [&numClear] { return numClear == 0; });
+  index.ForShapesAlongRays(std::array{CRay3(eyes.Center, light)}, reach, test,
+                           [&numClear] { return numClear == 0; });
 }
 
 // the lines to the light are shown of the sensors that it is not behind

@@ -10,6 +10,7 @@
 #include <argos3/plugins/robots/generic/simulator/planar_rays.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace argos {
@@ -173,8 +174,8 @@ bool CRayCaster::IsBlocked(const CRay3& ray) const {
   const CVector3 way = ray.GetEnd() - start;
   const Real squareLength = way.GetX() * way.GetX() + way.GetY() * way.GetY();
   bool isBlocked = false;
-  index.ForShapesAlongRay(
-      ray, SRayReach(0.0, 0.0),
+  index.ForShapesAlongRays(
+      std::array{ray}, SRayReach(),
       [&](const SIndexedShape& shape) {
         // rejects most solids, with a margin for rounding: the exact test decides
         const bool isNear =

@@ -141,7 +141,7 @@ TEST_CASE("body index: the solids along a ray are those within reach of it in th
                     CVector3(random.Uniform(-4.0, 4.0), random.Uniform(-4.0, 4.0), 0.05));
     const Real reach = random.Uniform(0.0, 0.6);
     std::set<UInt32> visited;
-    index.ForShapesAlongRay(ray, reach,
+    index.ForShapesAlongRay(ray, {reach, HUGE_VAL},
                             [&](const SIndexedShape& shape) { visited.insert(shape.Body); });
     for (size_t i = 0; i < bodies.size(); ++i) {
       CVector3 along;
@@ -196,10 +196,23 @@ TEST_CASE("body index: queries of areas and of rays with heights find all solids
     const CRay3 ray(
         CVector3(random.Uniform(-4.0, 4.0), random.Uniform(-4.0, 4.0), random.Uniform(0.0, 2.5)),
         CVector3(random.Uniform(-4.0, 4.0), random.Uniform(-4.0, 4.0), random.Uniform(0.0, 2.5)));
-    const SRayReach reach(random.Uniform(0.0, 0.3), random.Uniform(0.0, 0.2));
+    const SRayReach reach{random.Uniform(0.0, 0.3), random.Uniform(0.0, 0.2)};
     std::set<UInt32> alongRay;
     index.ForShapesAlongRay(ray, reach,
                             [&](const SIndexedShape& shape) { alongRay.insert(shape.Body); });
+    // several rays: the same one, one that crosses few cells, and one above everything
+    const CVector3 near = ray.GetStart() + CVector3(0.2, -0.3, 0.1);
+    const std::vector<CRay3> rays = {CRay3(ray.GetStart(), near), ray,
+                                     CRay3(CVector3(0.0, 0.0, 2.5), CVector3(1.0, 1.0, 2.5))};
+    std::set<UInt32> alongRays;
+    index.ForShapesAlongRays(
+        rays, reach, [&](const SIndexedShape& shape) { alongRays.insert(shape.Body); },
+        [] { return false; });
+    std::set<UInt32> alongShort;
+    index.ForShapesAlongRay(rays[0], reach,
+                            [&](const SIndexedShape& shape) { alongShort.insert(shape.Body); });
+    const auto isAmong = [&alongRays](UInt32 body) { return alongRays.count(body) == 1; };
+    REQUIRE(std::all_of(alongShort.begin(), alongShort.end(), isAmong));
     for (size_t i = 0; i < bodies.size(); ++i) {
       CAPTURE(trial, i);
       const CVector3 center = place(i);
@@ -219,6 +232,7 @@ TEST_CASE("body index: queries of areas and of rays with heights find all solids
             point.GetZ() <= center.GetZ() + kHeight + reach.Vertical;
         if (isInReach) {
           REQUIRE(alongRay.count(numberOf(i)) == 1);
+          REQUIRE(alongRays.count(numberOf(i)) == 1);
           break;
         }
       }
@@ -227,8 +241,7 @@ TEST_CASE("body index: queries of areas and of rays with heights find all solids
 
   // a ray above everything meets nothing sorted, and visits only what was added since
   std::set<UInt32> above;
-  index.ForShapesAlongRay(CRay3(CVector3(-4.0, -4.0, 2.5), CVector3(4.0, 4.0, 2.5)),
-                          SRayReach(0.5, 0.0),
+  index.ForShapesAlongRay(CRay3(CVector3(-4.0, -4.0, 2.5), CVector3(4.0, 4.0, 2.5)), SRayReach{0.5},
                           [&](const SIndexedShape& shape) { above.insert(shape.Body); });
   for (size_t i = 0; i <= 80; ++i) {
     CHECK(above.count(numberOf(i)) == 0);
