@@ -1,5 +1,6 @@
 #include <argos3/plugins/robots/generic/simulator/light_eyes.h>
 
+#include <argos3/core/simulator/geometry/indexed_shape.h>
 #include <argos3/core/simulator/physics_engine/physics_model.h>
 #include <argos3/core/utility/math/quaternion.h>
 #include <argos3/core/utility/math/vectorized.h>
@@ -66,27 +67,39 @@ void SLightEyes::Place(const SRayLayout& layout, const SAnchor* const* anchors, 
   Enclose();
 }
 
+ARGOS_VECTORIZED
 void SLightEyes::Enclose() {
   Center = CVector3();
-  MinZ = HUGE_VAL;
-  MaxZ = -HUGE_VAL;
   for (size_t i = 0; i < Count; ++i) {
     Center += GetPosition(i);
-    MinZ = std::min(MinZ, Z[i]);
-    MaxZ = std::max(MaxZ, Z[i]);
   }
   Center /= static_cast<Real>(Count);
-  Real squareReach = 0.0;
-  for (size_t i = 0; i < Count; ++i) {
-    const Real dx = X[i] - Center.GetX();
-    const Real dy = Y[i] - Center.GetY();
-    squareReach = std::max(squareReach, dx * dx + dy * dy);
+  const Real centerX = Center.GetX();
+  const Real centerY = Center.GetY();
+  Real lowest[kSize], highest[kSize];
+  Real farthest[kSize] = {};  // m^2
+  std::copy_n(Z, kSize, lowest);
+  std::copy_n(Z, kSize, highest);
+  for (size_t at = 0; at < Count; at += kSize) {
+    ARGOS_VECTOR_LOOP
+    for (size_t i = 0; i < kSize; ++i) {
+      const Real dx = X[at + i] - centerX;
+      const Real dy = Y[at + i] - centerY;
+      const Real square = dx * dx + dy * dy;
+      const Real z = Z[at + i];
+      farthest[i] = farthest[i] < square ? square : farthest[i];
+      lowest[i] = z < lowest[i] ? z : lowest[i];
+      highest[i] = highest[i] < z ? z : highest[i];
+    }
   }
-  Reach = std::sqrt(squareReach);
+  MinZ = *std::min_element(lowest, lowest + kSize);
+  MaxZ = *std::max_element(highest, highest + kSize);
+  Reach = std::sqrt(*std::max_element(farthest, farthest + kSize));
 }
 
 ARGOS_VECTORIZED
 size_t SLightEyes::LookAt(const CVector3& light) {
+  Light = light;
   const Real lightX = light.GetX();
   const Real lightY = light.GetY();
   const Real lightZ = light.GetZ();
@@ -105,6 +118,46 @@ size_t SLightEyes::LookAt(const CVector3& light) {
     numClear += IsClear[i];
   }
   return numClear;
+}
+
+// IntersectRay() without branches. The heights of a level line at the top or the bottom of the disc
+// are not numbers, and comparisons with them are false: they clip nothing.
+ARGOS_VECTORIZED
+bool SLightEyes::FindClear(const SIndexedShape& disc, UInt64* clear) const {
+  const Real squareRadius = disc.HalfX * disc.HalfX;
+  UInt64 isClear[kCapacity];
+  const size_t end = GetEnd();
+  for (size_t i = 0; i < end; ++i) {
+    const Real x = X[i] - disc.X;
+    const Real y = Y[i] - disc.Y;
+    const Real a = DX[i] * DX[i] + DY[i] * DY[i];
+    const Real b = x * DX[i] + y * DY[i];
+    const Real c = x * x + y * y - squareRadius;
+    const Real discriminant = b * b - a * c;
+    const Real root = std::sqrt(discriminant > 0.0 ? discriminant : 0.0);
+    const Real entry = (-b - root) / a;
+    const Real exit = (-b + root) / a;
+    // > 0 if the line is beside the disc
+    const Real beside = a > 0.0 ? -discriminant : c;
+    const Real enter = a > 0.0 ? entry : -HUGE_VAL;
+    const Real leave = a > 0.0 ? exit : HUGE_VAL;
+    const Real atBottom = (disc.ZMin - Z[i]) / DZ[i];
+    const Real atTop = (disc.ZMax - Z[i]) / DZ[i];
+    const Real lower = atTop < atBottom ? atTop : atBottom;
+    const Real upper = atBottom > atTop ? atBottom : atTop;
+    const Real first = enter < lower ? lower : enter;
+    const Real last = upper < leave ? upper : leave;
+    const Real begin = first > 0.0 ? first : 0.0;
+    const Real over = last < 1.0 ? last : 1.0;
+    const Real gap = beside > 0.0 ? 1.0 : begin - over;
+    isClear[i] = gap > 0.0 ? IsClear[i] : 0;
+  }
+  UInt64 isAnyClear = 0;
+  for (size_t i = 0; i < end; ++i) {
+    isAnyClear |= isClear[i];
+    clear[i] = isClear[i];
+  }
+  return isAnyClear != 0;
 }
 
 ARGOS_VECTORIZED

@@ -5,11 +5,13 @@
 #include <argos3/core/utility/math/vector3.h>
 #include <argos3/plugins/simulator/entities/ray_layout.h>
 
+#include <algorithm>
 #include <cstddef>
 
 namespace argos {
 
 struct SAnchor;
+struct SIndexedShape;
 
 /**
  * Some light sensors of one robot in the world frame, in arrays over which loops are vectorized.
@@ -31,6 +33,7 @@ struct SLightEyes {
   Real MinZ, MaxZ; /**< m, of the positions */
 
   // written by LookAt()
+  CVector3 Light; /**< m */
   Real DX[kCapacity], DY[kCapacity], DZ[kCapacity]; /**< vector to the light, m */
   Real Distance[kCapacity]; /**< to the light, m */
   UInt64 IsClear[kCapacity]; /**< 1 if the light is visible, 0 if not */
@@ -48,10 +51,21 @@ struct SLightEyes {
    * @return number of these.
    */
   size_t LookAt(const CVector3& light);
+  /**
+   * Finds for which sensors the light of LookAt() stays visible beside an upright disc; equal to
+   * the bit to IntersectRay() of each line to the light.
+   * @param disc   the radius is HalfX.
+   * @param clear  (kCapacity) is set to 1 if the sensor was clear and is not behind the disc, else
+   *               to 0; may be IsClear.
+   * @return false if no sensor is clear.
+   */
+  bool FindClear(const SIndexedShape& disc, UInt64* clear) const;
   /** Adds the light (@p intensity / distance)^2 to the readings of the clear sensors. */
   void AddSquares(Real intensity);
 
   CVector3 GetPosition(size_t eye) const { return CVector3(X[eye], Y[eye], Z[eye]); }
+  /** From the height of the centre to the farthest position, m. */
+  Real GetVerticalReach() const { return std::max(MaxZ - Center.GetZ(), Center.GetZ() - MinZ); }
 
  private:
   // sine of the angle below the horizon at which a light still counts as visible: much larger than
