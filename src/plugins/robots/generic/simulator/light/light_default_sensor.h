@@ -9,8 +9,10 @@
 namespace argos {
 
 class CLightEntity;
+class CLightOccluders;
 class CLights;
 class CLightSensorEquippedEntity;
+struct SLightEyes;
 
 /**
  * Light sensors of any robot. A derived class may define another response, and may set the
@@ -39,16 +41,16 @@ class CLightDefaultSensor : public CNoisySensor<CCI_LightSensor>, protected CInh
   void SetShowRays(bool show) { m_bShowRays = show; }
 
  private:
-  struct SEyes;  // some sensors, in the world frame
+  struct SScratch;
 
   void FindParts(CComposableEntity& robot) override;
   /** Also reads `show_rays`, `noise_level`. */
   void Configure(TConfigurationNode& tree) override;
   void ResetReading() override;
-  void AddLights(SEyes& eyes);
-  // numClear: number of sensors that the light is not behind
-  void FindOccluded(const CVector3& light, SEyes& eyes, size_t numClear) const;
-  void FindOccludedAndShow(const CVector3& light, SEyes& eyes, size_t numClear) const;
+  void AddLights(SLightEyes& eyes);
+  void FindOccluders(const SLightEyes& eyes, SScratch& scratch) const;
+  void Occlude(SLightEyes& eyes, CLightOccluders& occluders) const;
+  void OccludeAndShow(SLightEyes& eyes, CLightOccluders& occluders) const;
 
   CRayCaster m_caster;
   const CLights* m_lights;  // all lights of the space
