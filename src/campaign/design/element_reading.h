@@ -46,6 +46,27 @@ std::string ReadName(TConfigurationNode& node, const std::string& attribute);
 size_t ReadChoice(TConfigurationNode& node, const std::string& attribute,
                   const std::vector<std::string>& choices);
 
+/** A word in the file, and what it stands for. */
+template <typename TValue>
+struct SChoice {
+  std::string Word;
+  TValue Value;
+};
+
+/** @return what the attribute's value stands for; @p dflt if it is missing. */
+template <typename TValue>
+TValue ReadChoice(TConfigurationNode& node, const std::string& attribute,
+                  const std::vector<SChoice<TValue>>& choices, TValue dflt) {
+  if (!NodeAttributeExists(node, attribute)) {
+    return dflt;
+  }
+  std::vector<std::string> words;
+  for (const SChoice<TValue>& choice : choices) {
+    words.push_back(choice.Word);
+  }
+  return choices[ReadChoice(node, attribute, words)].Value;
+}
+
 /** Reads a whole number of at least @p min. */
 UInt32 ReadCount(TConfigurationNode& node, const std::string& attribute, UInt32 min, UInt32 dflt);
 

@@ -250,8 +250,11 @@ SDesignSource ReadFactors(CLoadErrors& errors, TConfigurationNode& node) {
   SDesignSource design;
   design.Location = Locate(node);
   design.IsComplete = errors.Try("", [&] {
-    design.Design =
-        static_cast<EDesign>(ReadChoice(node, "design", {"full", "paired", "latin_hypercube"}));
+    design.Design = ReadChoice<EDesign>(node, "design",
+                                        {{"full", EDesign::Full},
+                                         {"paired", EDesign::Paired},
+                                         {"latin_hypercube", EDesign::LatinHypercube}},
+                                        design.Design);
     if (design.Design == EDesign::LatinHypercube) {
       design.Samples = ReadLevelCount(node, "samples", 2);
       design.Seed = ReadCount(node, "seed", 0, 1);

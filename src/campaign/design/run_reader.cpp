@@ -1,5 +1,6 @@
 #include <argos3/campaign/design/element_reading.h>
 #include <argos3/campaign/design/factor_values.h>
+#include <argos3/campaign/design/reductions.h>
 #include <argos3/campaign/design/section_readers.h>
 #include <argos3/core/utility/text/string_utilities.h>
 
@@ -98,8 +99,11 @@ SCollectedMetric ReadMetric(TConfigurationNode& node) {
   if (metric.IsSeries && NodeAttributeExists(node, "of")) {
     ThrowAt(node, "attribute \"of\" makes one number of a run: it excludes series=\"true\"");
   }
-  metric.Reduction = static_cast<SCollectedMetric::EReduction>(
-      ReadChoice(node, "of", {"last", "mean", "sum", "min", "max"}));
+  std::vector<SChoice<SCollectedMetric::EReduction>> reductions;
+  for (const SReduction& reduction : ListReductions()) {
+    reductions.push_back({reduction.Word, reduction.Value});
+  }
+  metric.Reduction = ReadChoice(node, "of", reductions, metric.Reduction);
   return metric;
 }
 
@@ -166,12 +170,15 @@ void ReadExecution(TConfigurationNode& node, SCampaign& campaign) {
     ThrowAt(node, "attribute \"jobs\": expected a whole number from 1 to " +
                       std::to_string(kMaxJobs) + ", found " + std::to_string(campaign.Jobs));
   }
-  campaign.Isolation =
-      static_cast<EIsolation>(ReadChoice(node, "isolation", {"process", "thread"}));
+  campaign.Isolation = ReadChoice<EIsolation>(
+      node, "isolation",
+      {{"process", EIsolation::OwnProcess}, {"thread", EIsolation::SharedProcess}},
+      campaign.Isolation);
   GetNodeAttributeOrDefault(node, "threads", campaign.Threads, 0u);
-  if (NodeAttributeExists(node, "keep")) {
-    campaign.Kept = static_cast<EKeptFiles>(ReadChoice(node, "keep", {"none", "failed", "all"}));
-  }
+  campaign.Kept = ReadChoice<EKeptFiles>(
+      node, "keep",
+      {{"none", EKeptFiles::None}, {"failed", EKeptFiles::Failed}, {"all", EKeptFiles::All}},
+      campaign.Kept);
 }
 
 bool ReadCollected(CLoadErrors& errors, TConfigurationNode& node, SCampaign& campaign) {

@@ -9,6 +9,7 @@ target_sources(argos3campaign PRIVATE
   design/factor_reader.cpp
   design/factor_values.cpp
   design/latin_hypercube.cpp
+  design/reductions.cpp
   design/report_reader.cpp
   design/run_reader.cpp
   design/setting_checks.cpp)

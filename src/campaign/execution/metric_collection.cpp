@@ -28,7 +28,18 @@ SReading Read(CSimulator& simulator, const SCollectedMetric& metric) {
 
 bool IsObserved(const SCollectedMetric& metric) {
   return metric.Source != SCollectedMetric::ESource::File &&
-         (metric.IsSeries || metric.Reduction != SCollectedMetric::EReduction::Last);
+         (metric.IsSeries || FindReduction(metric.Reduction).Compute != nullptr);
+}
+
+void Add(SObservedValues& values, Real value) {
+  values.Min = values.Count == 0 ? value : std::min(values.Min, value);
+  values.Max = values.Count == 0 ? value : std::max(values.Max, value);
+  values.Sum += value;
+  ++values.Count;
+}
+
+Real Reduce(const SObservedValues& values, const SReduction& reduction) {
+  return values.Count == 0 ? kNone : reduction.Compute(values);
 }
 
 }  // namespace
@@ -105,10 +116,7 @@ void CMetricCollection::TakePending() {
     SState& state = m_states[i];
     const Real value = state.Pending;
     if (!std::isnan(value)) {
-      state.Min = state.Count == 0 ? value : std::min(state.Min, value);
-      state.Max = state.Count == 0 ? value : std::max(state.Max, value);
-      state.Sum += value;
-      ++state.Count;
+      Add(state.Values, value);
     }
     if (metric.IsSeries && *m_pendingTick % std::max(1U, metric.Every) == 0) {
       state.Series.Unit = state.Unit;
@@ -117,25 +125,6 @@ void CMetricCollection::TakePending() {
     }
   }
   m_pendingTick.reset();
-}
-
-Real CMetricCollection::Reduce(const SState& state, SCollectedMetric::EReduction reduction) {
-  using enum SCollectedMetric::EReduction;
-  if (state.Count == 0) {
-    return kNone;
-  }
-  switch (reduction) {
-    case Mean:
-      return state.Sum / static_cast<Real>(state.Count);
-    case Sum:
-      return state.Sum;
-    case Min:
-      return state.Min;
-    case Max:
-      return state.Max;
-    default:
-      return kNone;
-  }
 }
 
 void CMetricCollection::Finish(CSimulator& simulator, SRunResult& result) {
@@ -151,10 +140,11 @@ void CMetricCollection::Finish(CSimulator& simulator, SRunResult& result) {
       continue;
     }
     const SReading last = Read(simulator, metric);
-    const bool isLast = metric.Reduction == SCollectedMetric::EReduction::Last;
+    const SReduction& reduction = FindReduction(metric.Reduction);
+    const bool isLast = reduction.Compute == nullptr;
     if (!metric.IsSeries || !IsCollectedAsNumber(m_metrics, metric.Name)) {
       result.Metrics.push_back(
-          {metric.Name, last.Unit, isLast ? last.Value : Reduce(m_states[i], metric.Reduction)});
+          {metric.Name, last.Unit, isLast ? last.Value : Reduce(m_states[i].Values, reduction)});
     }
     if (metric.IsSeries) {
       m_states[i].Series.Name = metric.Name;

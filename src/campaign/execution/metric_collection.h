@@ -2,6 +2,7 @@
 #define ARGOS3_CAMPAIGN_EXECUTION_METRIC_COLLECTION_H
 
 #include <argos3/campaign/design/campaign.h>
+#include <argos3/campaign/design/reductions.h>
 #include <argos3/campaign/execution/run_result.h>
 
 #include <memory>
@@ -45,16 +46,13 @@ class CMetricCollection {
   struct SState {
     Real Pending = 0.0; /**< belongs to the last tick: PostExperiment() may replace it */
     std::string Unit;
-    UInt64 Count = 0;
-    Real Sum = 0.0, Min = 0.0, Max = 0.0;
+    SObservedValues Values;
     SMetricSeries Series;
   };
 
   // the values of the present tick, which count when the tick is over
   void Keep(CSimulator& simulator);
   void TakePending();
-
-  static Real Reduce(const SState& state, SCollectedMetric::EReduction reduction);
 
   const std::vector<SCollectedMetric>& m_metrics;
   std::vector<SState> m_states;  // (metrics)
