@@ -84,7 +84,7 @@ struct SCollectedMetric {
 /** A figure of the report. */
 struct SFigure {
   static constexpr UInt32 kMinSide = 100, kMaxSide = 4000; /**< width and height, pixels */
-  std::string Kind; /**< boxplot, series, difference, means, scaling, heatmap */
+  std::string Kind; /**< a name of kFigureKinds */
   std::vector<std::pair<std::string, std::string>> Attributes; /**< are those of the file */
   int Line = 0; /**< line in the campaign file, for messages */
 };

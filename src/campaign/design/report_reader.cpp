@@ -1,48 +1,16 @@
 #include <argos3/campaign/design/combination_filter.h>
 #include <argos3/campaign/design/element_reading.h>
+#include <argos3/campaign/design/figure_kinds.h>
 #include <argos3/campaign/design/section_readers.h>
 #include <argos3/core/utility/text/string_utilities.h>
 
 #include <algorithm>
-#include <map>
+#include <iterator>
+#include <span>
 
 namespace argos {
 
 namespace {
-
-// kinds of things that an attribute of a figure names
-enum class EAxis { Metric, Series, Factor, FactorOrMetric };
-
-struct SAxis {
-  std::string Attribute;
-  EAxis Kind;
-  bool IsRequired;
-};
-
-struct SFigureKind {
-  std::vector<SAxis> Axes;
-  std::vector<std::string> OwnLooks; /**< attributes besides those of all kinds */
-};
-
-const std::map<std::string, SFigureKind>& ListFigureKinds() {
-  static const std::vector<SAxis> kPoints = {{"y", EAxis::Metric, true},
-                                             {"x", EAxis::FactorOrMetric, true},
-                                             {"group", EAxis::Factor, false}};
-  static const std::map<std::string, SFigureKind> kKinds = {
-      {"boxplot",
-       {{{"y", EAxis::Metric, true}, {"x", EAxis::Factor, true}, {"group", EAxis::Factor, false}},
-        {"scale"}}},
-      {"series",
-       {{{"y", EAxis::Series, true}, {"group", EAxis::Factor, false}},
-        {"scale", "xscale", "band", "ended"}}},
-      {"difference", {{{"y", EAxis::Series, true}, {"group", EAxis::Factor, true}}, {"xscale"}}},
-      {"means", {kPoints, {"scale", "xscale", "bars", "reference", "reference_label"}}},
-      {"scaling", {kPoints, {}}},
-      {"heatmap",
-       {{{"z", EAxis::Metric, true}, {"x", EAxis::Factor, true}, {"y", EAxis::Factor, true}},
-        {"scale"}}}};
-  return kKinds;
-}
 
 std::string FindFactorProblem(const SCampaign& campaign, const std::string& name) {
   const std::vector<std::string> names = campaign.ListFactors();
@@ -65,16 +33,16 @@ std::string FindAxisProblem(const SCampaign& campaign, EAxis kind, const std::st
   }
 }
 
-void CheckAxes(TConfigurationNode& node, const std::vector<SAxis>& axes,
+void CheckAxes(TConfigurationNode& node, std::span<const SFigureAxis> axes,
                const SCampaign& campaign) {
-  for (const SAxis& axis : axes) {
-    if (!axis.IsRequired && !NodeAttributeExists(node, axis.Attribute)) {
+  for (const SFigureAxis& axis : axes) {
+    const std::string attribute(axis.Attribute);
+    if (attribute.empty() || (!axis.IsRequired && !NodeAttributeExists(node, attribute))) {
       continue;
     }
-    const std::string problem =
-        FindAxisProblem(campaign, axis.Kind, ReadText(node, axis.Attribute));
+    const std::string problem = FindAxisProblem(campaign, axis.Kind, ReadText(node, attribute));
     if (!problem.empty()) {
-      ThrowAt(node, "attribute \"" + axis.Attribute + "\": " + problem);
+      ThrowAt(node, "attribute \"" + attribute + "\": " + problem);
     }
   }
 }
@@ -115,23 +83,21 @@ void CheckLook(TConfigurationNode& node, const std::string& name) {
   }
 }
 
-bool IsOneOf(const std::string& name, const std::vector<std::string>& names) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
 void ReadFigure(TConfigurationNode& node, const SFigureKind& kind, SCampaign& campaign) {
   // reads what every figure has: its data and its look
-  static const std::vector<std::string> kLooks = {"where",  "title",  "file",  "xlabel",
-                                                  "ylabel", "zlabel", "width", "height"};
+  static constexpr std::string_view kLooks[] = {"where",  "title",  "file",  "xlabel",
+                                                "ylabel", "zlabel", "width", "height"};
   CheckAxes(node, kind.Axes, campaign);
   CheckSelection(node, campaign);
   SFigure figure;
   figure.Kind = node.Value();
   figure.Line = static_cast<int>(node.GetLine());
   for (const std::string& name : node.GetAttributeNames()) {
-    const bool isAxis = std::ranges::find(kind.Axes, name, &SAxis::Attribute) != kind.Axes.end();
+    const bool isAxis =
+        std::ranges::find(kind.Axes, name, &SFigureAxis::Attribute) != kind.Axes.end();
+    const bool isLook = std::ranges::find(kLooks, name) != std::end(kLooks) || kind.HasLook(name);
     // others are reported as unused
-    if (isAxis || IsOneOf(name, kLooks) || IsOneOf(name, kind.OwnLooks)) {
+    if (isAxis || isLook) {
       CheckLook(node, name);
       figure.Attributes.emplace_back(name, ReadText(node, name));
     }
@@ -140,7 +106,8 @@ void ReadFigure(TConfigurationNode& node, const SFigureKind& kind, SCampaign& ca
 }
 
 SComparison ReadComparison(TConfigurationNode& node, const SCampaign& campaign) {
-  CheckAxes(node, {{"metric", EAxis::Metric, true}, {"factor", EAxis::Factor, true}}, campaign);
+  static constexpr SFigureAxis kAxes[] = {{"metric", EAxis::Metric}, {"factor", EAxis::Factor}};
+  CheckAxes(node, kAxes, campaign);
   SComparison comparison;
   comparison.Metric = ReadText(node, "metric");
   comparison.Factor = ReadText(node, "factor");
@@ -159,10 +126,9 @@ SComparison ReadComparison(TConfigurationNode& node, const SCampaign& campaign) 
 
 void ReadFigures(CLoadErrors& errors, TConfigurationNode& node, SCampaign& campaign) {
   TChildReaders readers;
-  for (const auto& [tag, kind] : ListFigureKinds()) {
-    const SFigureKind& ofTag = kind;
-    readers[tag] = [&campaign, &ofTag](TConfigurationNode& element) {
-      ReadFigure(element, ofTag, campaign);
+  for (const SFigureKind& kind : kFigureKinds) {
+    readers[std::string(kind.Name)] = [&campaign, &kind](TConfigurationNode& element) {
+      ReadFigure(element, kind, campaign);
     };
   }
   ReadChildren(errors, node, readers);

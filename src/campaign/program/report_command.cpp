@@ -1,16 +1,21 @@
+#include <argos3/campaign/design/figure_kinds.h>
 #include <argos3/campaign/program/command_options.h>
 #include <argos3/campaign/program/commands.h>
 #include <argos3/campaign/report/campaign_report.h>
 #include <argos3/campaign/report/figure_drawing.h>
 
 #include <argos3/core/utility/errors/argos_exception.h>
+#include <argos3/core/utility/text/lists.h>
 
 #include <CLI/CLI.hpp>
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <string_view>
+#include <vector>
 
 namespace argos {
 
@@ -33,6 +38,45 @@ void RefuseFigureOptions(const SFigureRequest& figure) {
   }
 }
 
+std::vector<std::string_view> ListKindsWith(std::string_view look) {
+  std::vector<std::string_view> kinds;
+  for (const SFigureKind& kind : kFigureKinds) {
+    if (look.empty() || kind.HasLook(look)) {
+      kinds.push_back(kind.Name);
+    }
+  }
+  return kinds;
+}
+
+// options: "--xlog belongs"; look: the attribute of a campaign file that says the same
+void RequireLook(const SFigureRequest& figure, const std::string& options, std::string_view look) {
+  std::vector<std::string_view> kinds = ListKindsWith(look);
+  if (std::find(kinds.begin(), kinds.end(), figure.Kind) != kinds.end()) {
+    return;
+  }
+  const std::string_view last = kinds.back();
+  kinds.pop_back();
+  THROW_ARGOSEXCEPTION(options << " to --plot " << JoinItems(kinds)
+                               << (kinds.empty() ? "" : " and ") << last);
+}
+
+void CheckLooks(const SFigureRequest& figure) {
+  if (figure.Reference) {
+    RequireLook(figure, "--reference belongs", "reference");
+  }
+  if (figure.IsXLogarithmic) {
+    RequireLook(figure, "--xlog belongs", "xscale");
+  }
+  if (figure.IsLogarithmic && figure.Kind == "difference") {
+    THROW_ARGOSEXCEPTION(
+        "--log: a difference may be negative, and a logarithmic axis shows no "
+        "such value");
+  }
+  if (figure.ShowsInterval || figure.EndedRuns != EEndedRuns::Survivors) {
+    RequireLook(figure, "--band and --ended belong", "band");
+  }
+}
+
 int MakeReport(const SReportOptions& options) {
   const SCampaign campaign = ReadCampaign(options.File);
   ThrowUnlessHasResults(campaign);
@@ -42,22 +86,7 @@ int MakeReport(const SReportOptions& options) {
       THROW_ARGOSEXCEPTION("--plot needs -o FILE.svg, FILE.png or FILE.pdf");
     }
     const SFigureRequest& figure = options.Figure;
-    if (figure.Kind != "means" && figure.Reference) {
-      THROW_ARGOSEXCEPTION("--reference belongs to --plot means");
-    }
-    if (figure.IsXLogarithmic && figure.Kind != "means" && figure.Kind != "series" &&
-        figure.Kind != "difference") {
-      THROW_ARGOSEXCEPTION("--xlog belongs to --plot means, series and difference");
-    }
-    if (figure.IsLogarithmic && figure.Kind == "difference") {
-      THROW_ARGOSEXCEPTION(
-          "--log: a difference may be negative, and a logarithmic axis shows no "
-          "such value");
-    }
-    if (figure.Kind != "series" &&
-        (figure.ShowsInterval || figure.EndedRuns != EEndedRuns::Survivors)) {
-      THROW_ARGOSEXCEPTION("--band and --ended belong to --plot series");
-    }
+    CheckLooks(figure);
     DrawFigure(CReportData(campaign, store), figure, options.Output);
     return CAMPAIGN_DONE;
   }
@@ -89,8 +118,7 @@ void AddReportCommand(CLI::App& app, TCampaignCommand& chosen) {
           "the file of the figure, whose ending .svg, .png or .pdf is the format")
       ->type_name("PATH");
   command
-      .add_option("--plot", figure.Kind,
-                  "draw one figure only: boxplot, series, difference, means, scaling, heatmap")
+      .add_option("--plot", figure.Kind, "draw one figure only: " + JoinItems(ListKindsWith("")))
       ->type_name("KIND");
   command.add_option("--x", figure.X, "factor; of means and scaling also a metric")
       ->type_name("NAME");

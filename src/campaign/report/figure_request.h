@@ -12,7 +12,7 @@ namespace argos {
 
 /** What a figure shows, and how it looks. */
 struct SFigureRequest {
-  std::string Kind; /**< boxplot, series, difference, means, scaling, heatmap */
+  std::string Kind; /**< a name of kFigureKinds; empty: not given */
   std::string X, Y, Z, Group; /**< names of metrics, series and factors; empty: not given */
   std::string Where; /**< Lua expression of the factors; empty: all combinations */
   std::string Title, XLabel, YLabel, ZLabel; /**< empty: made from the names */

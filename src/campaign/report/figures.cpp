@@ -1,6 +1,7 @@
 #include <argos3/campaign/report/figures.h>
 
 #include <argos3/campaign/design/combination_filter.h>
+#include <argos3/campaign/design/figure_kinds.h>
 #include <argos3/campaign/report/figure_parts.h>
 #include <argos3/campaign/report/gnuplot_text.h>
 #include <argos3/campaign/report/report_text.h>
@@ -11,7 +12,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <utility>
+#include <string_view>
 
 namespace argos {
 
@@ -90,6 +91,25 @@ std::string DescribeCounts(const std::vector<size_t>& counts) {
                          : fmt::format("{} to {}", *least, Count(*most, "run"));
 }
 
+namespace {
+
+struct SFigureMaker {
+  std::string_view Kind;
+  SFigureDraft (*Make)(const CReportData&, const SFigureRequest&);
+};
+
+constexpr SFigureMaker kMakers[] = {{"boxplot", &MakeBoxplot},
+                                    {"series", &MakeSeriesFigure},
+                                    {"difference", &MakeDifferenceFigure},
+                                    {"means", &MakeMeansFigure},
+                                    {"scaling", &MakeScalingFigure},
+                                    {"heatmap", &MakeHeatmap}};
+static_assert(std::ranges::equal(kMakers, kFigureKinds, {}, &SFigureMaker::Kind,
+                                 &SFigureKind::Name),
+              "each kind of figure has a function, in the order of kFigureKinds");
+
+}  // namespace
+
 SFigureDraft MakeFigure(const CReportData& data, const SFigureRequest& request) {
   if (!request.Where.empty()) {
     const SCampaign part = SelectCombinations(data.GetCampaign(), request.Where);
@@ -99,19 +119,12 @@ SFigureDraft MakeFigure(const CReportData& data, const SFigureRequest& request) 
     draft.Caption += " Only runs with " + MakeLine(request.Where) + '.';
     return draft;
   }
-  using TMake = SFigureDraft (*)(const CReportData&, const SFigureRequest&);
-  static constexpr std::pair<const char*, TMake> kKinds[] = {{"boxplot", &MakeBoxplot},
-                                                             {"series", &MakeSeriesFigure},
-                                                             {"difference", &MakeDifferenceFigure},
-                                                             {"means", &MakeMeansFigure},
-                                                             {"scaling", &MakeScalingFigure},
-                                                             {"heatmap", &MakeHeatmap}};
   std::vector<std::string> known;
-  for (const auto& [kind, make] : kKinds) {
-    if (request.Kind == kind) {
-      return make(data, request);
+  for (const SFigureMaker& maker : kMakers) {
+    if (request.Kind == maker.Kind) {
+      return maker.Make(data, request);
     }
-    known.emplace_back(kind);
+    known.emplace_back(maker.Kind);
   }
   THROW_ARGOSEXCEPTION("there is no kind of figure \"" << request.Kind << '"'
                                                        << DidYouMean(request.Kind, known));

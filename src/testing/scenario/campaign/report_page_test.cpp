@@ -233,7 +233,7 @@ TEST_CASE("report: options that a figure does not have are errors", "[campaign][
     CHECK_THAT(refused.Err, Catch::Contains("--reference belongs to --plot means"));
   }
   CHECK_THAT(runWith({"--xlog"}).Err,
-             Catch::Contains("--xlog belongs to --plot means, series and difference"));
+             Catch::Contains("--xlog belongs to --plot series, difference and means"));
   CHECK_THAT(run({"--plot", "difference", "-o", "f.svg", "--log"}).Err,
              Catch::Contains("a difference may be negative"));
   for (const std::vector<std::string>& options :
