@@ -10,7 +10,9 @@
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
 #include <argos3/core/utility/configuration/argos_configuration.h>
 #include <argos3/core/utility/errors/argos_exception.h>
+#include <argos3/core/utility/plugins/factory.h>
 
+#include <memory>
 #include <string>
 
 namespace argos {
@@ -31,6 +33,18 @@ std::string DescribeMedium(const CMedium& medium, TConfigurationNode& root) {
     }
   }
   return "medium \"" + medium.GetId() + '"';
+}
+
+// ": use a or b", of the registered engines
+std::string SuggestEngines() {
+  std::string suggestion;
+  for (const std::string& label : CFactory<CPhysicsEngine>::GetLabels()) {
+    const std::unique_ptr<CPhysicsEngine> engine(CFactory<CPhysicsEngine>::New(label));
+    if (engine->CanBePeriodic()) {
+      suggestion += (suggestion.empty() ? ": use " : " or ") + label;
+    }
+  }
+  return suggestion;
 }
 
 // Two bodies must not touch on both sides. Engines check it again with the paths of a tick.
@@ -56,14 +70,14 @@ void CheckPeriodicity(const SSimulationContext& context, TConfigurationNode& roo
   if (!context.Arena.Period.IsOn() || context.IsReplay) {
     return;
   }
-  const auto refuse = [&errors](const std::string& part, const char* reason) {
+  const auto refuse = [&errors](const std::string& part, const std::string& reason) {
     errors.Try("", [&] { THROW_ARGOSEXCEPTION(part << ": " << reason); });
   };
   for (const CPhysicsEngine* engine : context.Engines) {
     if (!engine->CanBePeriodic()) {
       refuse(engine->GetOrigin(),
-             "an engine of this type does not know the joined sides of an <arena periodic=...>: "
-             "use kinematics2d or dynamics2d");
+             "an engine of this type does not know the joined sides of an <arena periodic=...>" +
+                 SuggestEngines());
     }
     if (engine->IsEntityTransferActive()) {
       refuse(engine->GetOrigin(),

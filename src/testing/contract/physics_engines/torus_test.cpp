@@ -364,7 +364,8 @@ TEST_CASE("torus: what cannot be done is an error with its place", "[physics][to
   for (const std::string type : {"dynamics3d", "pointmass3d"}) {
     CHECK_THAT(error("<" + type + " id='e'/>", periodic),
                Contains("test.argos:") && Contains("<" + type + " id=\"e\">") &&
-                   Contains("does not know the joined sides"));
+                   Contains("does not know the joined sides") &&
+                   Contains(": use dynamics2d or kinematics2d"));
   }
   CHECK_THAT(error(engine + "<dynamics2d id='d'/>", periodic),
              Contains("<dynamics2d id=\"d\">") && Contains("one engine only"));
