@@ -249,6 +249,10 @@ step_headers() {
   check_installed_headers "$work/prefix/include"
 }
 
+list_steps() { # the names of all functions step_...
+  declare -F | sed -n 's/^declare -f step_//p'
+}
+
 stamp_of_step() { # stamp_of_step <name>
   {
     echo "$1" && cat "$work/system.inputs" &&
@@ -353,8 +357,9 @@ print_folder "$work/prefix" ! -path ./share/argos3/build.txt ! -path './share/do
 (cd "$work" && "$work/prefix/bin/argos3" -n -zc "$work/prefix/share/argos3/experiments/diffusion_10.argos" --length 1)
 
 began "Side by side: digests, studies, users' projects, packages, site, guide, a build for robots"
-# those that take longest begin
-run_steps guide studies page outside_projects digests site robot examples packages users_projects headers build_id
+longest_first=(guide studies page outside_projects digests site robot examples packages)
+mapfile -t other_steps < <(list_steps | grep -vxF "$(printf '%s\n' "${longest_first[@]}")")
+run_steps "${longest_first[@]}" "${other_steps[@]}"
 
 if [[ "${CI:-}" == true ]]; then
   echo "clang-tidy follows in .ci/run"
