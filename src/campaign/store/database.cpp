@@ -204,7 +204,7 @@ bool CQuery::Step() {
   return code == SQLITE_ROW;
 }
 
-void CQuery::Run() {
+void CQuery::Execute() {
   while (Step()) {
   }
   sqlite3_reset(m_statement);

@@ -67,7 +67,7 @@ class CQuery {
   /** @return true if there is a row, which the functions below read. */
   bool Step();
   /** For statements without rows; afterwards parameters can be bound again. */
-  void Run();
+  void Execute();
 
   SInt64 GetInteger(int column) const;
   UInt32 GetUInt32(int column) const { return static_cast<UInt32>(GetInteger(column)); }

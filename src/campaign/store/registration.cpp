@@ -24,7 +24,7 @@ void SetText(CDatabase& database, const std::string& key, const std::string& val
   CQuery(database, "INSERT OR REPLACE INTO campaign(key, value) VALUES (?, ?)")
       .Bind(key)
       .Bind(value)
-      .Run();
+      .Execute();
 }
 
 std::vector<std::string> ListMetricLibraries(const SCampaign& campaign) {
@@ -62,7 +62,7 @@ void RegisterFactors(CDatabase& database, const CResultStore& store, const SCamp
   }
   if (isNew) {
     for (const std::string& name : names) {
-      CQuery(database, "INSERT INTO factors(name) VALUES (?)").Bind(name).Run();
+      CQuery(database, "INSERT INTO factors(name) VALUES (?)").Bind(name).Execute();
     }
   }
 }
@@ -75,14 +75,14 @@ void RegisterCombination(CDatabase& database, const SCombination& combination, s
       CQuery(database, "UPDATE combinations SET number = ? WHERE id = ?")
           .Bind(static_cast<UInt64>(number))
           .Bind(find.GetInteger(0))
-          .Run();
+          .Execute();
       return;
     }
   }
   CQuery(database, "INSERT INTO combinations(key, number) VALUES (?, ?)")
       .Bind(key)
       .Bind(static_cast<UInt64>(number))
-      .Run();
+      .Execute();
   const SInt64 id = database.GetLastRowId();
   CQuery insert(
       database,
@@ -90,7 +90,7 @@ void RegisterCombination(CDatabase& database, const SCombination& combination, s
       "? FROM factors ORDER BY id LIMIT 1 OFFSET ?");
   for (size_t f = 0; f < combination.Values.size(); ++f) {
     const std::string& value = combination.Values[f];
-    insert.Bind(id).Bind(value).Bind(value).Bind(static_cast<UInt64>(f)).Run();
+    insert.Bind(id).Bind(value).Bind(value).Bind(static_cast<UInt64>(f)).Execute();
   }
 }
 
@@ -144,7 +144,7 @@ void BeginGeneration(CDatabase& database, const SCampaign& campaign, const std::
       .Bind(campaign.ExperimentText)
       .Bind(libraries)
       .Bind(GetTimeText())
-      .Run();
+      .Execute();
   database.Execute("DELETE FROM collected");
 }
 

@@ -33,7 +33,7 @@ UInt32 RemoveRun(CDatabase& database, UInt32 generation, UInt32 combination, UIn
     attempt = query.GetUInt32(1);
   }
   // metrics and series go with it
-  CQuery(database, "DELETE FROM runs WHERE id = ?").Bind(id).Run();
+  CQuery(database, "DELETE FROM runs WHERE id = ?").Bind(id).Execute();
   return attempt;
 }
 
@@ -41,13 +41,17 @@ void InsertMetrics(CDatabase& database, SInt64 run, const SRunResult& result) {
   CQuery insertMetric(database,
                       "INSERT OR REPLACE INTO metrics(run, name, unit, value) VALUES (?, ?, ?, ?)");
   for (const SMetricValue& metric : result.Metrics) {
-    insertMetric.Bind(run).Bind(metric.Name).Bind(metric.Unit).Bind(metric.Value).Run();
+    insertMetric.Bind(run).Bind(metric.Name).Bind(metric.Unit).Bind(metric.Value).Execute();
   }
   CQuery insertPoint(database,
                      "INSERT OR REPLACE INTO series(run, name, tick, value) VALUES (?, ?, ?, ?)");
   for (const SMetricSeries& series : result.Series) {
     for (size_t i = 0; i < series.Ticks.size(); ++i) {
-      insertPoint.Bind(run).Bind(series.Name).Bind(series.Ticks[i]).Bind(series.Values[i]).Run();
+      insertPoint.Bind(run)
+          .Bind(series.Name)
+          .Bind(series.Ticks[i])
+          .Bind(series.Values[i])
+          .Execute();
     }
   }
 }
@@ -159,7 +163,7 @@ void CResultStore::Add(const std::vector<SStoredRun>& runs) {
             .Bind(isSeries ? 1 : 0)
             .Bind(name)
             .Bind(unit)
-            .Run();
+            .Execute();
         hasNewMetric = hasNewMetric || !isSeries;
       }
     };
@@ -175,7 +179,7 @@ void CResultStore::Add(const std::vector<SStoredRun>& runs) {
       insert.Bind(result.StartUpTime).Bind(result.WallTime).Bind(result.CPUTime);
       insert.Bind(result.TotalWallTime).Bind(result.PeakMemory).Bind(result.Ticks);
       insert.Bind(result.Robots).Bind(fmt::format("{:016x}", result.Digest)).Bind(result.Log);
-      insert.Bind(result.LogBytes).Bind(run.Started).Bind(run.Machine).Bind(run.Version).Run();
+      insert.Bind(result.LogBytes).Bind(run.Started).Bind(run.Machine).Bind(run.Version).Execute();
       InsertMetrics(database, database.GetLastRowId(), result);
       for (const SMetricValue& metric : result.Metrics) {
         noteName(false, metric.Name, metric.Unit);

@@ -22,7 +22,7 @@ std::map<SInt64, SInt64> MatchGenerations(CDatabase& own, CDatabase& other) {
           .Bind(query.GetText(2))
           .Bind(query.GetText(3))
           .Bind(query.GetText(4))
-          .Run();
+          .Execute();
     }
     // an experiment that came back has several generations; the newest counts
     CQuery find(own, "SELECT max(id) FROM generations WHERE digest = ?");
@@ -43,7 +43,7 @@ void MatchFactors(CDatabase& own, const CResultStore& ownStore, const CResultSto
   const std::vector<std::string> names = otherStore.ListFactors();
   if (own.QueryNumber("SELECT count(*) FROM generations") == 0) {
     for (const std::string& name : names) {
-      CQuery(own, "INSERT INTO factors(name) VALUES (?)").Bind(name).Run();
+      CQuery(own, "INSERT INTO factors(name) VALUES (?)").Bind(name).Execute();
     }
   } else if (names != ownStore.ListFactors()) {
     THROW_ARGOSEXCEPTION("\"" << otherFile << "\" has results of other factors than \""
@@ -70,7 +70,7 @@ std::map<SInt64, SInt64> MatchCombinations(CDatabase& own, CDatabase& other) {
     CQuery(own, "INSERT INTO combinations(key, number) VALUES (?, nullif(?, 0))")
         .Bind(query.GetText(1))
         .Bind(query.GetInteger(2))
-        .Run();
+        .Execute();
     id = own.GetLastRowId();
     CQuery values(other, "SELECT factor, value FROM combination_values WHERE combination = ?");
     values.Bind(otherId);
@@ -82,7 +82,7 @@ std::map<SInt64, SInt64> MatchCombinations(CDatabase& own, CDatabase& other) {
           .Bind(values.GetInteger(0))
           .Bind(values.GetText(1))
           .Bind(values.GetText(1))
-          .Run();
+          .Execute();
     }
   }
   return matches;
@@ -108,7 +108,7 @@ bool MakeRoomFor(CDatabase& own, SInt64 generation, SInt64 combination, SInt64 s
       return false;
     }
   }
-  CQuery(own, "DELETE FROM runs WHERE id = ?").Bind(id).Run();
+  CQuery(own, "DELETE FROM runs WHERE id = ?").Bind(id).Execute();
   return true;
 }
 
@@ -121,7 +121,7 @@ void CopyValues(CDatabase& own, CDatabase& other, SInt64 ownRun, SInt64 otherRun
         .Bind(metrics.GetText(0))
         .Bind(metrics.GetText(1))
         .Bind(metrics.GetReal(2))
-        .Run();
+        .Execute();
   }
   CQuery points(other, "SELECT name, tick, value FROM series WHERE run = ?");
   points.Bind(otherRun);
@@ -131,7 +131,7 @@ void CopyValues(CDatabase& own, CDatabase& other, SInt64 ownRun, SInt64 otherRun
         .Bind(points.GetText(0))
         .Bind(points.GetInteger(1))
         .Bind(points.GetReal(2))
-        .Run();
+        .Execute();
   }
 }
 
@@ -153,7 +153,7 @@ void CopyRun(CDatabase& own, const CQuery& run, SInt64 generation, SInt64 combin
   for (int column = 16; column < 21; ++column) {
     insert.Bind(run.GetText(column));
   }
-  insert.Run();
+  insert.Execute();
 }
 
 }  // namespace
@@ -195,7 +195,7 @@ UInt64 CResultStore::Merge(const std::string& otherFile) {
           .Bind(collected.GetInteger(0))
           .Bind(collected.GetText(1))
           .Bind(collected.GetText(2))
-          .Run();
+          .Execute();
     }
   }
   CQuery texts(other, "SELECT key, value FROM campaign");
@@ -203,7 +203,7 @@ UInt64 CResultStore::Merge(const std::string& otherFile) {
     CQuery(own, "INSERT OR IGNORE INTO campaign(key, value) VALUES (?, ?)")
         .Bind(texts.GetText(0))
         .Bind(texts.GetText(1))
-        .Run();
+        .Execute();
   }
   CreateResultsView(own);
   transaction.Commit();
