@@ -47,15 +47,15 @@ class CPointCells {
    */
   template <typename VISIT>
   void ForPlacesNear(Real x, Real y, Real reach, VISIT&& visit) const {
-    ForRunsNear(x, y, reach, [&visit](size_t begin, size_t end) {
+    ForRangesNear(x, y, reach, [&visit](size_t begin, size_t end) {
       for (size_t place = begin; place < end; ++place) {
         visit(place);
       }
     });
   }
-  /** The same with visit(size_t begin, size_t end) for runs of places, of which few are empty. */
+  /** The same with visit(size_t begin, size_t end) for ranges of places, of which few are empty. */
   template <typename VISIT>
-  void ForRunsNear(Real x, Real y, Real reach, VISIT&& visit) const {
+  void ForRangesNear(Real x, Real y, Real reach, VISIT&& visit) const {
     if (m_hashed) {
       ForHashedPlacesNear(x, y, reach, [&visit](size_t place) { visit(place, place + 1); });
       return;

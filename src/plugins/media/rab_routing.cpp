@@ -95,9 +95,9 @@ void CRABRouting::SortByCell(CThreadPool& pool) {
 // are equal. If all are, ranks are numbers and decide; else they are ranges, and those of a pair
 // may be equal.
 template <typename VISIT>
-void CRABRouting::ForRunsNear(size_t place, VISIT&& visit) const {
+void CRABRouting::ForRangesNear(size_t place, VISIT&& visit) const {
   if (m_period.IsOn()) {
-    ForRunsOfImages(place, visit);
+    ForRangesOfImages(place, visit);
     return;
   }
   const Real x = m_placedX[place];
@@ -111,12 +111,12 @@ void CRABRouting::ForRunsNear(size_t place, VISIT&& visit) const {
     const Real dy = m_placedY[other] - y;
     return (dx * dx + dy * dy < squareRange) & (m_rank[other] >= rank);
   };
-  m_cells.ForRunsNear(x, y, range, [&](size_t begin, size_t end) { visit(begin, end, isPair); });
+  m_cells.ForRangesNear(x, y, range, [&](size_t begin, size_t end) { visit(begin, end, isPair); });
 }
 
 // The same in a periodic arena: of each device, the nearest image.
 template <typename VISIT>
-void CRABRouting::ForRunsOfImages(size_t place, VISIT&& visit) const {
+void CRABRouting::ForRangesOfImages(size_t place, VISIT&& visit) const {
   const Real range = m_placed[place].Range;
   const Real squareRange = range * range;
   const Real rank = m_rank[place] + (m_areRangesEqual ? 0.5 : 0.0);
@@ -136,8 +136,8 @@ void CRABRouting::ForRunsOfImages(size_t place, VISIT&& visit) const {
           return (wayX * wayX + wayY * wayY < squareRange) & (m_rank[other] >= rank) &
                  (wayX >= -halfX) & (wayX < halfX) & (wayY >= -halfY) & (wayY < halfY);
         };
-        m_cells.ForRunsNear(x, y, range,
-                            [&](size_t begin, size_t end) { visit(begin, end, isPair); });
+        m_cells.ForRangesNear(x, y, range,
+                              [&](size_t begin, size_t end) { visit(begin, end, isPair); });
       });
 }
 
@@ -155,7 +155,7 @@ void CRABRouting::CountPairs(CThreadPool& pool) {
   pool.ParallelFor(m_placed.size(), kPlacedPerTask, [this](size_t begin, size_t end, UInt32) {
     for (size_t place = begin; place < end; ++place) {
       size_t count = 0;
-      ForRunsNear(place, [&count](size_t first, size_t last, const auto& isPair) {
+      ForRangesNear(place, [&count](size_t first, size_t last, const auto& isPair) {
         for (size_t other = first; other < last; ++other) {
           count += isPair(other) ? 1 : 0;
         }
@@ -190,7 +190,7 @@ void CRABRouting::ReserveScratch(CThreadPool& pool) {
 size_t CRABRouting::FindPairs(size_t place, std::vector<UInt32>& pairs) const {
   size_t num = 0;
   UInt32* const list = pairs.data();
-  ForRunsNear(place, [&num, list](size_t first, size_t last, const auto& isPair) {
+  ForRangesNear(place, [&num, list](size_t first, size_t last, const auto& isPair) {
     for (size_t other = first; other < last; ++other) {
       // a branch would be mispredicted often
       list[num] = static_cast<UInt32>(other);

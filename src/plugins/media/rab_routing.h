@@ -93,9 +93,9 @@ class CRABRouting {
 
   void SortByCell(CThreadPool& pool);
   template <typename VISIT>
-  void ForRunsNear(size_t place, VISIT&& visit) const;
+  void ForRangesNear(size_t place, VISIT&& visit) const;
   template <typename VISIT>
-  void ForRunsOfImages(size_t place, VISIT&& visit) const;
+  void ForRangesOfImages(size_t place, VISIT&& visit) const;
   CSightFan::SEnd MakeNearest(const CSightFan::SEnd& end, const CSightFan::SEnd& to) const;
   void CountPairs(CThreadPool& pool);
   void ReserveScratch(CThreadPool& pool);

@@ -13,7 +13,7 @@ namespace argos {
 
 namespace {
 
-// bodies of one parallel run: enough work to pay for waking a thread
+// bodies of one chunk of a thread: enough work to pay for waking a thread
 constexpr size_t kGrain = 1024;
 // how far ahead poses of bodies are prefetched, in entries
 constexpr size_t kEntriesAhead = 16;
@@ -336,7 +336,7 @@ void CBodyIndex::SortSmall(CThreadPool* pool) {
   // within a cell by body number, for any number of threads
   ListSorted(pool, m_sort.Finish());
   if (!isAlone) {
-    m_sort.SortRuns(*pool, m_entries, [](const SEntry& entry) {
+    m_sort.SortRanges(*pool, m_entries, [](const SEntry& entry) {
       return (static_cast<UInt64>(entry.Body) << 16) | entry.Shape;
     });
   }

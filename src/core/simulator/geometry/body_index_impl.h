@@ -41,7 +41,7 @@ inline SCellRange CBodyIndex::CellsAround(const SPlanarArea& area, Real margin) 
                             0.5 * (area.MaxY - area.MinY) + margin);
 }
 
-// a row of cells is one run of the sorted solids
+// a row of cells is one range of the sorted solids
 template <typename COUNTS, typename VISIT>
 void CBodyIndex::VisitSmall(const SCellRange& cells, COUNTS&& counts, VISIT&& visit) const {
   m_grid.ForRows(cells, [&](UInt32 first, UInt32 last) {

@@ -215,10 +215,10 @@ std::vector<SWallPiece> MakeWallsAlong(const std::vector<CVector2>& points, bool
 std::vector<SWallPiece> MakeWallsOfImage(const SImage& image, const CVector2& center,
                                          Real metersPerPixel, Real threshold) {
   std::vector<SWallPiece> pieces;
-  // runs of dark pixels that the last row had, too; by their columns
+  // spans of dark pixels that the last row had, too; by their columns
   std::map<std::pair<size_t, size_t>, size_t> open;
   for (size_t row = 0; row <= image.Height; ++row) {
-    std::map<std::pair<size_t, size_t>, size_t> runs;
+    std::map<std::pair<size_t, size_t>, size_t> spans;
     for (size_t column = 0; row < image.Height && column < image.Width; ++column) {
       const size_t begin = column;
       while (column < image.Width && IsWall(image, column, row, threshold)) {
@@ -226,16 +226,16 @@ std::vector<SWallPiece> MakeWallsOfImage(const SImage& image, const CVector2& ce
       }
       if (column > begin) {
         const auto found = open.find({begin, column});
-        runs[{begin, column}] = found == open.end() ? row : found->second;
+        spans[{begin, column}] = found == open.end() ? row : found->second;
       }
     }
     for (const auto& [columns, firstRow] : open) {
-      if (runs.count(columns) == 0) {
+      if (spans.count(columns) == 0) {
         pieces.push_back(MakePiece({firstRow, columns.first, columns.second}, row, image, center,
                                    metersPerPixel));
       }
     }
-    open = std::move(runs);
+    open = std::move(spans);
   }
   return pieces;
 }

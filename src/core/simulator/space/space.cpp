@@ -472,7 +472,7 @@ void CSpace::IterateOverControllableEntities(const TControllableEntityIterCBType
   metrics.GetRobotRecords().Begin(m_robots.size(), m_context.Pool->GetNumThreads());
   InLogOrder(m_robots.size(), [&](UInt64 firstPlace) {
     const size_t grain =
-        DivideIntoRuns(m_robots.size(), m_context.Pool->GetNumThreads(), kRobotsPerRun);
+        DivideIntoChunks(m_robots.size(), m_context.Pool->GetNumThreads(), kRobotsPerChunk);
     m_context.Pool->ParallelFor(
         m_robots.size(), grain, [&](size_t begin, size_t end, UInt32 thread) {
           CRobotRecords::CScope records(metrics.GetRobotRecords(), thread);

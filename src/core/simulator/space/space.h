@@ -166,7 +166,7 @@ class CSpace : public CBaseConfigurableResource {
    * The most robots that sense in a row before they are controlled: few enough that the data that
    * sensing has loaded is still in the cache for control.
    */
-  static constexpr size_t kRobotsPerRun = 64;
+  static constexpr size_t kRobotsPerChunk = 64;
   /**
    * What a tick reads of fewer robots fits into the second-level cache of most processors, wherever
    * it is in memory.

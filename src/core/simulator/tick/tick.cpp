@@ -160,8 +160,8 @@ void UpdateParts(const std::vector<PART*>& parts, SSimulationContext& context, C
 
 CTick::CTick(SSimulationContext& context)
     : m_context(context),
-      m_actCost(CSpace::kRobotsPerRun),
-      m_senseCost(CSpace::kRobotsPerRun),
+      m_actCost(CSpace::kRobotsPerChunk),
+      m_senseCost(CSpace::kRobotsPerChunk),
       m_ghostCost(1),
       m_engineCost(1),
       m_mediumCost(1),
@@ -322,7 +322,7 @@ void CTick::UpdateMedia() {
   UpdateParts(m_context.Media, m_context, m_mediumCost);
 }
 
-void CTick::SenseAndControlRun(size_t first, size_t last, UInt32 thread, UInt64 firstPlace) {
+void CTick::SenseAndControlChunk(size_t first, size_t last, UInt32 thread, UInt64 firstPlace) {
   ARGOS_ASSERT(thread < m_robotTimes.size(), "thread " << thread << " of " << m_robotTimes.size());
   SRobotTimes& times = m_robotTimes[thread];
   // If a robot fails to sense, those before it are controlled nevertheless, because one of them
@@ -360,14 +360,14 @@ void CTick::SenseAndControl() {
   m_context.Space->SetBodiesOutsideIndex(
       std::ranges::any_of(m_context.Engines, &CPhysicsEngine::HasBodiesOutsideIndex));
   // a controller writes only into its own robot's actuators, which no sensor reads in this phase:
-  // so all robots of a run may sense before the first of them is controlled
+  // so all robots of a chunk may sense before the first of them is controlled
   m_robotTimes.assign(m_context.Pool->GetNumThreads(), SRobotTimes());
   InLogOrder(m_visits.size(), [&](UInt64 firstPlace) {
     m_context.Pool->ParallelFor(
         m_visits.size(), m_senseCost, [&](size_t begin, size_t end, UInt32 thread) {
-          for (size_t first = begin; first < end; first += CSpace::kRobotsPerRun) {
-            SenseAndControlRun(first, std::min(end, first + CSpace::kRobotsPerRun), thread,
-                               firstPlace);
+          for (size_t first = begin; first < end; first += CSpace::kRobotsPerChunk) {
+            SenseAndControlChunk(first, std::min(end, first + CSpace::kRobotsPerChunk), thread,
+                                 firstPlace);
           }
         });
   });

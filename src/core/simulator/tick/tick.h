@@ -40,7 +40,7 @@ class CTick {
   void UpdateMedia();
   void SenseAndControl();
   // visits [first, last), on one thread
-  void SenseAndControlRun(size_t first, size_t last, UInt32 thread, UInt64 firstPlace);
+  void SenseAndControlChunk(size_t first, size_t last, UInt32 thread, UInt64 firstPlace);
   void BeginRecords();
   void TakeRecords(const char* call, bool isDevice);
 

@@ -16,9 +16,9 @@ namespace argos {
 class CCellItems {
  public:
   /** A contiguous range of items. */
-  class CRun {
+  class CRange {
    public:
-    CRun(const UInt32* begin, const UInt32* end) : m_begin(begin), m_end(end) {}
+    CRange(const UInt32* begin, const UInt32* end) : m_begin(begin), m_end(end) {}
     const UInt32* begin() const { return m_begin; }
     const UInt32* end() const { return m_end; }
     bool IsEmpty() const { return m_begin == m_end; }
@@ -72,9 +72,10 @@ class CCellItems {
   /** How many times items are listed. */
   size_t GetNumListings() const { return m_items.size(); }
   /** The items of a cell. */
-  CRun Get(UInt32 cell) const { return Get(cell, cell); }
-  /** The items of a run of cells, ends included; those in several of them are there repeatedly. */
-  CRun Get(UInt32 first, UInt32 last) const {
+  CRange Get(UInt32 cell) const { return Get(cell, cell); }
+  /** The items of a range of cells, ends included; those in several of them are there repeatedly.
+   */
+  CRange Get(UInt32 first, UInt32 last) const {
     ARGOS_ASSERT(first <= last && m_sort.End(last) <= m_items.size(),
                  "the cells from " << first << " to " << last << " have no list of items");
     return {m_items.data() + m_sort.Begin(first), m_items.data() + m_sort.End(last)};

@@ -15,12 +15,12 @@ namespace argos {
  * Sorts items by a small number, the key: the number of a cell, say.
  *
  * A sort is Start(), SetKey() for each item, Finish(). GetPlace() then gives the place of each item
- * in an array of the owner; the items of a key are one run of that array, from Begin() to End().
+ * in an array of the owner; the items of a key are one range of that array, from Begin() to End().
  * Items may be longer than one place. Does not allocate if there was a sort of as many items and
  * keys before, or Reserve().
  *
  * The sort is stable: items of equal keys keep their order. If keys were set on several threads at
- * once, SortRuns() has to follow; otherwise the order within a run is arbitrary.
+ * once, SortRanges() has to follow; otherwise the order within a range is arbitrary.
  */
 class CCountingSort {
  public:
@@ -76,12 +76,12 @@ class CCountingSort {
     CheckKey(m_items[item].Key);
     return m_starts[m_items[item].Key] + m_items[item].Offset;
   }
-  /** First place of the run of a key. */
+  /** First place of the range of a key. */
   UInt32 Begin(UInt32 key) const {
     CheckKey(key);
     return m_starts[key];
   }
-  /** One more than the last place of the run of a key. */
+  /** One more than the last place of the range of a key. */
   UInt32 End(UInt32 key) const {
     CheckKey(key);
     return m_starts[key + 1];
@@ -90,14 +90,14 @@ class CCountingSort {
   const UInt32* GetStartAddress(UInt32 key) const { return m_starts.data() + key; }
 
   /**
-   * Puts the items of each run into their order after their keys were set on several threads.
+   * Puts the items of each range into their order after their keys were set on several threads.
    * @param pool    a CThreadPool.
    * @param sorted  the owner's array.
-   * @param number  number(const T&): what the elements of a run are ordered by; unique.
+   * @param number  number(const T&): what the elements of a range are ordered by; unique.
    */
   template <typename POOL, typename T, typename NUMBER>
-  void SortRuns(POOL& pool, std::vector<T>& sorted, NUMBER&& number) const {
-    constexpr size_t kGrain = 4096;  // keys of a thread: most runs are short
+  void SortRanges(POOL& pool, std::vector<T>& sorted, NUMBER&& number) const {
+    constexpr size_t kGrain = 4096;  // keys of a thread: most ranges are short
     pool.ParallelFor(GetNumKeys(), kGrain, [&](size_t begin, size_t end, UInt32) {
       for (size_t key = begin; key < end; ++key) {
         std::sort(sorted.begin() + m_starts[key], sorted.begin() + m_starts[key + 1],
@@ -119,7 +119,7 @@ class CCountingSort {
 
   struct SItem {
     UInt32 Key;
-    UInt32 Offset;  // distance from the beginning of the run
+    UInt32 Offset;  // distance from the beginning of the range
   };
 
   std::vector<SItem> m_items;

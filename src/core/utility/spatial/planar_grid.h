@@ -39,7 +39,7 @@ struct SCellRange {
 /**
  * Geometry of a grid of equal cells over a rectangle of the ground plane; owns no lists.
  *
- * Cells are numbered row by row, so the cells of a row are one run of numbers. Everything outside
+ * Cells are numbered row by row, so the cells of a row are one range of numbers. Everything outside
  * the rectangle belongs to the border cells, see ClampToCells().
  *
  * @tparam FRAME  width of a frame of additional cells around the grid to which nothing belongs.

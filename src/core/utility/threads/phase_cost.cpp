@@ -40,20 +40,20 @@ void AverageCost(Real& secondsPerItem, size_t items, Real seconds) {
 
 }  // namespace
 
-size_t DivideIntoRuns(size_t items, UInt32 threads, size_t most) {
-  const size_t runs = std::max<size_t>(1, threads) * CPhaseCost::kRunsPerThread;
-  return std::clamp<size_t>((items + runs - 1) / runs, 1, most);
+size_t DivideIntoChunks(size_t items, UInt32 threads, size_t most) {
+  const size_t chunks = std::max<size_t>(1, threads) * CPhaseCost::kChunksPerThread;
+  return std::clamp<size_t>((items + chunks - 1) / chunks, 1, most);
 }
 
 size_t CPhaseCost::ChooseGrain(size_t items, UInt32 threads) const {
   if (m_grain > 0) {
     return m_grain;
   }
-  const size_t even = DivideIntoRuns(items, threads, m_mostItems);
+  const size_t even = DivideIntoChunks(items, threads, m_mostItems);
   if (m_secondsPerItem == 0.0) {
     return even;
   }
-  const Real worthwhile = kRunSeconds / m_secondsPerItem;
+  const Real worthwhile = kChunkSeconds / m_secondsPerItem;
   return worthwhile >= static_cast<Real>(even)
              ? even
              : std::max<size_t>(1, static_cast<size_t>(worthwhile));

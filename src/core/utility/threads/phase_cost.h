@@ -6,27 +6,28 @@
 namespace argos {
 
 /**
- * The measured cost of a phase of the tick, which decides in runs of how many items it is dealt to
- * threads. Has no effect on results.
+ * The measured cost of a phase of the tick, which decides in chunks of how many items it is dealt
+ * to threads. Has no effect on results.
  */
 class CPhaseCost {
  public:
-  /** Work that a run should contain, so that dealing it costs little: s. */
-  static constexpr Real kRunSeconds = 20e-6;
-  /** Runs per thread, at least, so that threads that finish early can take over others' runs. */
-  static constexpr size_t kRunsPerThread = 4;
+  /** Work that a chunk should contain, so that dealing it costs little: s. */
+  static constexpr Real kChunkSeconds = 20e-6;
+  /** Chunks per thread, at least, so that threads that finish early can take over others'. */
+  static constexpr size_t kChunksPerThread = 4;
 
-  /** @param mostItems  of a run, >= 1. */
+  /** @param mostItems  of a chunk, >= 1. */
   explicit CPhaseCost(size_t mostItems) : m_mostItems(mostItems) {}
 
-  /** @param grain  items of a run, whatever they cost; 0 for a number by measured cost. */
+  /** @param grain  items of a chunk, whatever they cost; 0 for a number by measured cost. */
   void SetGrain(size_t grain) { m_grain = grain; }
   bool IsMeasured() const { return m_grain == 0; }
 
   /**
-   * Returns the number of items of a run, >= 1.
+   * Returns the number of items of a chunk, >= 1.
    *
-   * Before the first measurement, each thread gets kRunsPerThread runs, if there are enough items.
+   * Before the first measurement, each thread gets kChunksPerThread chunks, if there are enough
+   * items.
    */
   size_t ChooseGrain(size_t items, UInt32 threads) const;
 
@@ -76,8 +77,8 @@ class CSharingCost {
   Real m_seconds = kMinSeconds;
 };
 
-/** Items of a run if there should be kRunsPerThread runs for each thread: 1 to @p most. */
-size_t DivideIntoRuns(size_t items, UInt32 threads, size_t most);
+/** Items of a chunk if there should be kChunksPerThread of them for each thread: 1 to @p most. */
+size_t DivideIntoChunks(size_t items, UInt32 threads, size_t most);
 
 }  // namespace argos
 

@@ -28,7 +28,7 @@ class CSchedule {
    */
   virtual void Start(size_t items, size_t grain, UInt32 threads) = 0;
   /**
-   * Gives @p thread its next run of items [begin, end).
+   * Gives @p thread its next chunk of items [begin, end).
    * @return false if there is nothing left for it. Safe on all threads at once.
    */
   virtual bool Next(UInt32 thread, size_t& begin, size_t& end) = 0;

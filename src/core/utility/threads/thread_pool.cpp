@@ -236,7 +236,7 @@ CSharingCost& CThreadPool::FindCost(TCall call) {
   return m_phases.back().Cost;
 }
 
-void CThreadPool::Run(size_t items, size_t grain, TCall call, void* context) {
+void CThreadPool::DoPhase(size_t items, size_t grain, TCall call, void* context) {
   CSharingCost& cost = FindCost(call);
   if (kSharesAlways || m_sharesAlways || cost.IsWorthwhile(items, m_numThreads)) {
     Share(items, grain, call, context, cost);
@@ -300,13 +300,13 @@ void CThreadPool::WorkerLoop(UInt32 thread) {
 
 // returns the number of items
 size_t CThreadPool::DoShare(UInt32 thread) {
-  const size_t numDone = DoRuns(thread);
+  const size_t numDone = DoChunks(thread);
   m_numDealt.fetch_add(numDone, std::memory_order_relaxed);
   return numDone;
 }
 
 // returns the number of items
-size_t CThreadPool::DoRuns(UInt32 thread) {
+size_t CThreadPool::DoChunks(UInt32 thread) {
   size_t numDone = 0;
   size_t begin = 0;
   size_t end = 0;

@@ -23,7 +23,7 @@ namespace argos {
  * workers share the items of a phase as the schedule says. A phase ends when all items are done.
  *
  * After fork() the child has only the thread that called it: its next phase starts workers of its
- * own. A child of fork() inside a phase cannot go on, see Run().
+ * own. A child of fork() inside a phase cannot go on, see DoPhase().
  */
 class CThreadPool {
  public:
@@ -49,10 +49,10 @@ class CThreadPool {
   UInt32 GetNumThreads() const { return m_numThreads; }
 
   /**
-   * Calls function(begin, end, thread) for runs of items that together are 0..items-1.
+   * Calls function(begin, end, thread) for chunks of items that together are 0..items-1.
    *
    * Runs on several threads at once. If calls throw, the phase is completed and the exception of
-   * the run with the lowest items is thrown here: the same one for every number of threads. Does
+   * the chunk with the lowest items is thrown here: the same one for every number of threads. Does
    * not allocate. Not to be called from inside a phase.
    * @throws CARGoSException if the call has called fork() and returns in the child.
    * @throws CARGoSException if the schedule deals other items than 0..items-1, as far as their
@@ -71,12 +71,12 @@ class CThreadPool {
     const auto call = [](void* context, size_t begin, size_t end, UInt32 thread) {
       (*static_cast<std::remove_reference_t<FUNCTION>*>(context))(begin, end, thread);
     };
-    Run(items, grain, call, const_cast<void*>(static_cast<const void*>(&function)));
+    DoPhase(items, grain, call, const_cast<void*>(static_cast<const void*>(&function)));
   }
 
   /**
-   * The same with runs whose length follows from the measured cost of the phase, if it is not
-   * fixed. Measures what the calling thread does.
+   * The same with chunks whose length follows from the measured cost of the phase, if it is
+   * not fixed. Measures what the calling thread does.
    */
   template <typename FUNCTION>
   void ParallelFor(size_t items, CPhaseCost& cost, FUNCTION&& function) {
@@ -102,7 +102,7 @@ class CThreadPool {
   }
 
   /**
-   * Whether phases with more than one run are shared whatever they cost. By default the calling
+   * Whether phases with more than one chunk are shared whatever they cost. By default the calling
    * thread does a phase alone where, by measurement, other threads would cost more than they save;
    * builds with invariants or for ThreadSanitizer always share, so that tests reach the threads.
    */
@@ -117,7 +117,7 @@ class CThreadPool {
     CSharingCost Cost;
   };
 
-  void Run(size_t items, size_t grain, TCall call, void* context);
+  void DoPhase(size_t items, size_t grain, TCall call, void* context);
   void Share(size_t items, size_t grain, TCall call, void* context, CSharingCost& cost);
   CSharingCost& FindCost(TCall call);
   void StartWorkers();
@@ -132,7 +132,7 @@ class CThreadPool {
   void NoteEnd();
   void NoteFailure(size_t begin);
   size_t DoShare(UInt32 thread);
-  size_t DoRuns(UInt32 thread);
+  size_t DoChunks(UInt32 thread);
   void RequireAllDealt() const;
   void Pin(std::thread& worker, UInt32 thread);
 
@@ -146,7 +146,7 @@ class CThreadPool {
   bool m_sharesAlways = false;
   std::vector<SPhase> m_phases;  // never grows beyond its capacity: a phase does not allocate
 
-  // written by Run() before the phase number grows, read by the workers after
+  // written by DoPhase() before the phase number grows, read by the workers after
   TCall m_call = nullptr;
   void* m_context = nullptr;
   size_t m_items = 0;
@@ -155,7 +155,7 @@ class CThreadPool {
   std::atomic<UInt32> m_busy{0};  // workers that have not finished: their start, then a phase
   std::atomic<bool> m_stop{false};
 
-  // the failure of the lowest items, if any; locked only when a run is about to end
+  // the failure of the lowest items, if any; locked only when a chunk is about to end
   std::mutex m_failureMutex;
   std::exception_ptr m_failure;
   size_t m_failureBegin = 0;

@@ -11,7 +11,7 @@ namespace argos {
 
 namespace {
 
-// discs in a run of a thread
+// discs in a chunk of a thread
 constexpr size_t kRobotGrain = 1024;
 // parts of other bodies that a solid can meet in a tick, in a crowd
 constexpr size_t kTouchesOfSolid = 12;

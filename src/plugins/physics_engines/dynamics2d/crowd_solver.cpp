@@ -12,7 +12,7 @@ namespace argos {
 
 namespace {
 
-// small clusters that a thread solves in a run
+// small clusters that a thread solves in a chunk
 constexpr size_t kClusterGrain = 64;
 constexpr size_t kMemberGrain = 2048;
 

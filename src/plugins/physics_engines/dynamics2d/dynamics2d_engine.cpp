@@ -26,7 +26,7 @@ namespace {
 
 // with fewer robots, to wake threads takes longer than what they do
 constexpr size_t kRobotsForThreads = 2000;
-// bodies that a thread writes back in a run
+// bodies that a thread writes back in a chunk
 constexpr size_t kWriteGrain = 512;
 // bodies between prefetching and writing
 constexpr size_t kWriteAhead = 8;

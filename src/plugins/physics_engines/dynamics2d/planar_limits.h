@@ -68,7 +68,7 @@ constexpr Real kCrowdTolerance = 0.001;
  */
 constexpr UInt32 kMaxTouchSweeps = 150;
 constexpr UInt32 kMaxIslandRounds = 20;  // of sweeps over everything
-constexpr size_t kIslandGrain = 16;  // islands that a thread solves in a run
+constexpr size_t kIslandGrain = 16;  // islands that a thread solves in a chunk
 constexpr float kTouchTolerance = 0.2F;
 /** No part of a solid moves farther than so many times the longest path of a body in the tick. */
 constexpr Real kSolidReach = 1.5;

@@ -15,7 +15,7 @@ namespace argos {
 
 namespace {
 
-// robots that a thread plans in a run
+// robots that a thread plans in a chunk
 constexpr size_t kPlanGrain = 512;
 // robots between prefetching and reading what is elsewhere in memory
 constexpr size_t kPlanAhead = 8;
@@ -53,7 +53,7 @@ void CPlanarWorld::ReserveForTick() {
   m_ghosts.Reserve(robots + m_store.GetPassive().capacity());
   m_discPairs.Reserve(robots);
   m_crowd.Reserve(robots, m_store.HasSolids() ? solids : 0, m_grips.GetNumManipulators());
-  m_longestOfRun.reserve(robots / kPlanGrain + 1);
+  m_longestOfChunk.reserve(robots / kPlanGrain + 1);
 }
 
 // the slack of the proximity filter, m
@@ -84,20 +84,21 @@ void CPlanarWorld::Advance(CThreadPool& pool) {
 void CPlanarWorld::PlanDriven(CThreadPool& pool) {
   const size_t count = m_store.GetDriven().size();
   m_discPairs.Start(count);
-  m_longestOfRun.assign((count + kPlanGrain - 1) / kPlanGrain, 0.0);
-  pool.ParallelFor(m_longestOfRun.size(), 1, [&](size_t begin, size_t end, UInt32) {
-    for (size_t run = begin; run < end; ++run) {
-      m_longestOfRun[run] = PlanRun(run * kPlanGrain, std::min(count, (run + 1) * kPlanGrain));
+  m_longestOfChunk.assign((count + kPlanGrain - 1) / kPlanGrain, 0.0);
+  pool.ParallelFor(m_longestOfChunk.size(), 1, [&](size_t begin, size_t end, UInt32) {
+    for (size_t chunk = begin; chunk < end; ++chunk) {
+      m_longestOfChunk[chunk] =
+          PlanChunk(chunk * kPlanGrain, std::min(count, (chunk + 1) * kPlanGrain));
     }
   });
   m_longestPath = 0.0;
-  for (const Real longest : m_longestOfRun) {
+  for (const Real longest : m_longestOfChunk) {
     m_longestPath = std::max(m_longestPath, longest);
   }
 }
 
 // @return the longest path of robots [begin, end), m.
-Real CPlanarWorld::PlanRun(size_t begin, size_t end) {
+Real CPlanarWorld::PlanChunk(size_t begin, size_t end) {
   std::vector<SDrivenBody>& driven = m_store.GetDriven();
   Real longest = 0.0;
   for (size_t slot = begin; slot < end; ++slot) {

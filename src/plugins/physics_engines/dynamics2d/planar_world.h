@@ -113,7 +113,7 @@ class CPlanarWorld {
  private:
   // phases of Advance(), in order
   void PlanDriven(CThreadPool& pool);
-  Real PlanRun(size_t begin, size_t end);
+  Real PlanChunk(size_t begin, size_t end);
   Real Plan(SDrivenBody& body, UInt32 slot);
   void FindMeetings(CThreadPool& pool);
   void ExtendLongestPath();
@@ -137,7 +137,7 @@ class CPlanarWorld {
   CPlanarGhosts m_ghosts;
   CDiscPairs m_discPairs;
   CCrowd m_crowd;
-  std::vector<Real> m_longestOfRun;  // m; scratch of PlanDriven()
+  std::vector<Real> m_longestOfChunk;  // m; scratch of PlanDriven()
   Real m_longestPath = 0.0;  // m, of any movable body in this tick, at most
 };
 

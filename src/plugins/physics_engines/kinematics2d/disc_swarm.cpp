@@ -259,7 +259,7 @@ void CDiscSwarm::Plan(CThreadPool& pool, const SSubstep& substep) {
   m_firstBad.store(std::numeric_limits<UInt32>::max(), std::memory_order_relaxed);
   const bool alone = pool.GetNumThreads() == 1;
   pool.ParallelFor(size, kDiscGrain, [&](size_t begin, size_t end, UInt32) {
-    PlanRun(begin, end, substep);
+    PlanChunk(begin, end, substep);
     Bin(begin, end, alone);
   });
   const UInt32 bad = m_firstBad.load(std::memory_order_relaxed);
@@ -277,7 +277,7 @@ void CDiscSwarm::Plan(CThreadPool& pool, const SSubstep& substep) {
 }
 
 // Plans the steps of robots [begin, end).
-void CDiscSwarm::PlanRun(size_t begin, size_t end, const SSubstep& substep) {
+void CDiscSwarm::PlanChunk(size_t begin, size_t end, const SSubstep& substep) {
   const Real lateTime = substep.LateShare * substep.Duration;
   CLateArcs late;
   SArcBlock block;

@@ -164,7 +164,7 @@ class CDiscSwarm {
     return {m_lastSpeed[slot], left, m_lastYawRate[slot]};
   }
   void PutAt(UInt32 slot, const SPlanarPose& pose);
-  void PlanRun(size_t begin, size_t end, const SSubstep& substep);
+  void PlanChunk(size_t begin, size_t end, const SSubstep& substep);
   float TakeSteps(const SArcBlock& block, size_t first, size_t count);
   void Bin(size_t begin, size_t end, bool alone);
   bool IsGridBad() const;

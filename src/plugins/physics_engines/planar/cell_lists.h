@@ -25,7 +25,7 @@ class CCellLists {
   void Clear() { m_items.Clear(); }
   bool IsEmpty() const { return m_items.GetNumCells() == 0; }
   /** Numbers of the footprints that may be reached from a cell. */
-  CCellItems::CRun Get(UInt32 cell) const { return m_items.Get(cell); }
+  CCellItems::CRange Get(UInt32 cell) const { return m_items.Get(cell); }
   const SFootprint& GetFootprint(UInt32 number) const {
     ARGOS_ASSERT(number < m_footprints.size(), "there is no footprint with the number " << number);
     return m_footprints[number];

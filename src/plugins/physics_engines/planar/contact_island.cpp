@@ -12,9 +12,9 @@ namespace {
 // Sweeps before the first steps of Newton's method, and between these, which grow by factors of 2:
 // where Newton's method fails, the contacts that slide and the drives at their bounds are not known
 // yet.
-constexpr UInt32 kFirstRun = 2;
-constexpr UInt32 kSecondRun = 8;
-constexpr UInt32 kLongestRun = 64;
+constexpr UInt32 kFirstSeries = 2;
+constexpr UInt32 kSecondSeries = 8;
+constexpr UInt32 kLongestSeries = 64;
 constexpr UInt32 kNewtonSteps = 6;
 // A step may make the last change so many times as great, because the way to the solution of such
 // equations is often uphill. Else it is taken back, and the next one is shorter.
@@ -118,11 +118,12 @@ UInt32 CContactIsland<NUMBER>::Solve(NUMBER tolerance, UInt32 mostSweeps) {
   m_mostSweeps = mostSweeps;
   m_sweeps = 0;
   CIslandNewton<NUMBER> newton(m_bodies, m_contacts, m_grips);
-  NUMBER change = Run(newton.Fits() ? kFirstRun : mostSweeps);
-  for (UInt32 run = kSecondRun; !IsDone(change); run = std::min(2 * run, kLongestRun)) {
+  NUMBER change = SweepUntil(newton.Fits() ? kFirstSeries : mostSweeps);
+  for (UInt32 series = kSecondSeries; !IsDone(change);
+       series = std::min(2 * series, kLongestSeries)) {
     change = StepByNewton(newton, change);
     if (!IsDone(change)) {
-      change = Run(m_sweeps + run);
+      change = SweepUntil(m_sweeps + series);
     }
   }
   m_change = change;
@@ -132,7 +133,7 @@ UInt32 CContactIsland<NUMBER>::Solve(NUMBER tolerance, UInt32 mostSweeps) {
 // The conjugate gradient method, until so many sweeps are made. @return the greatest change of a
 // velocity in the last one, m/s.
 template <typename NUMBER>
-NUMBER CContactIsland<NUMBER>::Run(UInt32 end) {
+NUMBER CContactIsland<NUMBER>::SweepUntil(UInt32 end) {
   Start();
   NUMBER before = NUMBER(0);
   for (;;) {

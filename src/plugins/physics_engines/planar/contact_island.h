@@ -211,9 +211,9 @@ class CIslandNewton;
  * Solves the contacts of bodies in a plane that press each other, and grips, where masses may
  * differ by orders of magnitude.
  *
- * Runs of a nonsmooth nonlinear conjugate gradient method, whose steps are sweeps of projected
+ * Series of a nonsmooth nonlinear conjugate gradient method, whose steps are sweeps of projected
  * Gauss-Seidel over drives and contacts (M. Silcowitz-Hansen, S. Niebe, K. Erleben, A Nonsmooth
- * Nonlinear Conjugate Gradient Method for Interactive Contact Force Problems, 2010). Between runs,
+ * Nonlinear Conjugate Gradient Method for Interactive Contact Force Problems, 2010). Between them,
  * small islands take steps of Newton's method from there (CIslandNewton), each with a sweep, as
  * long as they do not lead away from the solution.
  *
@@ -244,7 +244,7 @@ class CContactIsland {
   template <typename VISIT>
   void ForAll(VISIT&& visit);
   void Start();
-  NUMBER Run(UInt32 end);
+  NUMBER SweepUntil(UInt32 end);
   NUMBER StepByNewton(CIslandNewton<NUMBER>& newton, NUMBER change);
   bool IsDone(NUMBER change) const { return change <= m_tolerance || m_sweeps >= m_mostSweeps; }
   void SweepDrives(SChange& change);

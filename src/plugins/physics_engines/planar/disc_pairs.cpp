@@ -13,7 +13,7 @@ namespace {
 
 // m; least edge of the cells in which obstacles are listed
 constexpr Real kMinObstacleCell = 0.25;
-// discs in a run of a thread
+// discs in a chunk of a thread
 constexpr size_t kDiscGrain = 1024;
 // discs in a part, about; and most parts
 constexpr size_t kDiscsOfPart = 1024;
@@ -98,19 +98,19 @@ void CDiscPairs::FindPairsAcrossSeams() {
 }
 
 void CDiscPairs::CoverDiscs(CThreadPool& pool) {
-  const size_t numRuns = (m_discs.size() + kDiscGrain - 1) / kDiscGrain;
-  m_extents.resize(numRuns);
-  pool.ParallelFor(numRuns, 1, [this](size_t begin, size_t end, UInt32) {
-    for (size_t run = begin; run < end; ++run) {
+  const size_t numChunks = (m_discs.size() + kDiscGrain - 1) / kDiscGrain;
+  m_extents.resize(numChunks);
+  pool.ParallelFor(numChunks, 1, [this](size_t begin, size_t end, UInt32) {
+    for (size_t chunk = begin; chunk < end; ++chunk) {
       SExtent extent = {SPlanarArea::Empty(), 0.0};
-      const size_t last = std::min(m_discs.size(), (run + 1) * kDiscGrain);
-      for (size_t i = run * kDiscGrain; i < last; ++i) {
+      const size_t last = std::min(m_discs.size(), (chunk + 1) * kDiscGrain);
+      for (size_t i = chunk * kDiscGrain; i < last; ++i) {
         if (m_discs[i].Radius != kLeftOut) {
           extent.Area.Include(m_discs[i].X, m_discs[i].Y);
           extent.MaxRadius = std::max(extent.MaxRadius, m_discs[i].Radius);
         }
       }
-      m_extents[run] = extent;
+      m_extents[chunk] = extent;
     }
   });
   SPlanarArea area = SPlanarArea::Empty();
@@ -152,7 +152,7 @@ void CDiscPairs::Sort(CThreadPool& pool) {
     }
   });
   if (!alone) {
-    m_sort.SortRuns(pool, m_sorted, [](const SDisc& disc) { return disc.Number; });
+    m_sort.SortRanges(pool, m_sorted, [](const SDisc& disc) { return disc.Number; });
   }
 }
 

@@ -148,7 +148,7 @@ class CDiscPairs {
   void FindPairsAcrossSeams();
   void MarkNear(UInt32 place);
 
-  /** What a run of discs extends over. */
+  /** What a chunk of discs extends over. */
   struct SExtent {
     SPlanarArea Area;
     Real MaxRadius;
@@ -158,7 +158,7 @@ class CDiscPairs {
   Real m_reach = 0.0;  // m
   Real m_maxRadius = 0.0;  // m, of the discs
   std::vector<SDisc> m_discs;  // by number
-  std::vector<SExtent> m_extents;  // of the runs of discs
+  std::vector<SExtent> m_extents;  // of the chunks of discs
   CFramedGrid m_grid;
   CCountingSort m_sort;  // of the discs by cell
   std::vector<SDisc> m_sorted;  // by place

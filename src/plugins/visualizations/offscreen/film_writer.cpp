@@ -145,7 +145,7 @@ void CFilmWriter::StartEncoder(std::uint32_t ticks) {
   try {
     m_encoder = std::make_unique<CChildProcess>(arguments);
   } catch (CARGoSException& error) {
-    DropRun();
+    DropFilm();
     THROW_ARGOSEXCEPTION_NESTED("The film \"" << m_file << "\" cannot be written", error);
   }
   Encode(m_first);
@@ -156,7 +156,7 @@ void CFilmWriter::Encode(const SPicture& picture) {
   if (IsDiskFull(m_part->GetPath())) {
     // ffmpeg notices it only when its buffers are full
     m_encoder->Kill();
-    DropRun();
+    DropFilm();
     THROW_ARGOSEXCEPTION("The film \"" << m_file
                                        << "\" cannot be written: no space is left on its disk");
   }
@@ -169,7 +169,7 @@ void CFilmWriter::Encode(const SPicture& picture) {
 void CFilmWriter::ThrowFailure() {
   const SProcessEnd end = m_encoder->Finish();
   const std::string messages = m_encoder->GetErrorText();
-  DropRun();
+  DropFilm();
   THROW_ARGOSEXCEPTION("The film \""
                        << m_file << "\" cannot be written: \"" << m_ffmpeg << "\" ended with "
                        << end.Description << " before the film was complete"
@@ -177,7 +177,7 @@ void CFilmWriter::ThrowFailure() {
                                             : "; its last messages:" + Indent(messages)));
 }
 
-void CFilmWriter::DropRun() {
+void CFilmWriter::DropFilm() {
   m_encoder.reset();
   m_part.reset();
   m_first = SPicture();
@@ -190,7 +190,7 @@ void CFilmWriter::Finish() {
     return;
   }
   if (!m_firstTick) {
-    DropRun();
+    DropFilm();
     LOGERR << "[WARNING] The film " << m_file << " is not written: it has no pictures" << std::endl;
     return;
   }
@@ -202,7 +202,7 @@ void CFilmWriter::Finish() {
   }
   if (!m_part->Rename()) {
     const int error = errno;
-    DropRun();
+    DropFilm();
     THROW_ARGOSEXCEPTION("The film \"" << m_file
                                        << "\" cannot be renamed: " << std::strerror(error));
   }
@@ -212,7 +212,7 @@ void CFilmWriter::Finish() {
       m_numPictures == 1 ? "" : "s", static_cast<double>(m_numPictures) / m_rate.Get(),
       DescribeSpeed(m_settings.Speed),
       static_cast<double>(fs::file_size(m_file, ignored)) / kBytesPerMegabyte));
-  DropRun();
+  DropFilm();
 }
 
 std::string CFilmWriter::Describe(int width, int height, std::uint32_t every) const {

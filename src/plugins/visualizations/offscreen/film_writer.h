@@ -48,7 +48,7 @@ class CFilmWriter : public CPictureSink {
   void StartEncoder(std::uint32_t ticks);
   void Encode(const SPicture& picture);
   [[noreturn]] void ThrowFailure();
-  void DropRun();
+  void DropFilm();
 
   SFilmSettings m_settings;
   std::string m_ffmpeg;

@@ -46,12 +46,12 @@ void CGroundCells::Fill(const Eigen::AlignedBox2d& ground,
   }
   m_shaded.clear();
   for (int row = 0; row < kGroundCells; ++row) {
-    AddRuns(row);
+    AddSpans(row);
   }
 }
 
-// each run of shaded cells continues the rectangle below it if that has the same columns
-void CGroundCells::AddRuns(int row) {
+// each span of shaded cells continues the rectangle below it if that has the same columns
+void CGroundCells::AddSpans(int row) {
   const auto isShaded = [&](int column) {
     return m_isShaded[static_cast<std::size_t>(row) * kGroundCells +
                       static_cast<std::size_t>(column)] != 0;

@@ -37,7 +37,7 @@ class CGroundCells {
 
  private:
   void Mark(const Eigen::AlignedBox2d& area);
-  void AddRuns(int row);
+  void AddSpans(int row);
 
   Eigen::AlignedBox2d m_ground;
   std::array<std::uint8_t, kGroundCells * kGroundCells> m_isShaded{};

@@ -96,13 +96,13 @@ void CInstanceBatches::SortTranslucent() {
     return a.Kind != b.Kind ? a.Kind < b.Kind : a.Instance < b.Instance;
   });
   m_translucent.clear();
-  m_runs.clear();
+  m_ranges.clear();
   for (const SSortKey& key : m_sortKeys) {
-    if (m_runs.empty() || m_runs.back().Kind != key.Kind) {
-      m_runs.push_back({key.Kind, m_translucent.size(), 0});
+    if (m_ranges.empty() || m_ranges.back().Kind != key.Kind) {
+      m_ranges.push_back({key.Kind, m_translucent.size(), 0});
     }
     m_translucent.push_back(*key.Instance);
-    ++m_runs.back().Count;
+    ++m_ranges.back().Count;
   }
 }
 

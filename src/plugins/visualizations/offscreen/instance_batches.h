@@ -26,7 +26,7 @@ struct SBoundingSphere {
 SBoundingSphere ComputeBoundingSphere(EMeshKind kind, const SMeshInstance& instance);
 
 /** Translucent solids of one kind, to be drawn in order. */
-struct STranslucentRun {
+struct STranslucentRange {
   EMeshKind Kind;
   std::size_t First; /**< index in CInstanceBatches::GetTranslucent() */
   std::size_t Count;
@@ -57,7 +57,7 @@ class CInstanceBatches {
   /** Translucent solids in view, far to near. */
   const std::vector<SMeshInstance>& GetTranslucent() const { return m_translucent; }
   /** The same, cut where the kind changes. */
-  const std::vector<STranslucentRun>& GetTranslucentRuns() const { return m_runs; }
+  const std::vector<STranslucentRange>& GetTranslucentRanges() const { return m_ranges; }
   /** Solids whose shadow may be in view, opaque or not. */
   const TBatches& GetCasters() const { return m_casters; }
   /** Box around the shadow casters, in a frame whose axes are @p toSun's, see MakeSunFrame(). */
@@ -86,7 +86,7 @@ class CInstanceBatches {
   TBatches m_casters;
   std::vector<SSortKey> m_sortKeys;
   std::vector<SMeshInstance> m_translucent;
-  std::vector<STranslucentRun> m_runs;
+  std::vector<STranslucentRange> m_ranges;
   Eigen::AlignedBox3d m_casterBounds;
   Eigen::AlignedBox<double, 1> m_depths;
 };

@@ -362,13 +362,13 @@ void CRenderer::DrawTranslucentMeshes(const CGlProgram& program) {
   m_gl.Enable(GL_BLEND);
   m_gl.Enable(GL_CULL_FACE);
   m_gl.DepthMask(GL_FALSE);
-  for (const STranslucentRun& run : m_batches.GetTranslucentRuns()) {
-    program.Set("uKind", static_cast<int>(run.Kind));
+  for (const STranslucentRange& range : m_batches.GetTranslucentRanges()) {
+    program.Set("uKind", static_cast<int>(range.Kind));
     // far sides of the solids first, then their near sides
     for (const GLenum hidden : {GLenum{GL_FRONT}, GLenum{GL_BACK}}) {
       m_gl.CullFace(hidden);
-      DrawInstances(run.Kind, kTranslucentLevel, m_batches.GetTranslucent().data() + run.First,
-                    run.Count);
+      DrawInstances(range.Kind, kTranslucentLevel, m_batches.GetTranslucent().data() + range.First,
+                    range.Count);
     }
   }
   m_gl.DepthMask(GL_TRUE);

@@ -78,7 +78,7 @@ void AddLine(const SLine& line, SSceneText& file) {
   }
 }
 
-// one mesh for each run of triangles of one colour; place() gives the corners
+// one mesh for each sequence of triangles of one colour; place() gives the corners
 template <typename PLACE>
 void AddTriangles(const std::vector<SFlatVertex>& corners, SSceneText& file, PLACE&& place) {
   const SRgba* color = nullptr;  // colour of the open mesh

@@ -85,7 +85,7 @@ void Sort(CCountingSort& sort, const SKeys& keys, CThreadPool* pool,
     }
   }
   if (!isAlone) {
-    sort.SortRuns(*pool, sorted, [](const std::pair<UInt32, UInt32>& place) { return place; });
+    sort.SortRanges(*pool, sorted, [](const std::pair<UInt32, UInt32>& place) { return place; });
   }
 }
 
@@ -159,12 +159,12 @@ TEST_CASE("cell items: each item in all of its cells, in the order of items", "[
     REQUIRE(lists.GetNumListings() == numListings);
     std::vector<UInt32> all;
     for (UInt32 cell = 0; cell < numCells; ++cell) {
-      const CCellItems::CRun run = lists.Get(cell);
-      REQUIRE(std::vector<UInt32>(run.begin(), run.end()) == expected[cell]);
+      const CCellItems::CRange range = lists.Get(cell);
+      REQUIRE(std::vector<UInt32>(range.begin(), range.end()) == expected[cell]);
       all.insert(all.end(), expected[cell].begin(), expected[cell].end());
     }
-    const CCellItems::CRun run = lists.Get(0, static_cast<UInt32>(numCells) - 1);
-    REQUIRE(std::vector<UInt32>(run.begin(), run.end()) == all);
+    const CCellItems::CRange range = lists.Get(0, static_cast<UInt32>(numCells) - 1);
+    REQUIRE(std::vector<UInt32>(range.begin(), range.end()) == all);
   }
   lists.Clear();
   CHECK(lists.GetNumCells() == 0);

@@ -22,28 +22,28 @@ using Catch::WithinAbs;
 
 namespace {
 
-using TRuns = std::set<std::pair<size_t, size_t>>;
+using TChunks = std::set<std::pair<size_t, size_t>>;
 
-// the runs of a phase; the calling thread needs that time for each item
-TRuns RunsOf(CThreadPool& pool, CPhaseCost& cost, size_t items,
-             std::chrono::microseconds timeOfItem = std::chrono::microseconds(0)) {
-  TRuns runs;
+// the chunks of a phase; the calling thread needs that time for each item
+TChunks ChunksOf(CThreadPool& pool, CPhaseCost& cost, size_t items,
+                 std::chrono::microseconds timeOfItem = std::chrono::microseconds(0)) {
+  TChunks chunks;
   std::mutex mutex;
   pool.ParallelFor(items, cost, [&](size_t begin, size_t end, UInt32) {
     std::this_thread::sleep_for(timeOfItem * static_cast<int>(end - begin));
     const std::lock_guard<std::mutex> lock(mutex);
-    runs.emplace(begin, end);
+    chunks.emplace(begin, end);
   });
-  return runs;
+  return chunks;
 }
 
-// runs of a length that together are all items
-TRuns RunsOfLength(size_t length, size_t items) {
-  TRuns runs;
+// chunks of a length that together are all items
+TChunks ChunksOfLength(size_t length, size_t items) {
+  TChunks chunks;
   for (size_t begin = 0; begin < items; begin += length) {
-    runs.emplace(begin, std::min(items, begin + length));
+    chunks.emplace(begin, std::min(items, begin + length));
   }
-  return runs;
+  return chunks;
 }
 
 /** One item at a time, in turns. "in_turns" */
@@ -83,23 +83,23 @@ REGISTER_SCHEDULE(CInTurnsSchedule, "in_turns", "a user", "1.0", "In turns.", "I
 
 }  // namespace
 
-TEST_CASE("phase cost: without a measurement, each thread gets four runs", "[core][threads]") {
-  CHECK(DivideIntoRuns(60, 2, 64) == 8);  // 60 items in 8 runs
-  CHECK(DivideIntoRuns(3, 2, 64) == 1);
-  CHECK(DivideIntoRuns(10000, 2, 64) == 64);
-  CHECK(DivideIntoRuns(0, 2, 64) == 1);
+TEST_CASE("phase cost: without a measurement, each thread gets four chunks", "[core][threads]") {
+  CHECK(DivideIntoChunks(60, 2, 64) == 8);  // 60 items in 8 chunks
+  CHECK(DivideIntoChunks(3, 2, 64) == 1);
+  CHECK(DivideIntoChunks(10000, 2, 64) == 64);
+  CHECK(DivideIntoChunks(0, 2, 64) == 1);
   CHECK(CPhaseCost(64).ChooseGrain(60, 2) == 8);
   CHECK(CPhaseCost(1).ChooseGrain(16, 2) == 1);
 }
 
-TEST_CASE("phase cost: a run contains 20 us of work, unless there would be too few runs",
+TEST_CASE("phase cost: a chunk contains 20 us of work, unless there would be too few chunks",
           "[core][threads]") {
   const auto withItemsOf = [](Real seconds) {
     CPhaseCost measured(64);
     measured.Add(10, 10.0 * seconds);
     return measured;
   };
-  // 60 items: at most 8 in a run for 2 threads
+  // 60 items: at most 8 in a chunk for 2 threads
   CHECK(withItemsOf(1e-3).ChooseGrain(60, 2) == 1);
   CHECK(withItemsOf(15e-6).ChooseGrain(60, 2) == 1);
   CHECK(withItemsOf(4.9e-6).ChooseGrain(60, 2) == 4);
@@ -176,29 +176,29 @@ TEST_CASE("phase cost: a fixed grain is used whatever the cost", "[core][threads
   CHECK(cost.ChooseGrain(1000, 2) == 100);
 }
 
-TEST_CASE("thread pool: phases with a cost are dealt in the runs that it chooses",
+TEST_CASE("thread pool: phases with a cost are dealt in the chunks that it chooses",
           "[core][threads]") {
   CThreadPool pool(3, CreateSchedule("balance_length"));
   CPhaseCost fixed(64);
   fixed.SetGrain(7);
-  CHECK(RunsOf(pool, fixed, 100) == RunsOfLength(7, 100));
-  // all items in one run: on the calling thread
-  CHECK(RunsOf(pool, fixed, 7) == TRuns{{0, 7}});
+  CHECK(ChunksOf(pool, fixed, 100) == ChunksOfLength(7, 100));
+  // all items in one chunk: on the calling thread
+  CHECK(ChunksOf(pool, fixed, 7) == TChunks{{0, 7}});
   CHECK(fixed.GetSecondsPerItem() == 0.0);
 
   CPhaseCost measured(64);
-  CHECK(RunsOf(pool, measured, 48, std::chrono::microseconds(100)) == RunsOfLength(4, 48));
+  CHECK(ChunksOf(pool, measured, 48, std::chrono::microseconds(100)) == ChunksOfLength(4, 48));
   // sleeping takes at least its time
   CHECK(measured.GetSecondsPerItem() >= 100e-6);
-  CHECK(RunsOf(pool, measured, 48, std::chrono::microseconds(100)) == RunsOfLength(1, 48));
+  CHECK(ChunksOf(pool, measured, 48, std::chrono::microseconds(100)) == ChunksOfLength(1, 48));
 }
 
 TEST_CASE("thread pool: the calling thread does alone what threads would make slower",
           "[core][threads]") {
   const auto countRuns = [](CThreadPool& pool) {
-    std::atomic<int> runs{0};
-    pool.ParallelFor(100, 10, [&](size_t, size_t, UInt32) { ++runs; });
-    return runs.load();
+    std::atomic<int> chunks{0};
+    pool.ParallelFor(100, 10, [&](size_t, size_t, UInt32) { ++chunks; });
+    return chunks.load();
   };
   CThreadPool pool(2, CreateSchedule("balance_length"));
   CHECK(countRuns(pool) == 10);

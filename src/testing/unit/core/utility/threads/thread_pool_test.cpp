@@ -98,7 +98,7 @@ TEST_CASE("schedule: every item is assigned exactly once", "[core][threads]") {
   CHECK(Deal(*schedule, items, grain, threads) == std::vector<int>(items, 1));
 }
 
-TEST_CASE("schedule: balance_quantity gives each thread one run of at most its equal share",
+TEST_CASE("schedule: balance_quantity gives each thread one chunk of at most its equal share",
           "[core][threads]") {
   CBalanceQuantitySchedule schedule;
   schedule.Start(1000, 10, 4);

@@ -122,10 +122,10 @@ TEST_CASE("instance batches: translucent solids are sorted far to near, in runs 
   for (std::size_t i = 0; i < 4; ++i) {
     CHECK(batches.GetTranslucent()[i].ToWorld[0][3] == static_cast<float>(4 - i));
   }
-  REQUIRE(batches.GetTranslucentRuns().size() == 3);
-  CHECK(batches.GetTranslucentRuns()[0].Count == 2);
-  CHECK(batches.GetTranslucentRuns()[1].Kind == EMeshKind::Sphere);
-  CHECK(batches.GetTranslucentRuns()[2].First == 3);
+  REQUIRE(batches.GetTranslucentRanges().size() == 3);
+  CHECK(batches.GetTranslucentRanges()[0].Count == 2);
+  CHECK(batches.GetTranslucentRanges()[1].Kind == EMeshKind::Sphere);
+  CHECK(batches.GetTranslucentRanges()[2].First == 3);
 }
 
 TEST_CASE("instance batches: a solid just outside the view casts its shadow into it",
