@@ -9,6 +9,7 @@
 #include <argos3/core/utility/files/writing.h>
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/logging/log_control.h>
+#include <argos3/core/utility/non_copyable.h>
 #include <argos3/core/utility/plugins/dynamic_loading.h>
 #include <argos3/program/argos_command_line_arg_parser.h>
 #include <argos3/program/catalogue/log_silence.h>
@@ -106,7 +107,7 @@ void SetUpLogs(const SOptions& options) {
 }
 
 /* Sets which lines reach the logs during its lifetime. */
-class CLogLevelScope {
+class CLogLevelScope : private CNonCopyable {
  public:
   explicit CLogLevelScope(ELogLevel level) {
     FlushLogs();
@@ -116,8 +117,6 @@ class CLogLevelScope {
     FlushLogs();
     CLogControl::SetLevel(m_previous);
   }
-  CLogLevelScope(const CLogLevelScope&) = delete;
-  CLogLevelScope& operator=(const CLogLevelScope&) = delete;
 
  private:
   ELogLevel m_previous = CLogControl::GetLevel();

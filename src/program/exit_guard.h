@@ -1,6 +1,8 @@
 #ifndef ARGOS3_PROGRAM_EXIT_GUARD_H
 #define ARGOS3_PROGRAM_EXIT_GUARD_H
 
+#include <argos3/core/utility/non_copyable.h>
+
 namespace argos {
 
 class CSimulator;
@@ -11,13 +13,11 @@ class CSimulator;
  *
  * A child process of users' code (fork) is not affected.
  */
-class CExitGuard {
+class CExitGuard : private CNonCopyable {
  public:
   /** Of the loading, run and destruction of an experiment in @p simulator. One at a time. */
   explicit CExitGuard(CSimulator& simulator);
   ~CExitGuard();
-  CExitGuard(const CExitGuard&) = delete;
-  CExitGuard& operator=(const CExitGuard&) = delete;
 
   /**
    * To be called when libraries were loaded: outputs are then completed before exit() destroys the

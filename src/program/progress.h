@@ -2,6 +2,7 @@
 #define ARGOS3_PROGRAM_PROGRESS_H
 
 #include <argos3/core/utility/datatypes/datatypes.h>
+#include <argos3/core/utility/non_copyable.h>
 
 #include <chrono>
 #include <memory>
@@ -33,7 +34,7 @@ std::string DescribeProgress(const SProgress& progress);
  * std::cout or std::cerr. If lines about the run (CLogControl::Notify()) do not go to a terminal,
  * there is one from time to time.
  */
-class CProgressLine {
+class CProgressLine : private CNonCopyable {
  public:
   /** Of lines that do not go to a terminal, s of wall time. */
   static constexpr Real kLogPeriod = 60.0;
@@ -45,8 +46,6 @@ class CProgressLine {
   explicit CProgressLine(CSimulator& simulator, std::optional<Real> logPeriod = std::nullopt);
   /** Erases the line. */
   ~CProgressLine();
-  CProgressLine(const CProgressLine&) = delete;
-  CProgressLine& operator=(const CProgressLine&) = delete;
 
   /** Call it after each tick, on the thread that runs the loop. */
   void Update();

@@ -1,6 +1,8 @@
 #ifndef ARGOS3_PROGRAM_STOP_SIGNALS_H
 #define ARGOS3_PROGRAM_STOP_SIGNALS_H
 
+#include <argos3/core/utility/non_copyable.h>
+
 #include <array>
 #include <csignal>
 
@@ -15,12 +17,10 @@ namespace argos {
  * A signal that is ignored stays ignored, as by nohup and in the background of a shell script; a
  * handler that users' code has installed stays, too.
  */
-class CStopSignals {
+class CStopSignals : private CNonCopyable {
  public:
   CStopSignals();
   ~CStopSignals();
-  CStopSignals(const CStopSignals&) = delete;
-  CStopSignals& operator=(const CStopSignals&) = delete;
 
   /** To be called after each tick. @return true if a signal was received. */
   static bool WasStopped();

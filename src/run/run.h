@@ -2,6 +2,7 @@
 #define ARGOS3_RUN_RUN_H
 
 #include <argos3/core/utility/datatypes/datatypes.h>
+#include <argos3/core/utility/non_copyable.h>
 #include <argos3/run/run_status.h>
 
 #include <chrono>
@@ -81,7 +82,7 @@ std::string DescribeRun(const SRunSummary& summary);
  *   run.Execute();
  *   return run.Finish().GetExitStatus();
  */
-class CRun {
+class CRun : private CNonCopyable {
  public:
   using TReport = std::function<void(const SRunFailure&)>;
 
@@ -89,8 +90,6 @@ class CRun {
   explicit CRun(CSimulator& simulator, TReport report = &PrintFailure);
   /** Destroys the experiment. */
   ~CRun();
-  CRun(const CRun&) = delete;
-  CRun& operator=(const CRun&) = delete;
 
   /**
    * Stores warnings in the summary, from now on: lines of all logs of the process that are marked

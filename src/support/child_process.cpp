@@ -2,6 +2,7 @@
 
 #include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/errors/output_timeout.h>
+#include <argos3/core/utility/non_copyable.h>
 
 #include <fcntl.h>
 #include <poll.h>
@@ -94,7 +95,7 @@ std::chrono::milliseconds ReadCPUTimeOfGroup(pid_t group) {
 }
 
 // actions of posix_spawn() in the child, freed by the destructor
-class CSpawnPlan {
+class CSpawnPlan : private CNonCopyable {
  public:
   CSpawnPlan() {
     posix_spawn_file_actions_init(&Actions);
@@ -104,8 +105,6 @@ class CSpawnPlan {
     posix_spawn_file_actions_destroy(&Actions);
     posix_spawnattr_destroy(&Attributes);
   }
-  CSpawnPlan(const CSpawnPlan&) = delete;
-  CSpawnPlan& operator=(const CSpawnPlan&) = delete;
 
   // gives the child a process group of its own, in which no signal is blocked or ignored
   void SetOwnGroup() {

@@ -1,6 +1,8 @@
 #ifndef ARGOS3_SUPPORT_CHILD_PROCESS_H
 #define ARGOS3_SUPPORT_CHILD_PROCESS_H
 
+#include <argos3/core/utility/non_copyable.h>
+
 #include <sys/types.h>
 
 #include <chrono>
@@ -51,7 +53,7 @@ SProgramOutput RunProgram(const std::vector<std::string>& arguments);
  * A child that ends early is an error of Write(), never a SIGPIPE, and signal handling of this
  * process is not changed. Not thread safe; different objects may be used on different threads.
  */
-class CChildProcess {
+class CChildProcess : private CNonCopyable {
  public:
   /** Bytes of the standard error that are kept: the last ones. */
   static constexpr std::size_t kErrorTextSize = 2048;
@@ -66,8 +68,6 @@ class CChildProcess {
                          const std::string& directory = std::string());
   /** Kills a child that Finish() was not called for, and waits for its end. */
   ~CChildProcess();
-  CChildProcess(const CChildProcess&) = delete;
-  CChildProcess& operator=(const CChildProcess&) = delete;
 
   /**
    * Writes to the standard input of the child. Waits until the child has read most of it: the

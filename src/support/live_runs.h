@@ -2,6 +2,7 @@
 #define ARGOS3_SUPPORT_LIVE_RUNS_H
 
 #include <argos3/core/utility/datatypes/datatypes.h>
+#include <argos3/core/utility/non_copyable.h>
 
 #include <string>
 #include <vector>
@@ -21,7 +22,7 @@ struct SLiveRunEntry {
  * A file with the URL of a run, which only the user can read, during the lifetime of this object.
  * It is locked, so a file whose run was killed is recognized.
  */
-class CLiveRunFile {
+class CLiveRunFile : private CNonCopyable {
  public:
   /**
    * @param path   "auto": a new file in the folder that ListLiveRuns() searches.
@@ -31,8 +32,6 @@ class CLiveRunFile {
   CLiveRunFile(const std::string& path, const SLiveRunEntry& entry);
   /** Removes it. */
   ~CLiveRunFile();
-  CLiveRunFile(const CLiveRunFile&) = delete;
-  CLiveRunFile& operator=(const CLiveRunFile&) = delete;
 
   const std::string& GetPath() const { return m_path; }
 

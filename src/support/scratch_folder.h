@@ -1,13 +1,15 @@
 #ifndef ARGOS3_SUPPORT_SCRATCH_FOLDER_H
 #define ARGOS3_SUPPORT_SCRATCH_FOLDER_H
 
+#include <argos3/core/utility/non_copyable.h>
+
 #include <filesystem>
 #include <string>
 
 namespace argos {
 
 /** A new folder in that of the system for temporary files; removed with all that is in it. */
-class CScratchFolder {
+class CScratchFolder : private CNonCopyable {
  public:
   /**
    * @param prefix  of its name.
@@ -15,8 +17,6 @@ class CScratchFolder {
    */
   explicit CScratchFolder(const std::string& prefix);
   ~CScratchFolder();
-  CScratchFolder(const CScratchFolder&) = delete;
-  CScratchFolder& operator=(const CScratchFolder&) = delete;
 
   const std::filesystem::path& GetPath() const { return m_path; }
 

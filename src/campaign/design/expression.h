@@ -2,6 +2,7 @@
 #define ARGOS3_CAMPAIGN_DESIGN_EXPRESSION_H
 
 #include <argos3/core/utility/datatypes/datatypes.h>
+#include <argos3/core/utility/non_copyable.h>
 
 #include <array>
 #include <memory>
@@ -22,12 +23,10 @@ class CLuaState;
  *
  * A value that is a number is one in Lua; other values are strings.
  */
-class CExpressions {
+class CExpressions : private CNonCopyable {
  public:
   CExpressions();
   ~CExpressions();
-  CExpressions(const CExpressions&) = delete;
-  CExpressions& operator=(const CExpressions&) = delete;
 
   /** Replaces all names. */
   void SetNames(std::vector<std::pair<std::string, std::string>> namesAndValues);

@@ -5,6 +5,7 @@
 #include <argos3/campaign/execution/output_tail.h>
 #include <argos3/campaign/execution/run_request.h>
 #include <argos3/campaign/execution/run_result.h>
+#include <argos3/core/utility/non_copyable.h>
 
 #include <sys/types.h>
 
@@ -27,7 +28,7 @@ namespace argos {
  *
  * Fork copies one thread: this process must have no other, and no lock of one may be locked.
  */
-class CRunProcess {
+class CRunProcess : private CNonCopyable {
  public:
   /**
    * @param setup      must outlive this object.
@@ -36,8 +37,6 @@ class CRunProcess {
   CRunProcess(const SRunSetup& setup, int abortFile) : m_setup(setup), m_abortFile(abortFile) {}
   /** Kills. */
   ~CRunProcess();
-  CRunProcess(const CRunProcess&) = delete;
-  CRunProcess& operator=(const CRunProcess&) = delete;
 
   /**
    * Executes a run: creates its folder, and removes it if it is empty or not to be kept.

@@ -4,6 +4,7 @@
 #include <argos3/campaign/execution/message_stream.h>
 #include <argos3/campaign/execution/run_request.h>
 #include <argos3/campaign/execution/run_result.h>
+#include <argos3/core/utility/non_copyable.h>
 
 #include <sys/types.h>
 
@@ -14,7 +15,7 @@
 namespace argos {
 
 /** A worker, seen by the process that has started it. */
-class CWorkerProcess {
+class CWorkerProcess : private CNonCopyable {
  public:
   /**
    * Forks: this process must have one thread.
@@ -24,8 +25,6 @@ class CWorkerProcess {
   explicit CWorkerProcess(const SRunSetup& setup);
   /** Aborts what it executes; returns when the worker has ended. */
   ~CWorkerProcess();
-  CWorkerProcess(const CWorkerProcess&) = delete;
-  CWorkerProcess& operator=(const CWorkerProcess&) = delete;
 
   /** Largest request that is sent while others wait: it always fits in the pipe. */
   static constexpr size_t kMaxWaitingRequest = 16 << 10;

@@ -2,6 +2,7 @@
 #define ARGOS3_CAMPAIGN_PLOT_TABLE_FILE_H
 
 #include <argos3/core/utility/datatypes/datatypes.h>
+#include <argos3/core/utility/non_copyable.h>
 
 #include <map>
 #include <memory>
@@ -25,7 +26,7 @@ typedef std::vector<std::vector<Real>> TNumberGroups;
  * The table may be of anyone: its texts are never more than texts, and what must be a number and is
  * none is an error.
  */
-class CTableFile {
+class CTableFile : private CNonCopyable {
  public:
   /**
    * Reads the header.
@@ -34,8 +35,6 @@ class CTableFile {
    */
   explicit CTableFile(const std::string& path);
   ~CTableFile();
-  CTableFile(const CTableFile&) = delete;
-  CTableFile& operator=(const CTableFile&) = delete;
 
   const std::string& GetPath() const { return m_path; }
   bool HasColumn(const std::string& name) const { return m_columns.count(name) > 0; }

@@ -2,6 +2,7 @@
 #define ARGOS3_CAMPAIGN_SCHEDULING_CAMPAIGN_PROGRESS_H
 
 #include <argos3/core/utility/datatypes/datatypes.h>
+#include <argos3/core/utility/non_copyable.h>
 
 #include <chrono>
 #include <string>
@@ -29,14 +30,12 @@ std::string DescribeCampaignProgress(const SCampaignProgress& progress);
  * Prints the progress on the standard error: a line with a bar that is redrawn in place if that is
  * a terminal, otherwise a line from time to time.
  */
-class CCampaignProgressLine {
+class CCampaignProgressLine : private CNonCopyable {
  public:
   /** @param isQuiet  prints nothing. */
   explicit CCampaignProgressLine(bool isQuiet);
   /** Erases the line in a terminal. */
   ~CCampaignProgressLine();
-  CCampaignProgressLine(const CCampaignProgressLine&) = delete;
-  CCampaignProgressLine& operator=(const CCampaignProgressLine&) = delete;
 
   /** Draws if it is time to. */
   void Update(const SCampaignProgress& progress);

@@ -1,6 +1,8 @@
 #ifndef ARGOS3_CAMPAIGN_SCHEDULING_STOP_SIGNALS_H
 #define ARGOS3_CAMPAIGN_SCHEDULING_STOP_SIGNALS_H
 
+#include <argos3/core/utility/non_copyable.h>
+
 #include <poll.h>
 
 #include <array>
@@ -14,12 +16,10 @@ namespace argos {
  * SIGUSR1 and SIGUSR2. They are blocked except in Poll(), so that none arrives between a check and
  * the wait. Those that are ignored stay ignored.
  */
-class CStopSignalCount {
+class CStopSignalCount : private CNonCopyable {
  public:
   CStopSignalCount();
   ~CStopSignalCount();
-  CStopSignalCount(const CStopSignalCount&) = delete;
-  CStopSignalCount& operator=(const CStopSignalCount&) = delete;
 
   /** As poll(); a signal ends the wait. @param timeout  ms. */
   int Poll(std::vector<pollfd>& files, int timeout);

@@ -4,6 +4,7 @@
 // private: SQLite with exceptions
 
 #include <argos3/core/utility/datatypes/datatypes.h>
+#include <argos3/core/utility/non_copyable.h>
 
 #include <map>
 #include <string>
@@ -14,15 +15,13 @@ struct sqlite3_stmt;
 namespace argos {
 
 /** An SQLite database. Failures are CARGoSExceptions that say what the user can do. */
-class CDatabase {
+class CDatabase : private CNonCopyable {
  public:
   enum class EAccess { ReadOnly, Write };
 
   /** Opens a file; EAccess::Write creates it. */
   CDatabase(const std::string& file, EAccess access);
   ~CDatabase();
-  CDatabase(const CDatabase&) = delete;
-  CDatabase& operator=(const CDatabase&) = delete;
 
   /** Executes statements without parameters, and ignores their rows. */
   void Execute(const std::string& statements);
@@ -49,12 +48,10 @@ class CDatabase {
 };
 
 /** The execution of one statement, which is prepared once for each database. */
-class CQuery {
+class CQuery : private CNonCopyable {
  public:
   CQuery(CDatabase& database, const std::string& statement);
   ~CQuery();
-  CQuery(const CQuery&) = delete;
-  CQuery& operator=(const CQuery&) = delete;
 
   /** Binds the next parameter; NaN becomes NULL. */
   CQuery& Bind(SInt64 value);
@@ -83,12 +80,10 @@ class CQuery {
 };
 
 /** A transaction that writes; undone unless Commit() is called. */
-class CTransaction {
+class CTransaction : private CNonCopyable {
  public:
   explicit CTransaction(CDatabase& database);
   ~CTransaction();
-  CTransaction(const CTransaction&) = delete;
-  CTransaction& operator=(const CTransaction&) = delete;
   void Commit();
 
  private:

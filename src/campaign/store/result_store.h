@@ -3,6 +3,7 @@
 
 #include <argos3/campaign/design/campaign.h>
 #include <argos3/campaign/execution/run_result.h>
+#include <argos3/core/utility/non_copyable.h>
 
 #include <functional>
 #include <memory>
@@ -46,7 +47,7 @@ struct SStoredCombination {
  * A run is stored by one transaction together with its metrics, so that a killed program loses or
  * doubles none. Not thread safe.
  */
-class CResultStore {
+class CResultStore : private CNonCopyable {
  public:
   enum class EMode {
     ReadOnly,
@@ -66,8 +67,6 @@ class CResultStore {
    */
   CResultStore(const std::string& file, EMode mode);
   ~CResultStore();
-  CResultStore(const CResultStore&) = delete;
-  CResultStore& operator=(const CResultStore&) = delete;
 
   /**
    * Registers the campaign: its factors, combinations and experiment.

@@ -1,6 +1,8 @@
 #ifndef ARGOS3_CAMPAIGN_STORE_STORE_LOCK_H
 #define ARGOS3_CAMPAIGN_STORE_STORE_LOCK_H
 
+#include <argos3/core/utility/non_copyable.h>
+
 #include <string>
 
 namespace argos {
@@ -12,14 +14,12 @@ namespace argos {
  * Unlike a CLockFile, whose flock() the worker processes would inherit, the lock ends with the
  * process that has taken it, however that ends. A file system without locks gives no protection.
  */
-class CStoreLock {
+class CStoreLock : private CNonCopyable {
  public:
   /** @throws CARGoSException if another object or process has it, with host and process. */
   explicit CStoreLock(const std::string& resultsFile);
   /** Removes the file. */
   ~CStoreLock();
-  CStoreLock(const CStoreLock&) = delete;
-  CStoreLock& operator=(const CStoreLock&) = delete;
 
  private:
   std::string m_path;

@@ -2,6 +2,7 @@
 #define ARGOS3_COMPAT_DYNAMICS2D_RECORDED_BODIES_H
 
 #include <argos3/core/utility/math/vector2.h>
+#include <argos3/core/utility/non_copyable.h>
 
 #include <cstdint>
 #include <limits>
@@ -208,12 +209,10 @@ namespace argos {
  */
 class CBodyRecording {
  public:
-  class CScope {
+  class CScope : private CNonCopyable {
    public:
     explicit CScope(CBodyRecording& recording);
     ~CScope();
-    CScope(const CScope&) = delete;
-    CScope& operator=(const CScope&) = delete;
 
    private:
     CBodyRecording* m_previous;

@@ -10,6 +10,7 @@
 #include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/math/rng.h>
 #include <argos3/core/utility/memory/object_slabs.h>
+#include <argos3/core/utility/non_copyable.h>
 
 #include <atomic>
 #include <functional>
@@ -62,12 +63,10 @@ class CSimulator {
   static CSimulator& GetInstance();
 
   /** Makes a simulator the calling thread's current one during the lifetime of the scope. */
-  class CScope {
+  class CScope : private CNonCopyable {
    public:
     explicit CScope(CSimulator& simulator);
     ~CScope();
-    CScope(const CScope&) = delete;
-    CScope& operator=(const CScope&) = delete;
 
     /** Keeps the simulator current after the scope: for threads that serve one simulator. */
     void Keep() { m_keep = true; }

@@ -2,6 +2,7 @@
 #define ARGOS3_PLUGINS_MEDIA_MEDIUM_USERS_H
 
 #include <argos3/core/utility/datatypes/datatypes.h>
+#include <argos3/core/utility/non_copyable.h>
 
 #include <sys/types.h>
 
@@ -17,12 +18,10 @@ class CMediumUsers;
  * A device that uses a medium: each is unlinked when the other is destroyed. Actuators store orders
  * here, which the medium executes in its TakeActs().
  */
-class CMediumUser {
+class CMediumUser : private CNonCopyable {
  public:
   CMediumUser(CMediumUsers& users, const CControllableEntity& robot);
   virtual ~CMediumUser();
-  CMediumUser(const CMediumUser&) = delete;
-  CMediumUser& operator=(const CMediumUser&) = delete;
 
   const CControllableEntity& GetRobot() const { return m_robot; }
 
@@ -35,13 +34,11 @@ class CMediumUser {
 };
 
 /** The devices that use a medium; for the sources of media. */
-class CMediumUsers {
+class CMediumUsers : private CNonCopyable {
  public:
   CMediumUsers() = default;
   /** Removes all devices. */
   ~CMediumUsers() { RemoveAll(); }
-  CMediumUsers(const CMediumUsers&) = delete;
-  CMediumUsers& operator=(const CMediumUsers&) = delete;
 
   /** All devices, in the order of registration; not owned. */
   const std::vector<CMediumUser*>& Get() const { return m_users; }

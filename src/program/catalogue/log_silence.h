@@ -2,6 +2,7 @@
 #define ARGOS3_PROGRAM_CATALOGUE_LOG_SILENCE_H
 
 #include <argos3/core/utility/logging/argos_log.h>
+#include <argos3/core/utility/non_copyable.h>
 
 #include <sstream>
 #include <streambuf>
@@ -9,15 +10,13 @@
 namespace argos {
 
 /** Discards what is written to LOG and LOGERR during its lifetime. */
-class CLogSilence {
+class CLogSilence : private CNonCopyable {
  public:
   CLogSilence() : m_out(Redirect(LOG, &m_dropped)), m_err(Redirect(LOGERR, &m_dropped)) {}
   ~CLogSilence() {
     Redirect(LOG, m_out);
     Redirect(LOGERR, m_err);
   }
-  CLogSilence(const CLogSilence&) = delete;
-  CLogSilence& operator=(const CLogSilence&) = delete;
 
  private:
   static std::streambuf* Redirect(CARGoSLog& log, std::streambuf* target) {

@@ -3,6 +3,7 @@
 
 #include <argos3/core/utility/configuration/argos_configuration.h>
 #include <argos3/core/utility/configuration/element_name.h>
+#include <argos3/core/utility/non_copyable.h>
 #include <argos3/program/catalogue/plugin_kinds.h>
 #include <argos3/support/scratch_folder.h>
 
@@ -75,12 +76,10 @@ class CSamples {
  * Loads sample experiments in a temporary folder, which is the working directory until the loader
  * is destroyed, without messages. So files that parts write disappear.
  */
-class CSampleLoader {
+class CSampleLoader : private CNonCopyable {
  public:
   CSampleLoader();
   ~CSampleLoader();
-  CSampleLoader(const CSampleLoader&) = delete;
-  CSampleLoader& operator=(const CSampleLoader&) = delete;
 
   /**
    * Loads an experiment, calls @p use, and destroys it.

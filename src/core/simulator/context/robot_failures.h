@@ -2,6 +2,7 @@
 #define ARGOS3_CORE_SIMULATOR_CONTEXT_ROBOT_FAILURES_H
 
 #include <argos3/core/utility/datatypes/datatypes.h>
+#include <argos3/core/utility/non_copyable.h>
 
 #include <mutex>
 #include <set>
@@ -17,7 +18,7 @@ namespace argos {
  *
  * Equal errors of several robots, and of one robot after a reset, are one error with a count.
  */
-class CRobotFailures {
+class CRobotFailures : private CNonCopyable {
  public:
   struct SError {
     std::string Text; /**< text of the first of them */
@@ -28,8 +29,6 @@ class CRobotFailures {
   };
 
   CRobotFailures() = default;
-  CRobotFailures(const CRobotFailures&) = delete;
-  CRobotFailures& operator=(const CRobotFailures&) = delete;
 
   /**
    * Notes an error. Any thread.

@@ -2,6 +2,7 @@
 #define ARGOS3_CORE_SIMULATOR_CONTEXT_RUN_STATE_H
 
 #include <argos3/core/utility/datatypes/datatypes.h>
+#include <argos3/core/utility/non_copyable.h>
 
 #include <functional>
 #include <mutex>
@@ -30,7 +31,7 @@ namespace argos {
  * "Destroy() etc." are also Execute(), UpdateSpace() and the loading of an experiment. Destroy() is
  * an error during Execute(), too.
  */
-class CRunState {
+class CRunState : private CNonCopyable {
  public:
   enum class EActivity : UInt8 {
     None,
@@ -43,17 +44,13 @@ class CRunState {
   };
 
   CRunState() = default;
-  CRunState(const CRunState&) = delete;
-  CRunState& operator=(const CRunState&) = delete;
 
   /** Sets the activity during its lifetime. Main thread, outside of phases. */
-  class CScope {
+  class CScope : private CNonCopyable {
    public:
     CScope(CRunState& state, EActivity activity)
         : m_state(state), m_previous(std::exchange(state.m_activity, activity)) {}
     ~CScope() { m_state.m_activity = m_previous; }
-    CScope(const CScope&) = delete;
-    CScope& operator=(const CScope&) = delete;
 
    private:
     CRunState& m_state;
@@ -61,12 +58,10 @@ class CRunState {
   };
 
   /** The visualization runs during its lifetime. */
-  class CExecution {
+  class CExecution : private CNonCopyable {
    public:
     explicit CExecution(CRunState& state) : m_state(state) { state.m_isExecuting = true; }
     ~CExecution() { m_state.m_isExecuting = false; }
-    CExecution(const CExecution&) = delete;
-    CExecution& operator=(const CExecution&) = delete;
 
    private:
     CRunState& m_state;

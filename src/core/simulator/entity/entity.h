@@ -7,6 +7,7 @@
 #include <argos3/core/utility/configuration/base_configurable_resource.h>
 #include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/memory/object_slabs.h>
+#include <argos3/core/utility/non_copyable.h>
 #include <argos3/core/utility/plugins/factory.h>
 #include <argos3/core/utility/plugins/vtable.h>
 
@@ -106,12 +107,10 @@ class CEntity : public CBaseConfigurableResource,
    * While it exists, what setters change in this thread is the start, also in a run: for the set-up
    * of devices of a new controller.
    */
-  class CSetup {
+  class CSetup : private CNonCopyable {
    public:
     CSetup();
     ~CSetup();
-    CSetup(const CSetup&) = delete;
-    CSetup& operator=(const CSetup&) = delete;
   };
   /**
    * Enables and disables this entity and its parts as they were at the start, and restores the

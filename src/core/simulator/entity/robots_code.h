@@ -2,6 +2,7 @@
 #define ARGOS3_CORE_SIMULATOR_ENTITY_ROBOTS_CODE_H
 
 #include <argos3/core/utility/datatypes/datatypes.h>
+#include <argos3/core/utility/non_copyable.h>
 
 #include <atomic>
 #include <functional>
@@ -33,12 +34,10 @@ class CEntity;
 class CRobotsCode {
  public:
   /** A loop over robots, in any simulation of the process. */
-  class CLoop {
+  class CLoop : private CNonCopyable {
    public:
     CLoop() { s_numLoops.fetch_add(1, std::memory_order_relaxed); }
     ~CLoop() { s_numLoops.fetch_sub(1, std::memory_order_relaxed); }
-    CLoop(const CLoop&) = delete;
-    CLoop& operator=(const CLoop&) = delete;
   };
 
   /**

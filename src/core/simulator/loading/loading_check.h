@@ -1,6 +1,8 @@
 #ifndef ARGOS3_CORE_SIMULATOR_LOADING_LOADING_CHECK_H
 #define ARGOS3_CORE_SIMULATOR_LOADING_LOADING_CHECK_H
 
+#include <argos3/core/utility/non_copyable.h>
+
 namespace argos {
 
 /**
@@ -8,12 +10,10 @@ namespace argos {
  * profilers read their elements and check whether their files can be written, but create and change
  * nothing.
  */
-class CLoadingCheck {
+class CLoadingCheck : private CNonCopyable {
  public:
   CLoadingCheck();
   ~CLoadingCheck();
-  CLoadingCheck(const CLoadingCheck&) = delete;
-  CLoadingCheck& operator=(const CLoadingCheck&) = delete;
 
   static bool IsActive();
 };

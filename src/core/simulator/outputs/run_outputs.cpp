@@ -3,6 +3,7 @@
 #include <argos3/core/simulator/context/current.h>
 #include <argos3/core/simulator/context/simulation_context.h>
 #include <argos3/core/utility/logging/argos_log.h>
+#include <argos3/core/utility/non_copyable.h>
 #include <argos3/core/utility/processes/fork_count.h>
 
 #include <chrono>
@@ -13,7 +14,7 @@ namespace argos {
 namespace {
 
 // notes that outputs are called during its lifetime, and adds its time
-class CStopwatch {
+class CStopwatch : private CNonCopyable {
  public:
   CStopwatch(double& seconds, bool& isBusy) : m_seconds(seconds), m_isBusy(isBusy) {
     m_isBusy = true;
@@ -22,8 +23,6 @@ class CStopwatch {
     m_isBusy = false;
     m_seconds += std::chrono::duration<double>(TClock::now() - m_start).count();
   }
-  CStopwatch(const CStopwatch&) = delete;
-  CStopwatch& operator=(const CStopwatch&) = delete;
 
  private:
   using TClock = std::chrono::steady_clock;

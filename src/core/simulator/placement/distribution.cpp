@@ -12,6 +12,7 @@
 #include <argos3/core/utility/configuration/attribute_text.h>
 #include <argos3/core/utility/memory/object_slabs.h>
 #include <argos3/core/utility/memory/page_preparer.h>
+#include <argos3/core/utility/non_copyable.h>
 #include <argos3/core/utility/text/classic_locale.h>
 #include <argos3/core/utility/threads/thread_pool.h>
 
@@ -45,14 +46,12 @@ CQuaternion FromDegrees(const CVector3& zyx) {
 }
 
 // robots that are created during its lifetime get no controller: only their shape is needed
-class CProbing {
+class CProbing : private CNonCopyable {
  public:
   explicit CProbing(CSpace& space) : m_space(space) {
     m_space.GetContext().Loading.SetProbing(true);
   }
   ~CProbing() { m_space.GetContext().Loading.SetProbing(false); }
-  CProbing(const CProbing&) = delete;
-  CProbing& operator=(const CProbing&) = delete;
 
  private:
   CSpace& m_space;

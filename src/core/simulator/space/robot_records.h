@@ -2,6 +2,7 @@
 #define ARGOS3_CORE_SIMULATOR_SPACE_ROBOT_RECORDS_H
 
 #include <argos3/core/utility/datatypes/datatypes.h>
+#include <argos3/core/utility/non_copyable.h>
 #include <argos3/core/utility/spatial/counting_sort.h>
 
 #include <string>
@@ -17,7 +18,7 @@ namespace argos {
  * Begin(); on each thread a CScope, SetRobot() before each robot, and Add() from its code; End().
  * A robot is run by one thread in a loop, so its records are in the order of its calls.
  */
-class CRobotRecords {
+class CRobotRecords : private CNonCopyable {
  public:
   struct SRecord {
     UInt32 Robot; /**< number in the loop */
@@ -42,12 +43,10 @@ class CRobotRecords {
 
  public:
   /** Makes a thread of the loop the calling one, during its lifetime. */
-  class CScope {
+  class CScope : private CNonCopyable {
    public:
     CScope(CRobotRecords& records, UInt32 thread);
     ~CScope();
-    CScope(const CScope&) = delete;
-    CScope& operator=(const CScope&) = delete;
 
     /** To be called before the code of another robot is run. */
     void SetRobot(size_t robot) { m_thread.Robot = static_cast<UInt32>(robot); }
@@ -58,8 +57,6 @@ class CRobotRecords {
   };
 
   CRobotRecords() = default;
-  CRobotRecords(const CRobotRecords&) = delete;
-  CRobotRecords& operator=(const CRobotRecords&) = delete;
 
   /** Starts a loop; drops what a loop that was ended by an exception has left. */
   void Begin(size_t robots, UInt32 threads);

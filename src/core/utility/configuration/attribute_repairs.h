@@ -1,6 +1,8 @@
 #ifndef ARGOS3_CORE_UTILITY_CONFIGURATION_ATTRIBUTE_REPAIRS_H
 #define ARGOS3_CORE_UTILITY_CONFIGURATION_ATTRIBUTE_REPAIRS_H
 
+#include <argos3/core/utility/non_copyable.h>
+
 #include <memory>
 #include <string>
 #include <vector>
@@ -16,12 +18,10 @@ struct SConfigurationEntry;
  *
  * The destructor restores the attributes. At most one exists per thread.
  */
-class CAttributeRepairs {
+class CAttributeRepairs : private CNonCopyable {
  public:
   CAttributeRepairs();
   ~CAttributeRepairs();
-  CAttributeRepairs(const CAttributeRepairs&) = delete;
-  CAttributeRepairs& operator=(const CAttributeRepairs&) = delete;
 
   /**
    * Replaces the attribute that this thread has requested last, which may be missing.

@@ -1,6 +1,8 @@
 #ifndef ARGOS3_CORE_UTILITY_CONFIGURATION_ATTRIBUTE_SEARCH_H
 #define ARGOS3_CORE_UTILITY_CONFIGURATION_ATTRIBUTE_SEARCH_H
 
+#include <argos3/core/utility/non_copyable.h>
+
 #include <memory>
 
 namespace tinyxml2 {
@@ -14,12 +16,10 @@ namespace argos {
  * While it exists, the XML library finds attributes of the calling thread's documents in constant
  * time. Attributes may only be appended meanwhile, as parsing does.
  */
-class CAttributeSearch {
+class CAttributeSearch : private CNonCopyable {
  public:
   CAttributeSearch();
   ~CAttributeSearch();
-  CAttributeSearch(const CAttributeSearch&) = delete;
-  CAttributeSearch& operator=(const CAttributeSearch&) = delete;
 
   /** For the XML library. @return null if the element has no attribute of that name. */
   static const tinyxml2::XMLAttribute* Find(const tinyxml2::XMLElement& element, const char* name);

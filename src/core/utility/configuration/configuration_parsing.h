@@ -16,6 +16,7 @@
  */
 
 #include <argos3/core/utility/datatypes/datatypes.h>
+#include <argos3/core/utility/non_copyable.h>
 #include <argos3/core/utility/text/string_utilities.h>
 #include <argos3/core/utility/text/classic_locale.h>
 
@@ -125,12 +126,10 @@ template <typename T>
 inline constexpr bool kHasRealNumbers = !std::is_integral_v<T> && !std::is_same_v<T, std::string>;
 
 /** An input stream over a text that is not copied; strict, or loose (SetLooseParsing()). */
-class CTextReader {
+class CTextReader : private CNonCopyable {
  public:
   explicit CTextReader(const char* text, bool strict = true);
   ~CTextReader();
-  CTextReader(const CTextReader&) = delete;
-  CTextReader& operator=(const CTextReader&) = delete;
 
   std::istream& Stream() { return m_stream; }
 

@@ -2,6 +2,7 @@
 #define ARGOS3_CORE_UTILITY_CONFIGURATION_REQUEST_RECORDER_H
 
 #include <argos3/core/utility/configuration/element_name.h>
+#include <argos3/core/utility/non_copyable.h>
 
 #include <map>
 #include <memory>
@@ -54,12 +55,10 @@ struct SRequestedElement {
  * A number in a document gets a text behind it and is read loosely (ParseLoosely()): the value is
  * the same, and the reader states which form it expects.
  */
-class CRequestRecorder {
+class CRequestRecorder : private CNonCopyable {
  public:
   CRequestRecorder();
   ~CRequestRecorder();
-  CRequestRecorder(const CRequestRecorder&) = delete;
-  CRequestRecorder& operator=(const CRequestRecorder&) = delete;
 
   /** The root: its child is the root element of the documents. */
   const SRequestedElement& GetRequests() const { return m_requests; }

@@ -2,6 +2,7 @@
 #define ARGOS3_CORE_UTILITY_ERRORS_RUNNING_CODE_H
 
 #include <argos3/core/utility/errors/signal_safe_text.h>
+#include <argos3/core/utility/non_copyable.h>
 
 #include <cstdint>
 #include <string>
@@ -32,15 +33,13 @@ struct SRunningCode {
 };
 
 /** Sets the calling thread's running code during its lifetime. */
-class CRunningCodeScope {
+class CRunningCodeScope : private CNonCopyable {
  public:
   explicit CRunningCodeScope(const SRunningCode& code)
       : m_code(SRunningCode::OfThread()), m_previous(m_code) {
     m_code = code;
   }
   ~CRunningCodeScope() { m_code = m_previous; }
-  CRunningCodeScope(const CRunningCodeScope&) = delete;
-  CRunningCodeScope& operator=(const CRunningCodeScope&) = delete;
 
   /** To be called before the function of another subject is called. */
   void SetSubject(const void* subject) { m_code.Subject = subject; }

@@ -2,6 +2,7 @@
 
 #include <argos3/core/utility/files/lock_file.h>
 #include <argos3/core/utility/files/writing.h>
+#include <argos3/core/utility/non_copyable.h>
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -23,7 +24,7 @@ namespace fs = std::filesystem;
 constexpr int kPartAttempts = 100;
 
 // closed by the destructor, which releases the lock, too
-class CDescriptor {
+class CDescriptor : private CNonCopyable {
  public:
   explicit CDescriptor(int number) : m_number(number) {}
   ~CDescriptor() {
@@ -31,8 +32,6 @@ class CDescriptor {
       close(m_number);
     }
   }
-  CDescriptor(const CDescriptor&) = delete;
-  CDescriptor& operator=(const CDescriptor&) = delete;
 
   int Get() const { return m_number; }
 

@@ -1,6 +1,8 @@
 #ifndef ARGOS3_CORE_UTILITY_FILES_LOCK_FILE_H
 #define ARGOS3_CORE_UTILITY_FILES_LOCK_FILE_H
 
+#include <argos3/core/utility/non_copyable.h>
+
 #include <sys/types.h>
 
 #include <string>
@@ -15,7 +17,7 @@ namespace argos {
  * process has left locks nothing. The destructor removes the file. A file system without locks
  * gives no protection.
  */
-class CLockFile {
+class CLockFile : private CNonCopyable {
  public:
   /**
    * @param path  created if it does not exist.
@@ -24,8 +26,6 @@ class CLockFile {
    */
   explicit CLockFile(const std::string& path);
   ~CLockFile();
-  CLockFile(const CLockFile&) = delete;
-  CLockFile& operator=(const CLockFile&) = delete;
 
  private:
   void WriteProcess() const;

@@ -4,6 +4,7 @@
 #include <argos3/core/utility/datatypes/datatypes.h>
 #include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/logging/argos_colored_text.h>
+#include <argos3/core/utility/non_copyable.h>
 
 #include <cstddef>
 #include <cstdio>
@@ -110,12 +111,10 @@ class CARGoSLog {
   struct SState;
 
   /** One item that is being written to the calling thread's buffer, which is locked meanwhile. */
-  class CEntry {
+  class CEntry : private CNonCopyable {
    public:
     CEntry(CARGoSLog& log, bool colored);
     ~CEntry();
-    CEntry(const CEntry&) = delete;
-    CEntry& operator=(const CEntry&) = delete;
     std::ostream& Stream();
 
    private:

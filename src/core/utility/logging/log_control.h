@@ -1,6 +1,8 @@
 #ifndef ARGOS3_CORE_UTILITY_LOGGING_LOG_CONTROL_H
 #define ARGOS3_CORE_UTILITY_LOGGING_LOG_CONTROL_H
 
+#include <argos3/core/utility/non_copyable.h>
+
 #include <functional>
 #include <string>
 
@@ -59,12 +61,10 @@ class CLogControl {
  * the line goes, and before the level drops it. There can be several; the rest as for
  * CLogControl::SetLineReceiver(). It stays where it was made.
  */
-class CLogObserver {
+class CLogObserver : private CNonCopyable {
  public:
   explicit CLogObserver(CLogControl::TLineReceiver show);
   ~CLogObserver();
-  CLogObserver(const CLogObserver&) = delete;
-  CLogObserver& operator=(const CLogObserver&) = delete;
 
   void Show(ELogLevel level, const std::string& line) const { m_show(level, line); }
 

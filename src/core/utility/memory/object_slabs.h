@@ -2,6 +2,7 @@
 #define ARGOS3_CORE_UTILITY_MEMORY_OBJECT_SLABS_H
 
 #include <argos3/core/config.h>  // checks the language level
+#include <argos3/core/utility/non_copyable.h>
 
 #include <cstddef>
 #include <memory>
@@ -19,7 +20,7 @@ namespace argos {
  *
  * Any thread may allocate and free.
  */
-class CObjectSlabs {
+class CObjectSlabs : private CNonCopyable {
  public:
   struct SAbandon {
     void operator()(CObjectSlabs* slabs) const;
@@ -28,8 +29,6 @@ class CObjectSlabs {
   using TOwner = std::unique_ptr<CObjectSlabs, SAbandon>;
 
   static TOwner Make();
-  CObjectSlabs(const CObjectSlabs&) = delete;
-  CObjectSlabs& operator=(const CObjectSlabs&) = delete;
 
   /**
    * Memory for an object, aligned to 16 bytes if its size is a multiple of that, else to 8, which

@@ -1,6 +1,8 @@
 #ifndef ARGOS3_CORE_UTILITY_MEMORY_PAGE_PREPARER_H
 #define ARGOS3_CORE_UTILITY_MEMORY_PAGE_PREPARER_H
 
+#include <argos3/core/utility/non_copyable.h>
+
 #include <atomic>
 #include <cstddef>
 #include <thread>
@@ -13,14 +15,12 @@ namespace argos {
  *
  * The program may use the block meanwhile. Does nothing where the system cannot do that.
  */
-class CPagePreparer {
+class CPagePreparer : private CNonCopyable {
  public:
   /** @param start  aligned to a page; the block must be mapped as long as this exists. */
   CPagePreparer(void* start, std::size_t bytes);
   /** Ends soon, perhaps before the end of the block. */
   ~CPagePreparer();
-  CPagePreparer(const CPagePreparer&) = delete;
-  CPagePreparer& operator=(const CPagePreparer&) = delete;
 
  private:
   std::atomic<bool> m_isStopped{false};

@@ -1,5 +1,7 @@
 #include <argos3/core/utility/plugins/elf_file.h>
 
+#include <argos3/core/utility/non_copyable.h>
+
 #if __has_include(<elf.h>) && __has_include(<link.h>)
 #define ARGOS_HAS_ELF
 #include <elf.h>
@@ -22,7 +24,7 @@ namespace {
 
 // Bytes of a file, of which few are read. What lies beyond its end is absent, so a damaged file is
 // no danger.
-class CFileBytes {
+class CFileBytes : private CNonCopyable {
  public:
   explicit CFileBytes(const std::string& path)
       : m_file(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {
@@ -34,8 +36,6 @@ class CFileBytes {
       close(m_file);
     }
   }
-  CFileBytes(const CFileBytes&) = delete;
-  CFileBytes& operator=(const CFileBytes&) = delete;
 
   // reads up to so many bytes; fewer at the end of the file
   std::string Bytes(size_t offset, size_t size) const {

@@ -1,6 +1,7 @@
 #ifndef ARGOS3_CORE_UTILITY_PLUGINS_REGISTERED_LABELS_H
 #define ARGOS3_CORE_UTILITY_PLUGINS_REGISTERED_LABELS_H
 
+#include <argos3/core/utility/non_copyable.h>
 #include <argos3/core/utility/plugins/label_index.h>
 
 #include <map>
@@ -23,12 +24,10 @@ std::vector<SPluginLabel> ListLabelsOf(const std::string& libraryName);
  * everything else: libraries that are opened when they are needed register later than users'
  * libraries, whose registrations are to replace theirs.
  */
-class CLateRegistrations {
+class CLateRegistrations : private CNonCopyable {
  public:
   CLateRegistrations();
   ~CLateRegistrations();
-  CLateRegistrations(const CLateRegistrations&) = delete;
-  CLateRegistrations& operator=(const CLateRegistrations&) = delete;
 
  private:
   bool m_wasLate;

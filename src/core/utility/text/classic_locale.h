@@ -1,6 +1,8 @@
 #ifndef ARGOS3_CORE_UTILITY_TEXT_CLASSIC_LOCALE_H
 #define ARGOS3_CORE_UTILITY_TEXT_CLASSIC_LOCALE_H
 
+#include <argos3/core/utility/non_copyable.h>
+
 #include <locale>
 #include <sstream>
 #include <string>
@@ -12,12 +14,10 @@
 namespace argos {
 
 /** For its lifetime, the C functions that the calling thread calls (printf, strtod) use "C". */
-class CClassicLocale {
+class CClassicLocale : private CNonCopyable {
  public:
   CClassicLocale();
   ~CClassicLocale();
-  CClassicLocale(const CClassicLocale&) = delete;
-  CClassicLocale& operator=(const CClassicLocale&) = delete;
 
  private:
   void* m_previous;  // a locale_t

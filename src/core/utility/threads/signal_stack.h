@@ -1,6 +1,8 @@
 #ifndef ARGOS3_CORE_UTILITY_THREADS_SIGNAL_STACK_H
 #define ARGOS3_CORE_UTILITY_THREADS_SIGNAL_STACK_H
 
+#include <argos3/core/utility/non_copyable.h>
+
 #include <cstddef>
 
 namespace argos {
@@ -9,7 +11,7 @@ namespace argos {
  * The stack of the calling thread on which signal handlers run that request it, so that they also
  * work when the thread's own stack has overflowed.
  */
-class CSignalStack {
+class CSignalStack : private CNonCopyable {
  public:
   /** From now on Use() gives each thread a stack. Before threads are started. */
   static void Enable();
@@ -20,8 +22,6 @@ class CSignalStack {
   static void Use();
 
   ~CSignalStack();
-  CSignalStack(const CSignalStack&) = delete;
-  CSignalStack& operator=(const CSignalStack&) = delete;
 
  private:
   CSignalStack();

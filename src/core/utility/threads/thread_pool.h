@@ -2,6 +2,7 @@
 #define ARGOS3_CORE_UTILITY_THREADS_THREAD_POOL_H
 
 #include <argos3/core/utility/datatypes/datatypes.h>
+#include <argos3/core/utility/non_copyable.h>
 #include <argos3/core/utility/threads/phase_cost.h>
 #include <argos3/core/utility/threads/schedule.h>
 
@@ -25,7 +26,7 @@ namespace argos {
  * After fork() the child has only the thread that called it: its next phase starts workers of its
  * own. A child of fork() inside a phase cannot go on, see DoPhase().
  */
-class CThreadPool {
+class CThreadPool : private CNonCopyable {
  public:
   /**
    * Starts the workers, and returns when all of them wait for the first phase: no worker
@@ -42,8 +43,6 @@ class CThreadPool {
               std::function<void()> startWorker = {});
   /** Stops and joins the workers. */
   ~CThreadPool();
-  CThreadPool(const CThreadPool&) = delete;
-  CThreadPool& operator=(const CThreadPool&) = delete;
 
   /** Threads that take part in a phase, the caller included; at least 1. */
   UInt32 GetNumThreads() const { return m_numThreads; }

@@ -2,6 +2,7 @@
 #define ARGOS3_CORE_WRAPPERS_LUA_LUA_MEMORY_H
 
 #include <argos3/core/utility/memory/load_ahead.h>
+#include <argos3/core/utility/non_copyable.h>
 
 #include <array>
 #include <cstddef>
@@ -21,12 +22,10 @@ namespace argos {
  * The bytes in use are counted and limited. What is taken from the heap may be twice as much,
  * because chunks with free blocks of sizes that are not needed any more remain.
  */
-class CLuaMemory {
+class CLuaMemory : private CNonCopyable {
  public:
   /** @param limit  bytes in use; 0 = no limit. */
   explicit CLuaMemory(std::size_t limit = 0);
-  CLuaMemory(const CLuaMemory&) = delete;
-  CLuaMemory& operator=(const CLuaMemory&) = delete;
 
   /**
    * As lua_Alloc.

@@ -3,6 +3,7 @@
 
 #include <argos3/core/utility/datatypes/datatypes.h>
 #include <argos3/core/utility/errors/argos_exception.h>
+#include <argos3/core/utility/non_copyable.h>
 #include <argos3/core/wrappers/lua/lua_limits.h>
 #include <argos3/core/wrappers/lua/lua_memory.h>
 
@@ -40,7 +41,7 @@ enum class ELuaVariation { KeyOrder, Next, Address, Seed, Time, Clock, Date };
  * So that runs can be repeated, pairs() visits numbers and strings in a fixed order, and the owner
  * of the state seeds math.random() with SeedMath(). lua_sandbox.h lists what scripts cannot do.
  */
-class CLuaState {
+class CLuaState : private CNonCopyable {
  public:
   /**
    * A script that exceeds a limit is interrupted with an error; MaxInstructions are those of one
@@ -51,8 +52,6 @@ class CLuaState {
   /** With the usual limits, but for that of instructions. */
   explicit CLuaState(UInt64 maxInstructions);
   ~CLuaState();
-  CLuaState(const CLuaState&) = delete;
-  CLuaState& operator=(const CLuaState&) = delete;
 
   lua_State* Get() const { return m_state; }
 

@@ -2,6 +2,7 @@
 #define ARGOS3_CORE_WRAPPERS_LUA_LUA_TABLE_H
 
 #include <argos3/core/utility/datatypes/datatypes.h>
+#include <argos3/core/utility/non_copyable.h>
 #include <argos3/core/wrappers/lua/lua_arguments.h>
 #include <argos3/core/wrappers/lua/lua_closure.h>
 #include <argos3/core/wrappers/lua/lua_value.h>
@@ -55,7 +56,7 @@ struct lua_State;
 namespace argos {
 
 /** Access to a Lua table, which stays on the stack for the lifetime of this object. */
-class CLuaTable {
+class CLuaTable : private CNonCopyable {
  public:
   /**
    * In CreateLuaState(): robot.<name>, created if it does not exist.
@@ -75,8 +76,6 @@ class CLuaTable {
     FindRobotTable(&device);
   }
 
-  CLuaTable(const CLuaTable&) = delete;
-  CLuaTable& operator=(const CLuaTable&) = delete;
   ~CLuaTable();
 
   /** True if the constructor, or the call that returned it, created the table. */

@@ -3,6 +3,7 @@
 
 #include <argos3/core/utility/math/quaternion.h>
 #include <argos3/core/utility/math/vector3.h>
+#include <argos3/core/utility/non_copyable.h>
 #include <argos3/core/wrappers/lua/lua_arguments.h>
 
 struct lua_State;
@@ -22,14 +23,12 @@ class CLuaDrawing {
   void Register(lua_State* state);
 
   /** The functions add to @p drawing during its lifetime. */
-  class CScope {
+  class CScope : private CNonCopyable {
    public:
     CScope(CLuaDrawing& functions, CDrawing& drawing) : m_functions(functions) {
       functions.m_drawing = &drawing;
     }
     ~CScope() { m_functions.m_drawing = nullptr; }
-    CScope(const CScope&) = delete;
-    CScope& operator=(const CScope&) = delete;
 
    private:
     CLuaDrawing& m_functions;

@@ -10,6 +10,7 @@
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/utility/configuration/configuration_document.h>
 #include <argos3/core/utility/math/random_stream.h>
+#include <argos3/core/utility/non_copyable.h>
 #include <argos3/core/utility/string_utilities.h>
 #include <argos3/core/wrappers/lua/lua_closure.h>
 #include <argos3/core/wrappers/lua/lua_controller.h>
@@ -156,12 +157,10 @@ CLuaController& GetLuaController(CEntity& entity) {
 }
 
 /** Restores the height of a stack. */
-class CStackGuard {
+class CStackGuard : private CNonCopyable {
  public:
   explicit CStackGuard(lua_State* state) : m_state(state), m_top(lua_gettop(state)) {}
   ~CStackGuard() { lua_settop(m_state, m_top); }
-  CStackGuard(const CStackGuard&) = delete;
-  CStackGuard& operator=(const CStackGuard&) = delete;
 
  private:
   lua_State* m_state;

@@ -1,6 +1,7 @@
 #ifndef ARGOS3_PLUGINS_OUTPUTS_TABLES_TABLE_WRITER_H
 #define ARGOS3_PLUGINS_OUTPUTS_TABLES_TABLE_WRITER_H
 
+#include <argos3/core/utility/non_copyable.h>
 #include <argos3/plugins/simulator/outputs/tables/row_block.h>
 #include <argos3/plugins/simulator/outputs/tables/table_format.h>
 
@@ -22,14 +23,12 @@ namespace argos {
  * If rows come faster than they can be written, the caller waits: at most kMaxWaiting blocks are
  * stored.
  */
-class CTableWriter {
+class CTableWriter : private CNonCopyable {
  public:
   /** @param format  of the file; not null. */
   CTableWriter(std::string path, std::unique_ptr<CTableFormat> format);
   /** Closes the file; a failure is lost: call Close() before. */
   ~CTableWriter();
-  CTableWriter(const CTableWriter&) = delete;
-  CTableWriter& operator=(const CTableWriter&) = delete;
 
   const std::string& GetPath() const { return m_path; }
   bool IsOpen() const { return m_thread.joinable(); }

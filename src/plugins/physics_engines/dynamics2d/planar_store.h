@@ -1,6 +1,7 @@
 #ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_PLANAR_STORE_H
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_PLANAR_STORE_H
 
+#include <argos3/core/utility/non_copyable.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_bodies.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_settings.h>
 #include <argos3/plugins/simulator/physics_engines/robot_bodies/slot_generations.h>
@@ -16,11 +17,9 @@ struct SBodyDescription;
 /**
  * The bodies of a planar world in dense arrays, one for each kind.
  */
-class CPlanarStore {
+class CPlanarStore : private CNonCopyable {
  public:
   explicit CPlanarStore(const SPlanarSettings& settings);
-  CPlanarStore(const CPlanarStore&) = delete;
-  CPlanarStore& operator=(const CPlanarStore&) = delete;
 
   /** Allocates the arrays for so many bodies. */
   void Reserve(size_t immovable, size_t passive, size_t driven);

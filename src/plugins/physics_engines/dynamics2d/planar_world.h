@@ -1,6 +1,7 @@
 #ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_PLANAR_WORLD_H
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_PLANAR_WORLD_H
 
+#include <argos3/core/utility/non_copyable.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/crowd.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/grip_ties.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_ghosts.h>
@@ -23,11 +24,9 @@ class CThreadPool;
  *
  * Everything is a function of the order of adding, removing and Advance(), and of no thread.
  */
-class CPlanarWorld {
+class CPlanarWorld : private CNonCopyable {
  public:
   explicit CPlanarWorld(const SPlanarSettings& settings);
-  CPlanarWorld(const CPlanarWorld&) = delete;
-  CPlanarWorld& operator=(const CPlanarWorld&) = delete;
 
   /** Allocates the arrays for so many bodies. */
   void Reserve(size_t immovable, size_t passive, size_t driven) {

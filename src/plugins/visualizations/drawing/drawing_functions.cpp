@@ -4,6 +4,7 @@
 #include <argos3/core/simulator/entity/existing_component.h>
 #include <argos3/core/simulator/entity/positional_entity.h>
 #include <argos3/core/simulator/geometry/pose_grid.h>
+#include <argos3/core/utility/non_copyable.h>
 
 namespace argos {
 
@@ -28,14 +29,12 @@ thread_local CDrawing* g_currentDrawing = nullptr;
 thread_local UInt64 g_numHooks = 0;
 
 // points to a drawing during its lifetime
-class CDrawingScope {
+class CDrawingScope : private CNonCopyable {
  public:
   CDrawingScope(CDrawing*& pointer, CDrawing& drawing) : m_pointer(pointer) {
     m_pointer = g_currentDrawing = &drawing;
   }
   ~CDrawingScope() { m_pointer = g_currentDrawing = nullptr; }
-  CDrawingScope(const CDrawingScope&) = delete;
-  CDrawingScope& operator=(const CDrawingScope&) = delete;
 
  private:
   CDrawing*& m_pointer;

@@ -6,6 +6,7 @@
 #include <argos3/core/utility/files/writing.h>
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/logging/log_control.h>
+#include <argos3/core/utility/non_copyable.h>
 #include <argos3/core/utility/text/string_utilities.h>
 #include <argos3/support/child_process.h>
 #include <argos3/support/numbered_file.h>
@@ -28,7 +29,7 @@ namespace argos {
 namespace fs = std::filesystem;
 
 /* The file that ffmpeg writes, locked so that others neither write nor remove it. */
-class CPartFile {
+class CPartFile : private CNonCopyable {
  public:
   explicit CPartFile(const std::string& file)
       : m_target(FollowLinks(file)), m_path(m_target + kPartSuffix) {
@@ -45,8 +46,6 @@ class CPartFile {
     }
     close(m_lock);
   }
-  CPartFile(const CPartFile&) = delete;
-  CPartFile& operator=(const CPartFile&) = delete;
 
   const std::string& GetPath() const { return m_path; }
 

@@ -1,6 +1,7 @@
 #ifndef ARGOS3_PLUGINS_VISUALIZATIONS_OFFSCREEN_FRAME_PIPELINE_H
 #define ARGOS3_PLUGINS_VISUALIZATIONS_OFFSCREEN_FRAME_PIPELINE_H
 
+#include <argos3/core/utility/non_copyable.h>
 #include <argos3/plugins/simulator/visualizations/scene/camera.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/picture.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/renderer.h>
@@ -27,7 +28,7 @@ namespace argos {
  * The number of frames under way is bounded: Acquire() waits until the oldest one is written. So
  * memory is bounded, and pictures are the same as if each was written before the next tick.
  */
-class CFramePipeline {
+class CFramePipeline : private CNonCopyable {
  public:
   /** A frame under way; its memory is reused. */
   struct SFrame {
@@ -46,8 +47,6 @@ class CFramePipeline {
   CFramePipeline(const SRenderSettings& settings, TWrite write);
   /** Writes the frames that were submitted, unless an earlier one failed. */
   ~CFramePipeline();
-  CFramePipeline(const CFramePipeline&) = delete;
-  CFramePipeline& operator=(const CFramePipeline&) = delete;
 
   /**
    * A frame to be filled; waits until there is one. One that was not submitted is taken back.

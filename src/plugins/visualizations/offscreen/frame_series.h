@@ -1,6 +1,7 @@
 #ifndef ARGOS3_PLUGINS_VISUALIZATIONS_OFFSCREEN_FRAME_SERIES_H
 #define ARGOS3_PLUGINS_VISUALIZATIONS_OFFSCREEN_FRAME_SERIES_H
 
+#include <argos3/core/utility/non_copyable.h>
 #include <argos3/plugins/simulator/visualizations/scene/camera_plan.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/film_encoding.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/frame_pipeline.h>
@@ -36,7 +37,7 @@ struct SFrameSeriesSettings : SFrameChoice, SFrameContents {
  * The constructor checks the settings. The first call of Observe() starts the threads that draw
  * and write, see CFramePipeline; scenes are built, and users' code draws, in Observe().
  */
-class CFrameSeries {
+class CFrameSeries : private CNonCopyable {
  public:
   /**
    * @param drawing  what users' code draws; must outlive the series.
@@ -45,8 +46,6 @@ class CFrameSeries {
   CFrameSeries(const SFrameSeriesSettings& settings, const SCameraSettings& camera,
                CViewDrawing& drawing);
   ~CFrameSeries();
-  CFrameSeries(const CFrameSeries&) = delete;
-  CFrameSeries& operator=(const CFrameSeries&) = delete;
 
   /**
    * Called with the first state and after each tick.

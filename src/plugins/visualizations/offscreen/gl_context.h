@@ -1,6 +1,7 @@
 #ifndef ARGOS3_PLUGINS_VISUALIZATIONS_OFFSCREEN_GL_CONTEXT_H
 #define ARGOS3_PLUGINS_VISUALIZATIONS_OFFSCREEN_GL_CONTEXT_H
 
+#include <argos3/core/utility/non_copyable.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/gl_functions.h>
 
 #include <memory>
@@ -18,12 +19,9 @@ namespace argos {
  * A context has no usable default framebuffer: draw into framebuffer objects. Objects created in a
  * context live exactly as long as it does.
  */
-class CGlContext {
+class CGlContext : private CNonCopyable {
  public:
   virtual ~CGlContext() = default;
-
-  CGlContext(const CGlContext&) = delete;
-  CGlContext& operator=(const CGlContext&) = delete;
 
   /**
    * Makes a context and makes it current on the calling thread.

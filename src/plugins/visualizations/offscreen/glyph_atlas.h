@@ -1,6 +1,7 @@
 #ifndef ARGOS3_PLUGINS_VISUALIZATIONS_OFFSCREEN_GLYPH_ATLAS_H
 #define ARGOS3_PLUGINS_VISUALIZATIONS_OFFSCREEN_GLYPH_ATLAS_H
 
+#include <argos3/core/utility/non_copyable.h>
 #include <argos3/plugins/simulator/visualizations/scene/scene.h>
 
 #include <cstddef>
@@ -27,12 +28,10 @@ struct SGlyphInstance {
  * they begin at whole pixels. The fonts are those of the DejaVu family, found when the simulator is
  * configured. Nothing is loaded before the first text.
  */
-class CGlyphAtlas {
+class CGlyphAtlas : private CNonCopyable {
  public:
   CGlyphAtlas();
   ~CGlyphAtlas();
-  CGlyphAtlas(const CGlyphAtlas&) = delete;
-  CGlyphAtlas& operator=(const CGlyphAtlas&) = delete;
 
   /** Starts a picture: forgets the letters of earlier ones if they fill much of the image. */
   void BeginPicture();

@@ -1,6 +1,7 @@
 #ifndef ARGOS3_PLUGINS_VISUALIZATIONS_POVRAY_POVRAY_FRAME_SERIES_H
 #define ARGOS3_PLUGINS_VISUALIZATIONS_POVRAY_POVRAY_FRAME_SERIES_H
 
+#include <argos3/core/utility/non_copyable.h>
 #include <argos3/plugins/simulator/visualizations/povray/povray_renderer.h>
 #include <argos3/plugins/simulator/visualizations/povray/scene_file.h>
 #include <argos3/plugins/simulator/visualizations/scene/camera_plan.h>
@@ -52,7 +53,7 @@ class CPovrayModels {
  * Writes scene files of a run, and starts POV-Ray for them. Files are written in Observe();
  * pictures follow on another thread.
  */
-class CPovrayFrameSeries {
+class CPovrayFrameSeries : private CNonCopyable {
  public:
   /**
    * @param drawing  what users' code draws; must outlive the series.
@@ -61,8 +62,6 @@ class CPovrayFrameSeries {
   CPovrayFrameSeries(const SPovrayFrameSettings& settings, const SCameraSettings& camera,
                      CViewDrawing& drawing);
   ~CPovrayFrameSeries();
-  CPovrayFrameSeries(const CPovrayFrameSeries&) = delete;
-  CPovrayFrameSeries& operator=(const CPovrayFrameSeries&) = delete;
 
   /**
    * Called with the first state and after each tick.

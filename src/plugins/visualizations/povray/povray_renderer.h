@@ -1,6 +1,7 @@
 #ifndef ARGOS3_PLUGINS_VISUALIZATIONS_POVRAY_POVRAY_RENDERER_H
 #define ARGOS3_PLUGINS_VISUALIZATIONS_POVRAY_POVRAY_RENDERER_H
 
+#include <argos3/core/utility/non_copyable.h>
 #include <argos3/plugins/simulator/visualizations/povray/scene_file.h>
 
 #include <condition_variable>
@@ -49,15 +50,13 @@ std::string FindPovrayErrors(const std::string& messages);
  * At most kMaxWaiting files wait; Submit() blocks meanwhile. A picture has its name only when it
  * is complete.
  */
-class CPovrayRenderer {
+class CPovrayRenderer : private CNonCopyable {
  public:
   static constexpr std::size_t kMaxWaiting = 2;
 
   explicit CPovrayRenderer(const SPovrayJob& job);
   /** Waits for the picture under way; discards those that wait. */
   ~CPovrayRenderer();
-  CPovrayRenderer(const CPovrayRenderer&) = delete;
-  CPovrayRenderer& operator=(const CPovrayRenderer&) = delete;
 
   /**
    * @param scene  name of a file in the job's folder, which ends in ".pov".

@@ -5,6 +5,7 @@
 #include <argos3/core/utility/files/input_file.h>
 #include <argos3/core/utility/files/lock_file.h>
 #include <argos3/core/utility/files/writing.h>
+#include <argos3/core/utility/non_copyable.h>
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -24,7 +25,7 @@ namespace {
 }
 
 /* Closes a file descriptor at the end. */
-class CDescriptor {
+class CDescriptor : private CNonCopyable {
  public:
   explicit CDescriptor(int file) : m_file(file) {}
   ~CDescriptor() {
@@ -32,8 +33,6 @@ class CDescriptor {
       ::close(m_file);
     }
   }
-  CDescriptor(const CDescriptor&) = delete;
-  CDescriptor& operator=(const CDescriptor&) = delete;
   int Get() const { return m_file; }
 
  private:

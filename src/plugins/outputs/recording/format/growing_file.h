@@ -2,6 +2,7 @@
 #define ARGOS3_PLUGINS_OUTPUTS_RECORDING_FORMAT_GROWING_FILE_H
 
 #include <argos3/core/utility/datatypes/datatypes.h>
+#include <argos3/core/utility/non_copyable.h>
 
 #include <string>
 #include <string_view>
@@ -12,12 +13,10 @@ namespace argos {
  * A binary file that grows by whole pieces. It appears under its name when it has its first one.
  * What is thrown gives only the reason, without the file's name.
  */
-class CGrowingFile {
+class CGrowingFile : private CNonCopyable {
  public:
   CGrowingFile() = default;
   ~CGrowingFile() { Abandon(); }
-  CGrowingFile(const CGrowingFile&) = delete;
-  CGrowingFile& operator=(const CGrowingFile&) = delete;
 
   /**
    * Creates the file with its first piece, or replaces an older one of the same format; writes

@@ -2,6 +2,7 @@
 #define ARGOS3_PLUGINS_OUTPUTS_RECORDING_FORMAT_RECORDING_BLOCKS_H
 
 #include <argos3/core/utility/datatypes/datatypes.h>
+#include <argos3/core/utility/non_copyable.h>
 
 #include <optional>
 #include <string>
@@ -58,13 +59,11 @@ std::string MakeFileHeader();
 std::string MakeFileFooter(UInt64 indexPlace);
 
 /** Compresses blocks; keeps its memory. */
-class CBlockPacker {
+class CBlockPacker : private CNonCopyable {
  public:
   /** @param level  of zstd, 1 to 19. */
   explicit CBlockPacker(int level);
   ~CBlockPacker();
-  CBlockPacker(const CBlockPacker&) = delete;
-  CBlockPacker& operator=(const CBlockPacker&) = delete;
 
   /**
    * @param header  its sizes and checksum are ignored.

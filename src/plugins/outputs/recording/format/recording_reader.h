@@ -1,6 +1,7 @@
 #ifndef ARGOS3_PLUGINS_OUTPUTS_RECORDING_FORMAT_RECORDING_READER_H
 #define ARGOS3_PLUGINS_OUTPUTS_RECORDING_FORMAT_RECORDING_READER_H
 
+#include <argos3/core/utility/non_copyable.h>
 #include <argos3/plugins/simulator/outputs/recording/format/frame_coding.h>
 #include <argos3/plugins/simulator/outputs/recording/format/recording_blocks.h>
 #include <argos3/plugins/simulator/outputs/recording/format/recording_info.h>
@@ -19,7 +20,7 @@ namespace argos {
  * still goes on, or because the file was cut, they are found one after another, and the recording
  * ends with the last whole one.
  */
-class CRecordingReader {
+class CRecordingReader : private CNonCopyable {
  public:
   /**
    * Opens a file and finds its blocks.
@@ -28,8 +29,6 @@ class CRecordingReader {
    */
   explicit CRecordingReader(const std::string& path);
   ~CRecordingReader();
-  CRecordingReader(const CRecordingReader&) = delete;
-  CRecordingReader& operator=(const CRecordingReader&) = delete;
 
   const std::string& GetPath() const { return m_path; }
   const SRecordingInfo& GetInfo() const { return m_info; }

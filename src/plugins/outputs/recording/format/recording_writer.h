@@ -1,6 +1,7 @@
 #ifndef ARGOS3_PLUGINS_OUTPUTS_RECORDING_FORMAT_RECORDING_WRITER_H
 #define ARGOS3_PLUGINS_OUTPUTS_RECORDING_FORMAT_RECORDING_WRITER_H
 
+#include <argos3/core/utility/non_copyable.h>
 #include <argos3/plugins/simulator/outputs/recording/format/recorded_frame.h>
 #include <argos3/plugins/simulator/outputs/recording/format/recording_info.h>
 
@@ -21,7 +22,7 @@ namespace argos {
  * block: a block is written when it has 100 frames or 4 MiB, or when its first frame was added a
  * second ago. A file that cannot be written further is cut behind its last whole block.
  */
-class CRecordingWriter {
+class CRecordingWriter : private CNonCopyable {
  public:
   /**
    * Creates the file, or replaces an older recording.
@@ -36,8 +37,6 @@ class CRecordingWriter {
   static void Check(const std::string& path);
   /** As Close(); failures are lost. */
   ~CRecordingWriter();
-  CRecordingWriter(const CRecordingWriter&) = delete;
-  CRecordingWriter& operator=(const CRecordingWriter&) = delete;
 
   /** An empty update, with the memory of one that was written. */
   SFrameUpdate TakeUpdate();
