@@ -359,11 +359,16 @@ void CExperimentLoader::InitProfiling(TConfigurationNode& node) {
   }
 }
 
-void CExperimentLoader::InitRobotTypes(TConfigurationNode& section, CLoadErrors& errors) {
+void CExperimentLoader::InitChildren(TConfigurationNode& section, CLoadErrors& errors,
+                                     TInitChild init) {
   TConfigurationNodeIterator it;
   for (it = it.begin(&section); it != it.end(); ++it) {
-    errors.Try("", [&] { InitRobotType(*it); });
+    errors.Try("", [&] { (this->*init)(*it); });
   }
+}
+
+void CExperimentLoader::InitRobotTypes(TConfigurationNode& section, CLoadErrors& errors) {
+  InitChildren(section, errors, &CExperimentLoader::InitRobotType);
 }
 
 void CExperimentLoader::InitRobotType(TConfigurationNode& node) {
@@ -378,10 +383,7 @@ void CExperimentLoader::InitRobotType(TConfigurationNode& node) {
 }
 
 void CExperimentLoader::InitControllers(TConfigurationNode& section, CLoadErrors& errors) {
-  TConfigurationNodeIterator it;
-  for (it = it.begin(&section); it != it.end(); ++it) {
-    errors.Try("", [&] { InitController(*it); });
-  }
+  InitChildren(section, errors, &CExperimentLoader::InitController);
 }
 
 void CExperimentLoader::InitController(TConfigurationNode& node) {
@@ -505,10 +507,7 @@ void CExperimentLoader::InitViews(TConfigurationNode& root, CLoadErrors& errors)
     if (m_settings.Visualization || m_settings.ForceNoVisualization) {
       MarkSubtreeRead(section);
     } else {
-      TConfigurationNodeIterator it;
-      for (it = it.begin(&section); it != it.end(); ++it) {
-        errors.Try("", [&] { InitView(*it); });
-      }
+      InitChildren(section, errors, &CExperimentLoader::InitView);
     }
   }
   if (m_experiment.Visualization == nullptr) {

@@ -59,6 +59,8 @@ class CExperimentLoader {
   void ReplaceFramework();
   void LogLength() const;
   void InitRandom(TConfigurationNode& experiment);
+  using TInitChild = void (CExperimentLoader::*)(TConfigurationNode&);
+  void InitChildren(TConfigurationNode& section, CLoadErrors& errors, TInitChild init);
   void InitRobotTypes(TConfigurationNode& section, CLoadErrors& errors);
   void InitControllers(TConfigurationNode& node, CLoadErrors& errors);
   void InitRobotType(TConfigurationNode& node);

@@ -37,15 +37,9 @@ std::string_view WithoutPlus(std::string_view text) {
   return text;
 }
 
+// a whole text, which has neither blanks nor a '+'
 template <typename T>
-ENumberParsing ParseReal(std::string_view text, T& value) {
-  text = WithoutPlus(Trim(text));
-  // from_chars() takes "inf" and "nan" as well
-  const std::size_t first = text.find_first_not_of('-');
-  if (first == std::string_view::npos ||
-      !(std::isdigit(static_cast<unsigned char>(text[first])) || text[first] == '.')) {
-    return ENumberParsing::NotANumber;
-  }
+ENumberParsing Convert(std::string_view text, T& value) {
   T result;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), result);
   if (error == std::errc::invalid_argument) {
@@ -59,6 +53,18 @@ ENumberParsing ParseReal(std::string_view text, T& value) {
   }
   value = result;
   return ENumberParsing::Ok;
+}
+
+template <typename T>
+ENumberParsing ParseReal(std::string_view text, T& value) {
+  text = WithoutPlus(Trim(text));
+  // from_chars() takes "inf" and "nan" as well
+  const std::size_t first = text.find_first_not_of('-');
+  if (first == std::string_view::npos ||
+      !(std::isdigit(static_cast<unsigned char>(text[first])) || text[first] == '.')) {
+    return ENumberParsing::NotANumber;
+  }
+  return Convert(text, value);
 }
 
 // an integer that is written as a real number: with a decimal point or an exponent
@@ -92,15 +98,12 @@ ENumberParsing ParseInteger(std::string_view text, T& value) {
   if (negativeUnsigned) {
     text.remove_prefix(1);
   }
-  T result;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), result);
-  if (error == std::errc::invalid_argument) {
-    return ENumberParsing::NotANumber;
+  T result = 0;
+  const ENumberParsing outcome = Convert(text, result);
+  if (outcome != ENumberParsing::Ok) {
+    return outcome;
   }
-  if (end != text.data() + text.size()) {
-    return ENumberParsing::TrailingText;
-  }
-  if (error == std::errc::result_out_of_range || (negativeUnsigned && result != 0)) {
+  if (negativeUnsigned && result != 0) {
     return ENumberParsing::OutOfRange;
   }
   value = result;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <functional>
 #include <string>
 #include <type_traits>
 
@@ -272,26 +273,27 @@ int Equal(lua_State* state) {
   std::abort();  // is not reached
 }
 
-template <typename VALUE>
-int Add(lua_State* state) {
+// what: the error if an operand is another value
+template <typename VALUE, typename OPERATION>
+int PushResult(lua_State* state, OPERATION operation, const char* what) {
   const VALUE* const a = TestOwn<VALUE>(state, 1);
   const VALUE* const b = TestOwn<VALUE>(state, 2);
   if (a == nullptr || b == nullptr) {
-    RaiseOperands(state, "a vector can be added to one of its kind");
+    RaiseOperands(state, what);
   }
-  PushOwn(state, *a + *b);
+  PushOwn(state, operation(*a, *b));
   return 1;
 }
 
 template <typename VALUE>
+int Add(lua_State* state) {
+  return PushResult<VALUE>(state, std::plus<VALUE>(), "a vector can be added to one of its kind");
+}
+
+template <typename VALUE>
 int Subtract(lua_State* state) {
-  const VALUE* const a = TestOwn<VALUE>(state, 1);
-  const VALUE* const b = TestOwn<VALUE>(state, 2);
-  if (a == nullptr || b == nullptr) {
-    RaiseOperands(state, "a vector can be subtracted from one of its kind");
-  }
-  PushOwn(state, *a - *b);
-  return 1;
+  return PushResult<VALUE>(state, std::minus<VALUE>(),
+                           "a vector can be subtracted from one of its kind");
 }
 
 template <typename VALUE>
@@ -321,13 +323,8 @@ int Scale(lua_State* state) {
 }
 
 int MultiplyQuaternions(lua_State* state) {
-  const CQuaternion* const a = TestOwn<CQuaternion>(state, 1);
-  const CQuaternion* const b = TestOwn<CQuaternion>(state, 2);
-  if (a == nullptr || b == nullptr) {
-    RaiseOperands(state, "a quaternion can be multiplied by a quaternion");
-  }
-  PushOwn(state, *a * *b);
-  return 1;
+  return PushResult<CQuaternion>(state, std::multiplies<CQuaternion>(),
+                                 "a quaternion can be multiplied by a quaternion");
 }
 
 // Methods.
