@@ -54,12 +54,11 @@ void CDescribedBodyEngine::Init(TConfigurationNode& tree) {
 
 // The user's model of an entity that does not describe its body; null if there is none.
 std::unique_ptr<CRecordedBody> CDescribedBodyEngine::Record(CEntity& root) {
-  auto* const composable = dynamic_cast<CComposableEntity*>(&root);
-  if (composable == nullptr || !composable->HasComponent("body")) {
+  CEmbodiedEntity* const body = FindEmbodiedEntity(root);
+  if (body == nullptr) {
     return nullptr;
   }
-  auto& body = composable->GetComponent<CEmbodiedEntity>("body");
-  const SBodyDescription* const description = body.GetBodyDescription();
+  const SBodyDescription* const description = body->GetBodyDescription();
   if (description != nullptr && !description->IsRecorded) {
     return nullptr;
   }
@@ -70,7 +69,7 @@ std::unique_ptr<CRecordedBody> CDescribedBodyEngine::Record(CEntity& root) {
   }
   for (const auto& recorder : m_recorders) {
     if (std::unique_ptr<CRecordedBody> recorded = recorder->Record(*this, root)) {
-      body.SetBodyDescription(recorded->GetDescription());
+      body->SetBodyDescription(recorded->GetDescription());
       return recorded;
     }
   }

@@ -14,14 +14,18 @@
 
 namespace argos {
 
-CEmbodiedEntity* FindDescribedBody(CEntity& root) {
+CEmbodiedEntity* FindEmbodiedEntity(CEntity& root) {
   auto* const composable = dynamic_cast<CComposableEntity*>(&root);
-  if (composable == nullptr || !composable->HasComponent("body")) {
-    return nullptr;
-  }
-  auto& body = composable->GetComponent<CEmbodiedEntity>("body");
-  const SBodyDescription* const description = body.GetBodyDescription();
-  return description != nullptr && !description->Shapes.empty() ? &body : nullptr;
+  return composable != nullptr && composable->HasComponent("body")
+             ? &composable->GetComponent<CEmbodiedEntity>("body")
+             : nullptr;
+}
+
+CEmbodiedEntity* FindDescribedBody(CEntity& root) {
+  CEmbodiedEntity* const body = FindEmbodiedEntity(root);
+  const SBodyDescription* const description =
+      body != nullptr ? body->GetBodyDescription() : nullptr;
+  return description != nullptr && !description->Shapes.empty() ? body : nullptr;
 }
 
 CDescribedBodyModel::CDescribedBodyModel(CDescribedBodyEngine& engine, CEmbodiedEntity& entity)

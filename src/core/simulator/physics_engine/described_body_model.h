@@ -12,6 +12,8 @@ class CEntity;
 class CRecordedBody;
 struct SBodyDescription;
 
+/** The "body" of a root entity; null if it has none. */
+CEmbodiedEntity* FindEmbodiedEntity(CEntity& root);
 /** The body of a root entity, if it has an SBodyDescription with shapes; else null. */
 CEmbodiedEntity* FindDescribedBody(CEntity& root);
 

@@ -2,6 +2,7 @@
 
 #include <argos3/core/simulator/context/simulation_context.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/core/simulator/physics_engine/described_body_model.h>
 #include <argos3/core/simulator/placement/planned_bodies.h>
 #include <argos3/core/simulator/placement/recorded_start.h>
 #include <argos3/core/simulator/placement/walls.h>
@@ -47,7 +48,7 @@ CArenaFilling::CArenaFilling(CSpace& space, TConfigurationNode& arena, CLoadErro
 void CArenaFilling::Redistribute() {
   CPlannedBodies bodies(m_space.GetContext().Arena);
   m_space.ForRootsAsCreated([&](CEntity& root, size_t) {
-    CEmbodiedEntity* const body = FindPlacedBody(root);
+    CEmbodiedEntity* const body = FindEmbodiedEntity(root);
     if (root.GetIndex() < m_endOfSingles && body != nullptr &&
         body->GetBodyDescription() != nullptr) {
       bodies.Add(body, body->GetSharedBodyDescription(),

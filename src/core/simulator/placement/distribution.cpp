@@ -6,6 +6,7 @@
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/entity/positional_entity.h>
 #include <argos3/core/simulator/geometry/body_index.h>
+#include <argos3/core/simulator/physics_engine/described_body_model.h>
 #include <argos3/core/simulator/placement/ground_order.h>
 #include <argos3/core/simulator/placement/planned_bodies.h>
 #include <argos3/core/simulator/space/space.h>
@@ -103,14 +104,6 @@ Real ComputeBase(const SShapeDescription& solid) {
 }
 
 }  // namespace
-
-CEmbodiedEntity* FindPlacedBody(CEntity& entity) {
-  auto* composable = dynamic_cast<CComposableEntity*>(&entity);
-  if (composable == nullptr || !composable->HasComponent("body")) {
-    return nullptr;
-  }
-  return &composable->GetComponent<CEmbodiedEntity>("body");
-}
 
 CDistribution::CDistribution(CSpace& space, TConfigurationNode& node, CLoadErrors& errors)
     : m_space(space), m_node(node), m_obstacles(&space.GetBodyIndex()) {
@@ -256,7 +249,7 @@ void CDistribution::Probe() {
   }
   WriteIntoTemplate(m_baseId, CVector3(), CVector3());
   probe->Init(*m_template);
-  if (CEmbodiedEntity* body = FindPlacedBody(*probe)) {
+  if (CEmbodiedEntity* body = FindEmbodiedEntity(*probe)) {
     m_hasBody = true;
     m_body = body->GetSharedBodyDescription();
   } else if (m_poseNode != m_template) {
@@ -348,7 +341,7 @@ std::shared_ptr<const SBodyDescription> CDistribution::FindDescription() const {
   }
   for (UInt64 number = 0; number < m_quantity; ++number) {
     CEntity* const entity = m_space.TryGetEntity(MakeId(number));
-    CEmbodiedEntity* const body = entity != nullptr ? FindPlacedBody(*entity) : nullptr;
+    CEmbodiedEntity* const body = entity != nullptr ? FindEmbodiedEntity(*entity) : nullptr;
     if (body != nullptr && body->GetBodyDescription() != nullptr) {
       return body->GetSharedBodyDescription();
     }
@@ -373,7 +366,7 @@ void CDistribution::ChooseAgain(CPlannedBodies& bodies) {
                   return true;
                 });
       if (m_body != nullptr) {
-        bodies.Add(entity != nullptr ? FindPlacedBody(*entity) : nullptr, m_body,
+        bodies.Add(entity != nullptr ? FindEmbodiedEntity(*entity) : nullptr, m_body,
                    m_chosen.back().Pose);
       }
     }
@@ -389,7 +382,7 @@ void CDistribution::TakeChosen() {
     if (auto* const point = dynamic_cast<CPositionalEntity*>(entity)) {
       point->SetInitPosition(chosen.Pose.Position);
       point->SetInitOrientation(chosen.Pose.Orientation);
-    } else if (CEmbodiedEntity* const body = FindPlacedBody(*entity)) {
+    } else if (CEmbodiedEntity* const body = FindEmbodiedEntity(*entity)) {
       body->SetInitPose(chosen.Pose.Position, chosen.Pose.Orientation);
     }
   }
@@ -409,7 +402,7 @@ bool CDistribution::IsFree(const CVector3& position, const CQuaternion& orientat
 bool CDistribution::TryToCreate(const std::string& id) {
   CEntity& entity = m_space.CreateEntity(*m_template);
   // a body without a description is tested by its engine after it was added
-  if (!m_hasBody || m_body != nullptr || !FindPlacedBody(entity)->IsCollidingWithSomething()) {
+  if (!m_hasBody || m_body != nullptr || !FindEmbodiedEntity(entity)->IsCollidingWithSomething()) {
     return true;
   }
   m_lastObstacle = CBodyIndex::kNoBody;

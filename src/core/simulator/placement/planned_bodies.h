@@ -40,9 +40,6 @@ class CPlannedBodies {
   CBodyIndex m_index;
 };
 
-/** The "body" of an entity, or null. */
-CEmbodiedEntity* FindPlacedBody(CEntity& entity);
-
 }  // namespace argos
 
 #endif

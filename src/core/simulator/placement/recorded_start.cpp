@@ -2,6 +2,7 @@
 
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/entity/positional_entity.h>
+#include <argos3/core/simulator/physics_engine/described_body_model.h>
 #include <argos3/core/simulator/placement/planned_bodies.h>
 #include <argos3/core/simulator/replay/replay.h>
 #include <argos3/core/simulator/space/space.h>
@@ -43,7 +44,7 @@ bool Place(CEntity& entity, const SBodyPose& pose) {
     point->SetInitOrientation(pose.Orientation);
     return true;
   }
-  CEmbodiedEntity* const body = FindPlacedBody(entity);
+  CEmbodiedEntity* const body = FindEmbodiedEntity(entity);
   if (body == nullptr || !body->IsMovable()) {
     return false;
   }
@@ -61,7 +62,7 @@ void CheckOverlaps(CSpace& space, const std::vector<SRecordedPose>& recorded) {
   }
   for (const SRecordedPose& pose : recorded) {
     CEntity* const entity = space.TryGetEntity(pose.Id);
-    const CEmbodiedEntity* const body = entity != nullptr ? FindPlacedBody(*entity) : nullptr;
+    const CEmbodiedEntity* const body = entity != nullptr ? FindEmbodiedEntity(*entity) : nullptr;
     if (body == nullptr || !body->IsMovable() || body->GetBodyDescription() == nullptr) {
       continue;
     }

@@ -232,13 +232,9 @@ bool CPointMass3DEngine::RemoveEntity(CEntity& entity) {
   if (CDescribedBodyEngine::RemoveEntity(entity)) {
     return true;
   }
-  auto* const composable = dynamic_cast<CComposableEntity*>(&entity);
-  if (composable == nullptr || !composable->HasComponent("body")) {
-    return false;
-  }
-  const auto& body = composable->GetComponent<CEmbodiedEntity>("body");
-  for (UInt32 i = 0; i < body.GetPhysicsModelsNum(); ++i) {
-    if (&body.GetPhysicsModel(i).GetEngine() == this) {
+  const CEmbodiedEntity* const body = FindEmbodiedEntity(entity);
+  for (UInt32 i = 0; body != nullptr && i < body->GetPhysicsModelsNum(); ++i) {
+    if (&body->GetPhysicsModel(i).GetEngine() == this) {
       return CallEntityOperation<CPointMass3DOperationRemoveEntity, CPointMass3DEngine,
                                  SOperationOutcome>(*this, entity)();
     }
