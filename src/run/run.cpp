@@ -11,11 +11,11 @@
 #include <argos3/core/utility/files/output_file.h>
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/logging/log_control.h>
+#include <argos3/core/utility/processes/cpu_time.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <ctime>
 #include <utility>
 
 namespace argos {
@@ -25,13 +25,6 @@ namespace {
 void FlushLogs() {
   LOG.Flush();
   LOGERR.Flush();
-}
-
-// time of all threads of this process, s
-Real GetCPUTime() {
-  timespec time{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-  return static_cast<Real>(time.tv_sec) + 1e-9 * static_cast<Real>(time.tv_nsec);
 }
 
 Real GetSeconds(std::chrono::steady_clock::duration duration) {
@@ -122,7 +115,7 @@ bool CRun::Load(const std::function<void()>& load) {
 bool CRun::Execute(const std::function<void(CSimulator&)>& observe) {
   return Do([&] {
     m_simulator.SetTickObserver(observe);
-    const Real cpuTime = GetCPUTime();
+    const Real cpuTime = GetProcessCPUTime();
     const TClock::time_point start = TClock::now();
     try {
       m_simulator.Execute();
@@ -137,7 +130,7 @@ bool CRun::Execute(const std::function<void(CSimulator&)>& observe) {
 
 void CRun::Measure(TClock::time_point start, Real cpuTime) {
   m_summary.WallTime = GetSeconds(TClock::now() - start);
-  m_summary.CPUTime = GetCPUTime() - cpuTime;
+  m_summary.CPUTime = GetProcessCPUTime() - cpuTime;
   m_simulator.SetTickObserver(nullptr);
   m_summary.Ticks = m_simulator.GetSpace().GetSimulationClock();
   m_summary.SimulatedTime = m_summary.Ticks * m_simulator.GetTickLength();

@@ -1,6 +1,7 @@
 #include <argos3/campaign/design/element_reading.h>
 
 #include <argos3/core/utility/text/lists.h>
+#include <argos3/core/utility/text/names.h>
 #include <argos3/core/utility/text/string_utilities.h>
 
 #include <algorithm>
@@ -10,14 +11,6 @@
 namespace argos {
 
 namespace {
-
-bool IsLetter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
-
-bool IsDigit(char c) {
-  return c >= '0' && c <= '9';
-}
 
 const std::vector<std::pair<std::string, Real>>& ListSizeUnits() {
   static const std::vector<std::pair<std::string, Real>> kUnits = {
@@ -114,7 +107,7 @@ std::string ReadOptionalText(TConfigurationNode& node, const std::string& attrib
 
 std::string ReadName(TConfigurationNode& node, const std::string& attribute) {
   std::string name = ReadText(node, attribute);
-  if (!IsCampaignName(name)) {
+  if (!IsName(name)) {
     ThrowAt(node, "attribute \"" + attribute + "\": \"" + name +
                       "\" is not a name: expected letters, digits and '_', beginning with a "
                       "letter");
@@ -165,12 +158,6 @@ UInt64 ReadSize(TConfigurationNode& node, const std::string& attribute, UInt64 d
                       text + '"');
   }
   return static_cast<UInt64>(size);
-}
-
-bool IsCampaignName(const std::string& text) {
-  return !text.empty() && IsLetter(text[0]) && std::all_of(text.begin(), text.end(), [](char c) {
-    return IsLetter(c) || IsDigit(c) || c == '_';
-  });
 }
 
 std::string WithoutMark(const CARGoSException& error) {

@@ -73,9 +73,6 @@ UInt32 ReadCount(TConfigurationNode& node, const std::string& attribute, UInt32 
 /** Reads a size such as "2 GiB", "500 MB" or "1048576" (bytes). */
 UInt64 ReadSize(TConfigurationNode& node, const std::string& attribute, UInt64 dflt);
 
-/** @return true for letters, digits and '_', beginning with a letter. */
-bool IsCampaignName(const std::string& text);
-
 /** The text of an exception without "[FATAL] ", to be put into another one. */
 std::string WithoutMark(const CARGoSException& error);
 

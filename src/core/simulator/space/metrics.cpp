@@ -6,6 +6,7 @@
 #include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/errors/exception_text.h>
 #include <argos3/core/utility/logging/argos_log.h>
+#include <argos3/core/utility/text/names.h>
 #include <argos3/core/utility/text/string_utilities.h>
 
 #include <algorithm>
@@ -16,16 +17,8 @@ namespace argos {
 
 namespace {
 
-bool IsLetter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
-
 void CheckName(std::string_view name) {
-  const bool isName =
-      !name.empty() && IsLetter(name[0]) && std::all_of(name.begin(), name.end(), [](char c) {
-        return IsLetter(c) || (c >= '0' && c <= '9') || c == '_';
-      });
-  if (!isName) {
+  if (!IsName(name)) {
     THROW_ARGOSEXCEPTION(
         "the name of a metric consists of letters, digits and '_', and begins with a letter; found "
         "\""

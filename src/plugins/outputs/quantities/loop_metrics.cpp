@@ -5,6 +5,7 @@
 #include <argos3/core/simulator/space/metrics.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/utility/errors/argos_exception.h>
+#include <argos3/core/utility/processes/cpu_time.h>
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -15,7 +16,6 @@
 #include <chrono>
 #include <cstdio>
 #include <cstring>
-#include <ctime>
 #include <optional>
 #include <string>
 
@@ -24,13 +24,6 @@ namespace argos {
 namespace {
 
 using TWallClock = std::chrono::steady_clock;
-
-// user and system time of all threads of the process, s; as getrusage() has it, but in ns
-Real GetCPUTime() {
-  timespec time{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-  return static_cast<Real>(time.tv_sec) + 1e-9 * static_cast<Real>(time.tv_nsec);
-}
 
 /*
  * The time that the loop has taken. It is measured for all metrics together, so that these fit.
@@ -56,11 +49,11 @@ class CLoopMeter : public CSpaceExtension {
       m_firstTick = tick;
       m_use = {};
       m_start = TWallClock::now();
-      m_startCPUTime = GetCPUTime();
+      m_startCPUTime = GetProcessCPUTime();
       m_next = m_start + kPause;
     } else if (tick != m_tick && TWallClock::now() >= m_next) {
       m_use.Simulated = (tick - m_firstTick) * m_context->TickLength;
-      m_use.CPUTime = GetCPUTime() - m_startCPUTime;
+      m_use.CPUTime = GetProcessCPUTime() - m_startCPUTime;
       const TWallClock::time_point now = TWallClock::now();
       m_use.WallTime = std::chrono::duration<Real>(now - m_start).count();
       m_next = now + kPause;
@@ -208,7 +201,7 @@ class COtherLoad : public CBuiltInMetric {
   // s, of processors that did not work for this process
   static Real ReadOthersTime() {
     const Real busy = ReadBusyTime().value_or(CMetrics::kNone);
-    return busy - GetCPUTime();
+    return busy - GetProcessCPUTime();
   }
 
   const UInt32* m_clock = nullptr;

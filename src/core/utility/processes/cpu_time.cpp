@@ -1,0 +1,13 @@
+#include <argos3/core/utility/processes/cpu_time.h>
+
+#include <ctime>
+
+namespace argos {
+
+double GetProcessCPUTime() {
+  timespec time{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+}  // namespace argos
