@@ -4,15 +4,13 @@
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/logging/log_control.h>
+#include <argos3/support/terminal.h>
 
 #include <fmt/format.h>
 
-#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <atomic>
-#include <cmath>
-#include <cstdlib>
 #include <iostream>
 #include <streambuf>
 #include <string_view>
@@ -22,25 +20,7 @@ namespace argos {
 namespace {
 
 constexpr std::chrono::milliseconds kRefreshPeriod(200);
-
-std::string DescribeTimeLeft(Real seconds) {
-  if (!(seconds < 100.0 * 3600.0)) {
-    return "more than 100 h";
-  }
-  const auto whole = static_cast<UInt64>(std::lround(seconds));
-  return whole < 3600 ? fmt::format("{}:{:02}", whole / 60, whole % 60)
-                      : fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
-}
-
-size_t TerminalWidth() {
-  winsize size{};
-  return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
-}
-
-bool IsTerminal(int file) {
-  const char* kind = std::getenv("TERM");
-  return isatty(file) != 0 && (kind == nullptr || std::string_view(kind) != "dumb");
-}
+constexpr UInt32 kMaxHours = 100;
 
 bool GoesToTerminal(const CARGoSLog& log, int file) {
   return IsTerminal(file) && !log.IsRedirected();
@@ -64,8 +44,9 @@ std::string DescribeProgress(const SProgress& progress) {
   if (progress.MaxTicks > 0 && measured) {
     const Real ticksLeft =
         progress.MaxTicks > progress.Ticks ? progress.MaxTicks - progress.Ticks : 0;
-    text += fmt::format(", {} left",
-                        DescribeTimeLeft(ticksLeft * progress.WallSeconds / progress.Ticks));
+    text +=
+        fmt::format(", {} left",
+                    DescribeDuration(ticksLeft * progress.WallSeconds / progress.Ticks, kMaxHours));
   }
   if (measured) {
     text += fmt::format(", {:.3g} x real time", simulated / progress.WallSeconds);
@@ -81,7 +62,7 @@ class CProgressLine::CScreen {
       return;
     }
     // a line that wraps around could not be erased
-    const size_t width = TerminalWidth();
+    const size_t width = GetTerminalWidth();
     Write("\r\x1b[K" + text.substr(0, width > 1 ? width - 1 : 1));
     m_visible = true;
   }

@@ -1,15 +1,13 @@
 #include <argos3/campaign/scheduling/campaign_progress.h>
 
+#include <argos3/support/terminal.h>
+
 #include <fmt/format.h>
 
-#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
-#include <cstdlib>
-#include <string_view>
 
 namespace argos {
 
@@ -18,25 +16,7 @@ namespace {
 constexpr std::chrono::milliseconds kRefreshPeriod(200);  // period in a terminal
 constexpr std::chrono::seconds kLinePeriod(10);  // elsewhere
 constexpr size_t kBarWidth = 20;  // columns
-
-bool IsTerminal() {
-  const char* kind = std::getenv("TERM");
-  return isatty(STDERR_FILENO) != 0 && (kind == nullptr || std::string_view(kind) != "dumb");
-}
-
-size_t GetTerminalWidth() {
-  winsize size{};
-  return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
-}
-
-std::string DescribeTime(Real seconds) {
-  if (!(seconds < 1000.0 * 3600.0)) {
-    return "more than 1000 h";
-  }
-  const auto whole = static_cast<UInt64>(std::lround(seconds));
-  return whole < 3600 ? fmt::format("{}:{:02}", whole / 60, whole % 60)
-                      : fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
-}
+constexpr UInt32 kMaxHours = 1000;
 
 UInt64 CountAll(const SCampaignProgress& progress) {
   return progress.KnownRuns + progress.Runs + progress.OpenRuns;
@@ -63,7 +43,8 @@ std::string DescribeCampaignProgress(const SCampaignProgress& progress) {
   const Real rate = hasRate ? static_cast<Real>(progress.Runs) / progress.WallSeconds : 0.0;
   // a terminal may cut the end of the line
   if (hasRate && progress.OpenRuns > 0) {
-    text += fmt::format(", {} left", DescribeTime(static_cast<Real>(progress.OpenRuns) / rate));
+    text += fmt::format(", {} left",
+                        DescribeDuration(static_cast<Real>(progress.OpenRuns) / rate, kMaxHours));
   }
   text += fmt::format(", {}/{} combinations complete", progress.CompleteCombinations,
                       progress.Combinations);
@@ -75,7 +56,7 @@ std::string DescribeCampaignProgress(const SCampaignProgress& progress) {
 
 CCampaignProgressLine::CCampaignProgressLine(bool isQuiet)
     : m_isQuiet(isQuiet),
-      m_isTerminal(IsTerminal()),
+      m_isTerminal(IsTerminal(STDERR_FILENO)),
       m_next(TClock::now() +
              (m_isTerminal ? TClock::duration(kRefreshPeriod) : TClock::duration(kLinePeriod))) {}
 
