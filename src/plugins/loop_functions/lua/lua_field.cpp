@@ -1,8 +1,7 @@
 // The field of global variables of robots' Lua scripts.
 
 #include <argos3/core/simulator/entity/controllable_entity.h>
-#include <argos3/core/simulator/outputs/field.h>
-#include <argos3/core/simulator/outputs/root_components.h>
+#include <argos3/core/simulator/outputs/controller_field.h>
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/wrappers/lua/lua_controller.h>
 #include <argos3/core/wrappers/lua/lua_headers.h>
@@ -107,15 +106,11 @@ class CLuaReader : public CFieldReader {
   std::shared_ptr<SWarning> m_warning;  // warning of all robots
 };
 
-class CLuaField : public CField {
- public:
-  bool NeedsArgument() const override { return true; }
-  bool NeedsController() const override { return true; }
-
-  SBoundField Bind(CEntity& root, const std::string& argument) const override {
+class CLuaField : public CControllerField {
+ private:
+  SBoundField BindRobot(CControllableEntity& robot, const std::string& argument) const override {
     SBoundField bound;
-    auto* const robot = FindExisting<CControllableEntity>(root);
-    lua_State* const state = robot != nullptr ? GetScript(*robot) : nullptr;
+    lua_State* const state = GetScript(robot);
     if (state == nullptr) {
       return bound;
     }
@@ -130,15 +125,14 @@ class CLuaField : public CField {
       }
     });
     if (canBeRead) {
-      bound.Reader = std::make_unique<CLuaReader>(*robot, argument, m_warning);
+      bound.Reader = std::make_unique<CLuaReader>(robot, argument, m_warning);
     }
     return bound;
   }
 
-  void ListNames(CEntity& root, const std::string& label,
-                 std::vector<std::string>& names) const override {
-    auto* const robot = FindExisting<CControllableEntity>(root);
-    lua_State* const state = robot != nullptr ? GetScript(*robot) : nullptr;
+  void ListNamesOf(CControllableEntity& robot, const std::string& prefix,
+                   std::vector<std::string>& names) const override {
+    lua_State* const state = GetScript(robot);
     if (state == nullptr) {
       return;
     }
@@ -149,7 +143,7 @@ class CLuaField : public CField {
       lua_pushnil(state);
       while (lua_next(state, -2) != 0) {
         if (lua_type(state, -2) == LUA_TSTRING && IsValue(lua_type(state, -1))) {
-          sorted.insert(label + ':' + lua_tostring(state, -2));
+          sorted.insert(prefix + lua_tostring(state, -2));
         }
         lua_pop(state, 1);
       }
@@ -158,7 +152,6 @@ class CLuaField : public CField {
     names.insert(names.end(), sorted.begin(), sorted.end());
   }
 
- private:
   static bool IsValue(int type) {
     return type == LUA_TNUMBER || type == LUA_TBOOLEAN || type == LUA_TSTRING;
   }

@@ -5,6 +5,7 @@
 #include <argos3/core/control_interface/ci_sensor.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/core/simulator/outputs/controller_field.h>
 #include <argos3/core/simulator/outputs/field.h>
 #include <argos3/core/simulator/outputs/root_components.h>
 
@@ -61,15 +62,11 @@ class CReadingsReader : public CFieldReader {
   UInt32 m_numControllers = 0;
 };
 
-class CReadingsField : public CField {
- public:
-  bool NeedsArgument() const override { return true; }
-  bool NeedsController() const override { return true; }
-
-  SBoundField Bind(CEntity& root, const std::string& argument) const override {
+class CReadingsField : public CControllerField {
+ private:
+  SBoundField BindRobot(CControllableEntity& robot, const std::string& argument) const override {
     SBoundField bound;
-    auto* const robot = FindExisting<CControllableEntity>(root);
-    const CCI_Sensor* const sensor = robot != nullptr ? FindSensor(*robot, argument) : nullptr;
+    const CCI_Sensor* const sensor = FindSensor(robot, argument);
     if (sensor == nullptr) {
       return bound;
     }
@@ -77,21 +74,20 @@ class CReadingsField : public CField {
       bound.Columns.push_back({ToColumnName(argument + '_' + column.Name), column.Unit});
     }
     if (!bound.Columns.empty()) {
-      bound.Reader = std::make_unique<CReadingsReader>(*robot, argument, bound.Columns.size());
+      bound.Reader = std::make_unique<CReadingsReader>(robot, argument, bound.Columns.size());
     }
     return bound;
   }
 
-  void ListNames(CEntity& root, const std::string& label,
-                 std::vector<std::string>& names) const override {
-    auto* const robot = FindExisting<CControllableEntity>(root);
-    const TSensors* const sensors = robot != nullptr ? GetSensors(*robot) : nullptr;
+  void ListNamesOf(CControllableEntity& robot, const std::string& prefix,
+                   std::vector<std::string>& names) const override {
+    const TSensors* const sensors = GetSensors(robot);
     if (sensors == nullptr) {
       return;
     }
     for (const auto& [sensorLabel, sensor] : *sensors) {
       if (!sensor->GetReadingColumns().empty()) {
-        names.push_back(label + ':' + sensorLabel);
+        names.push_back(prefix + sensorLabel);
       }
     }
   }
@@ -114,28 +110,22 @@ class CValueReader : public CFieldReader {
   std::string m_name;
 };
 
-class CValueField : public CField {
- public:
-  bool NeedsArgument() const override { return true; }
-  bool NeedsController() const override { return true; }
-
-  SBoundField Bind(CEntity& root, const std::string& argument) const override {
+class CValueField : public CControllerField {
+ private:
+  SBoundField BindRobot(CControllableEntity& robot, const std::string& argument) const override {
     SBoundField bound;
-    if (auto* const robot = FindExisting<CControllableEntity>(root)) {
-      bound.Reader = std::make_unique<CValueReader>(*robot, argument);
-      bound.Columns = {{ToColumnName(argument), ""}};
-    }
+    bound.Reader = std::make_unique<CValueReader>(robot, argument);
+    bound.Columns = {{ToColumnName(argument), ""}};
     return bound;
   }
 
-  void ListNames(CEntity& root, const std::string& label,
-                 std::vector<std::string>& names) const override {
-    auto* const robot = FindExisting<CControllableEntity>(root);
-    if (robot == nullptr || !robot->HasController()) {
+  void ListNamesOf(CControllableEntity& robot, const std::string& prefix,
+                   std::vector<std::string>& names) const override {
+    if (!robot.HasController()) {
       return;
     }
-    for (const auto& [name, value] : robot->GetController().GetRecordedValues()) {
-      names.push_back(label + ':' + name);
+    for (const auto& [name, value] : robot.GetController().GetRecordedValues()) {
+      names.push_back(prefix + name);
     }
   }
 };
