@@ -186,6 +186,14 @@ void CRABRouting::ReserveScratch(CThreadPool& pool) {
   }
 }
 
+// to the nearest image
+Real CRABRouting::ComputeSquareDistance(const SPlaced& device, const SPlaced& other) const {
+  const Real dx = m_period.X.Shorten(other.End.X - device.End.X);
+  const Real dy = m_period.Y.Shorten(other.End.Y - device.End.Y);
+  const Real dz = other.End.Z - device.End.Z;
+  return dx * dx + dy * dy + dz * dz;
+}
+
 // lists the places of the devices that one device has to examine; @return their number
 size_t CRABRouting::FindPairs(size_t place, std::vector<UInt32>& pairs) const {
   size_t num = 0;
@@ -201,10 +209,8 @@ size_t CRABRouting::FindPairs(size_t place, std::vector<UInt32>& pairs) const {
   const Real squareRange = device.Range * device.Range;
   const auto isOut = [&](UInt32 number) {
     const SPlaced& other = m_placed[number];
-    const Real dx = m_period.X.Shorten(other.End.X - device.End.X);
-    const Real dy = m_period.Y.Shorten(other.End.Y - device.End.Y);
-    const Real dz = other.End.Z - device.End.Z;
-    return dx * dx + dy * dy + dz * dz >= squareRange || other.MessageSize != device.MessageSize ||
+    return ComputeSquareDistance(device, other) >= squareRange ||
+           other.MessageSize != device.MessageSize ||
            (other.Range == device.Range && other.Device <= device.Device);
   };
   return static_cast<size_t>(std::remove_if(list, list + num, isOut) - list);
@@ -234,10 +240,7 @@ void CRABRouting::ExaminePairsOf(size_t place, SScratch& scratch, const CLineOfS
       continue;
     }
     const SPlaced& other = m_placed[scratch.Pairs[pair]];
-    const Real dx = m_period.X.Shorten(other.End.X - device.End.X);
-    const Real dy = m_period.Y.Shorten(other.End.Y - device.End.Y);
-    const Real dz = other.End.Z - device.End.Z;
-    const bool isMutual = dx * dx + dy * dy + dz * dz < other.Range * other.Range;
+    const bool isMutual = ComputeSquareDistance(device, other) < other.Range * other.Range;
     *next++ = other.Device | (isMutual ? kMutual : 0);
   }
   m_numHearings[place] = static_cast<UInt32>(next - first);

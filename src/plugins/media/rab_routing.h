@@ -101,6 +101,7 @@ class CRABRouting {
   void ReserveScratch(CThreadPool& pool);
   void ExaminePairs(CThreadPool& pool, const CLineOfSight* sight);
   void ExaminePairsOf(size_t place, SScratch& scratch, const CLineOfSight* sight);
+  Real ComputeSquareDistance(const SPlaced& device, const SPlaced& other) const;
   size_t FindPairs(size_t place, std::vector<UInt32>& pairs) const;
   template <typename VISIT>
   void ForHearings(VISIT&& visit) const;

@@ -5,19 +5,15 @@
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_limits.h>
 
 #include <algorithm>
+#include <functional>
 
 namespace argos {
 
-bool CCrowdSolver::UsesIslands(const SCrowdCluster& cluster) const {
+bool CCrowdSolver::HasPatch(const SCrowdCluster& cluster,
+                            bool (SCrowdPatch::*property)() const) const {
   const auto& patches = m_clusters->GetPatches();
   return std::any_of(patches.begin() + cluster.FirstPatch, patches.begin() + cluster.EndPatch,
-                     [](const SCrowdPatch& patch) { return patch.HasIslands(); });
-}
-
-bool CCrowdSolver::HasGrips(const SCrowdCluster& cluster) const {
-  const auto& patches = m_clusters->GetPatches();
-  return std::any_of(patches.begin() + cluster.FirstPatch, patches.begin() + cluster.EndPatch,
-                     [](const SCrowdPatch& patch) { return patch.HasGrips(); });
+                     std::mem_fn(property));
 }
 
 // Calls visit(ranges of contacts, touches, walls and grips) for those of each patch.
@@ -273,7 +269,7 @@ void CCrowdSolver::IterateSmall(UInt32 number, float tolerance) {
 
 void CCrowdSolver::IterateLarge(CThreadPool& pool, const SCrowdCluster& cluster, float tolerance) {
   const UInt32 first = m_clusters->GetPatches()[cluster.FirstPatch].FirstDisc;
-  const bool hasGrips = HasGrips(cluster);
+  const bool hasGrips = HasPatch(cluster, &SCrowdPatch::HasGrips);
   for (UInt32 round = 0; round < kMaxIslandRounds; ++round) {
     const bool isSolved = !SweepLarge(pool, cluster, 0, tolerance);
     if (isSolved && (round > 0 || !hasGrips)) {

@@ -202,7 +202,7 @@ void CCrowdSolver::SolveLarge(CThreadPool& pool, const SCrowdCluster& cluster) {
   for (UInt32 number = cluster.FirstPatch; number < cluster.EndPatch; ++number) {
     count = std::max(count, CountSubsteps(m_clusters->GetPatches()[number]));
   }
-  const bool usesIslands = UsesIslands(cluster);
+  const bool usesIslands = HasPatch(cluster, &SCrowdPatch::HasIslands);
   SSubstep substep = {static_cast<float>(m_tick.Duration / count), 0, count};
   for (; substep.Number < count; ++substep.Number) {
     StartSubstep(pool, cluster, substep);

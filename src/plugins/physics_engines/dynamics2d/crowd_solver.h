@@ -194,8 +194,8 @@ class CCrowdSolver {
   void TakeGrips(UInt32 patch, const SSubstep& substep);
 
   // islands: crowd_islands.cpp
-  bool UsesIslands(const SCrowdCluster& cluster) const;
-  bool HasGrips(const SCrowdCluster& cluster) const;
+  // whether a patch of the cluster has the property
+  bool HasPatch(const SCrowdCluster& cluster, bool (SCrowdPatch::*property)() const) const;
   template <typename VISIT>
   void ForRanges(const SCrowdCluster& cluster, VISIT&& visit) const;
   UInt32 BuildIslands(const SCrowdCluster& cluster);

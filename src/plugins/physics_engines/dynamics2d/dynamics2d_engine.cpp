@@ -282,14 +282,7 @@ void CDynamics2DEngine::ScheduleIfLeading(CEmbodiedEntity& body) {
 // @return true if the body has left the region.
 bool CDynamics2DEngine::WriteBack(CDynamics2DBody& model, const SPlanarPose& pose, Real radius) {
   CEmbodiedEntity& body = model.m_cEmbodiedEntity;
-  if (m_isPeriodic) {
-    CountTurns(body, pose);
-  }
-  body.SetOriginPose(CVector3(pose.X, pose.Y, GetElevation()),
-                     CQuaternion(pose.HalfCos, 0.0, 0.0, pose.HalfSin));
-  if (body.GetEnabledAnchors().size() > 1) {
-    model.CalculateAnchors();
-  }
+  WritePose(model, body, pose);
   if (radius > 0.0) {
     MoveDiscBounds(model.m_sBoundingBox, pose, radius);
   } else {

@@ -265,14 +265,7 @@ void CKinematics2DEngine::WriteBackDiscs(size_t begin, size_t end) {
     const Real radius = discs.GetRadius(slot);
     CKinematics2DModel& model = *discs.GetOwner(slot).Model;
     CEmbodiedEntity& body = *discs.GetOwner(slot).Body;
-    if (m_isPeriodic) {
-      CountTurns(body, pose);
-    }
-    body.SetOriginPose(CVector3(pose.X, pose.Y, GetElevation()),
-                       CQuaternion(pose.HalfCos, 0.0, 0.0, pose.HalfSin));
-    if (body.GetEnabledAnchors().size() > 1) {
-      model.CalculateAnchors();
-    }
+    WritePose(model, body, pose);
     MoveDiscBounds(model.m_sBoundingBox, pose, radius);
     if (body.HasFollowers()) {
       body.GetRootEntity().Update();
@@ -292,14 +285,7 @@ void CKinematics2DEngine::WriteBackSolids() {
     CKinematics2DModel& model = *solid.Owner.Model;
     CEmbodiedEntity& body = model.m_cEmbodiedEntity;
     const SPlanarPose pose = ToWorld(solid.Pose);
-    if (m_isPeriodic) {
-      CountTurns(body, pose);
-    }
-    body.SetOriginPose(CVector3(pose.X, pose.Y, GetElevation()),
-                       CQuaternion(pose.HalfCos, 0.0, 0.0, pose.HalfSin));
-    if (body.GetEnabledAnchors().size() > 1) {
-      model.CalculateAnchors();
-    }
+    WritePose(model, body, pose);
     model.m_sBoundingBox = ComputePlanarBounds(body, pose);
     if (body.HasFollowers()) {
       model.m_root.Update();

@@ -1,7 +1,6 @@
 #include <argos3/plugins/simulator/physics_engines/planar/planar_engine.h>
 
 #include <argos3/core/simulator/context/simulation_context.h>
-#include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/geometry/body_description.h>
 #include <argos3/plugins/simulator/physics_engines/planar/planar_body.h>
 

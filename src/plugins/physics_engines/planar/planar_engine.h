@@ -1,6 +1,7 @@
 #ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_PLANAR_PLANAR_ENGINE_H
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_PLANAR_PLANAR_ENGINE_H
 
+#include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/geometry/periodicity.h>
 #include <argos3/core/simulator/physics_engine/described_body_engine.h>
 #include <argos3/plugins/simulator/physics_engines/planar/ghost_discs.h>
@@ -49,8 +50,17 @@ class CPlanarEngine : public CDescribedBodyEngine {
   void CheckBody(CEmbodiedEntity& body) const override;
   /** Transfers the state of motion, too. */
   void Adopt(CDescribedBodyModel& model) override;
-  /** In a periodic arena, before the pose of a body is written: it may have left through a side. */
-  void CountTurns(CEmbodiedEntity& body, const SPlanarPose& pose) const;
+  /** Writes the pose at the end of a tick, world frame; the engine writes the bounds. */
+  void WritePose(CPlanarModel& model, CEmbodiedEntity& body, const SPlanarPose& pose) const {
+    if (m_isPeriodic) {
+      CountTurns(body, pose);
+    }
+    body.SetOriginPose(CVector3(pose.X, pose.Y, m_elevation),
+                       CQuaternion(pose.HalfCos, 0.0, 0.0, pose.HalfSin));
+    if (body.GetEnabledAnchors().size() > 1) {
+      model.CalculateAnchors();
+    }
+  }
   /** Which sides of the arena are joined, in the frame of the engine. */
   SPeriodicity GetPeriod() const;
   /** Lists the ghosts of this tick. */
@@ -59,6 +69,9 @@ class CPlanarEngine : public CDescribedBodyEngine {
   bool m_isPeriodic = false;  // the arena; set when a world is built
 
  private:
+  // the body may have left a periodic arena through a side
+  void CountTurns(CEmbodiedEntity& body, const SPlanarPose& pose) const;
+
   Real m_elevation = 0.0;  // m
   Real m_velocityLag = 0.0;  // share of a tick
   std::vector<SGhostDisc> m_ghostDiscs;  // of this tick
