@@ -106,17 +106,8 @@ struct SRecordedCommand {
   bool operator==(const SRecordedCommand& other) const = default;
 };
 
-/**
- * All that a view shows of one tick, as a difference to the last one in the list of entities: first
- * entities are removed, then others are added at the end.
- */
-struct SFrameUpdate {
-  UInt32 Tick = 0;
-  bool IsRestart = false; /**< all entities and types of the last frame are forgotten */
-  std::vector<SRecordedType> NewTypes; /**< added to the list of types */
-  std::vector<UInt32> Removed; /**< numbers in the last frame, ascending */
-  std::vector<SRecordedEntity> Added;
-
+/** What a view shows of one tick, but for the list of entities. */
+struct SShownState {
   std::vector<SBodyPose> Poses; /**< poses of all entities, in their order, see GetNumPoses() */
   std::vector<UInt32> Words; /**< the same, see GetNumWords() */
   std::vector<SRecordedRay> Rays;
@@ -125,6 +116,18 @@ struct SFrameUpdate {
   std::vector<SRecordedMetric> Metrics;
   std::vector<SRecordedCommand> Commands; /**< commands since the last frame */
   std::string Drawing; /**< drawings of users' code, in a form that the caller knows */
+};
+
+/**
+ * All that a view shows of one tick, as a difference to the last one in the list of entities: first
+ * entities are removed, then others are added at the end.
+ */
+struct SFrameUpdate : SShownState {
+  UInt32 Tick = 0;
+  bool IsRestart = false; /**< all entities and types of the last frame are forgotten */
+  std::vector<SRecordedType> NewTypes; /**< added to the list of types */
+  std::vector<UInt32> Removed; /**< numbers in the last frame, ascending */
+  std::vector<SRecordedEntity> Added;
 
   /** Ready for the next tick; keeps memory. */
   void Clear();
@@ -133,19 +136,11 @@ struct SFrameUpdate {
 };
 
 /** All that a view shows of one tick. */
-struct SRecordedFrame {
+struct SRecordedFrame : SShownState {
   UInt32 Tick = 0;
   std::vector<SRecordedType> Types;
   std::vector<SRecordedEntity> Entities; /**< have the order of the space */
   UInt64 EntitiesVersion = 0; /**< changes with Entities and Types */
-  std::vector<SBodyPose> Poses; /**< are those of SFrameUpdate, and so are the following */
-  std::vector<UInt32> Words;
-  std::vector<SRecordedRay> Rays;
-  std::shared_ptr<const SRecordedFloor> Floor;
-  std::vector<SRecordedColumn> Columns;
-  std::vector<SRecordedMetric> Metrics;
-  std::vector<SRecordedCommand> Commands;
-  std::string Drawing;
 };
 
 /** Colour as a word. */
