@@ -24,9 +24,7 @@ CCI_PiPuckGroundSensor::SInterface::SInterface(UInt8 label)
     : Label(label), Configuration(MAP_SENSOR_CONFIG.at(label)) {}
 
 void CCI_PiPuckGroundSensor::WriteReadings(CLuaTable& table) const {
-  // Visit() of ARGoS 3 is not const
-  auto& self = const_cast<CCI_PiPuckGroundSensor&>(*this);
-  self.Visit([&table](const SInterface& interface) {
+  VisitInterfaces(*this, [&table](const SInterface& interface) {
     CLuaTable record = table.GetTable(std::size_t{interface.Label} + 1);
     record.Set("reflected", interface.Reflected);
     record.Set("background", interface.Background);
@@ -42,12 +40,7 @@ std::vector<CCI_Sensor::SColumn> CCI_PiPuckGroundSensor::GetReadingColumns() con
 }
 
 void CCI_PiPuckGroundSensor::CopyReadings(Real* numbers, std::size_t count) const {
-  auto& self = const_cast<CCI_PiPuckGroundSensor&>(*this);
-  self.Visit([numbers, count](const SInterface& interface) {
-    if (interface.Label < count) {
-      numbers[interface.Label] = interface.Reflected;
-    }
-  });
+  CopyInterfaces(*this, &SInterface::Reflected, numbers, count);
 }
 
 }  // namespace argos

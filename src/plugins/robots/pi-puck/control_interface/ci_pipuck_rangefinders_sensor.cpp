@@ -43,9 +43,7 @@ CCI_PiPuckRangefindersSensor::SInterface::SInterface(const UInt8& label)
     : Label(label), Configuration(MAP_SENSOR_CONFIG.at(label)) {}
 
 void CCI_PiPuckRangefindersSensor::WriteReadings(CLuaTable& table) const {
-  // Visit() of ARGoS 3 is not const
-  auto& self = const_cast<CCI_PiPuckRangefindersSensor&>(*this);
-  self.Visit([&table](const SInterface& interface) {
+  VisitInterfaces(*this, [&table](const SInterface& interface) {
     CLuaTable record = table.GetTable(std::size_t{interface.Label} + 1);
     record.Set("proximity", interface.Proximity);
     record.Set("illuminance", interface.Illuminance);
@@ -61,12 +59,7 @@ std::vector<CCI_Sensor::SColumn> CCI_PiPuckRangefindersSensor::GetReadingColumns
 }
 
 void CCI_PiPuckRangefindersSensor::CopyReadings(Real* numbers, std::size_t count) const {
-  auto& self = const_cast<CCI_PiPuckRangefindersSensor&>(*this);
-  self.Visit([numbers, count](const SInterface& interface) {
-    if (interface.Label < count) {
-      numbers[interface.Label] = interface.Proximity;
-    }
-  });
+  CopyInterfaces(*this, &SInterface::Proximity, numbers, count);
 }
 
 }  // namespace argos
