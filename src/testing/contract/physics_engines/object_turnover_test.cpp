@@ -267,7 +267,7 @@ TEST_CASE("objects: memory stays flat while they are gripped, added, removed and
                   << " % of the size: " << turnover.GetDeepestPair() << "; "
                   << 100.0 * turnover.GetShareTilted() << " % of bodies not measured");
       CHECK(turnover.GetNumHeld() >= (HasGrips(engine) ? ticks * kRobots / 100 : 0));
-      // in dynamics3d 1.3 % was seen, in 9,000 ticks
+      // in dynamics3d 1.9 % was seen
       CHECK(turnover.GetDeepest() <= (engine.HasSlopes ? 0.02 : 0.01));
     }
   }
