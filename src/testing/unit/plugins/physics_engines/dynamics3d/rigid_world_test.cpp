@@ -247,4 +247,27 @@ TEST_CASE("rigid world: a body without support never sleeps", "[dynamics3d]") {
   CHECK_FALSE(body.Asleep);
 }
 
+TEST_CASE("rigid world: movable bodies decide how far from a border ghosts matter",
+          "[dynamics3d]") {
+  SScene scene;
+  // without gravity: two bodies that move by 1.5 times 0.5 m/s in 0.1 s
+  const Real paths = 2.0 * 1.5 * 0.5 * 0.1;
+  CHECK_THAT(scene.World.ComputeGhostReach(), WithinAbs(paths, 1e-12));
+  SBodyDescription table;
+  table.Shapes.push_back(SShapeDescription::Box(CVector3(1.0, 1.0, 0.2)));
+  SRigidSource source;
+  source.Description = &table;
+  source.Movable = false;
+  SRigidPose below;
+  below.Position.SetZ(-1.0);
+  scene.World.Add(source, below);
+  CHECK_THAT(scene.World.ComputeGhostReach(), WithinAbs(paths, 1e-12));
+  // half of the diagonal
+  const Real radius = 0.05 * std::sqrt(2.0);
+  const SRigidBody& cube = scene.Add();
+  CHECK_THAT(scene.World.ComputeGhostReach(), WithinAbs(radius + paths, 1e-12));
+  dBodySetLinearVel(cube.Body, 2.0, 0.0, 0.0);
+  CHECK_THAT(scene.World.ComputeGhostReach(), WithinAbs(radius + 4.0 * paths, 1e-12));
+}
+
 }  // namespace rigid_world_test
