@@ -237,6 +237,25 @@ TEST_CASE("rigid free robots: one that is struck within a tick takes part in the
   CHECK(world.Position("r").GetX() > 0.8);
 }
 
+TEST_CASE("rigid free robots: one stays free far below a collision within a tick",
+          "[contract][engine][rigid]") {
+  const Real height = GENERATE(0.3, 2.0);  // m
+  CAPTURE(height);
+  const auto box = [height](const std::string& id, Real x, Real mass) {
+    return SBoxXml{id, CVector3(0.2, 0.2, 0.2), CVector3(x, 0, height), {}, mass}.ToXml();
+  };
+  CRigidScene world(GroundedEngine("", "<contacts restitution='1'/>"),
+                    box("heavy", -0.21, 20.0) + box("light", 0, 0.2) +
+                        DriverXml("foot-bot", "r", 0.75, 0, 0, 0, 0));
+  world.Step();
+  REQUIRE(IsFree(world, "r"));
+  world.Launch("heavy", CVector3(4, 0, 0));
+  world.Step();
+  CHECK(world.Motion("light").Velocity.GetX() > 6.0);
+  // the light box may still move by 1 m, up or down as well
+  CHECK(IsFree(world, "r") == (height > 1.5));
+}
+
 TEST_CASE("rigid free robots: never on slopes, on boxes, in the air or leaning",
           "[contract][engine][rigid]") {
   const std::string children = GENERATE("<floor/><gravity g='9.81'/>", "");
