@@ -132,6 +132,23 @@ TEST_CASE("figures: a difference of two levels has an interval at each time",
                     Contains("a figure of the kind difference needs group"));
 }
 
+TEST_CASE("figures: a difference needs a time with six pairs", "[campaign][report]") {
+  CSyntheticCampaign campaign({{"noise", {"off", "on"}}});
+  for (UInt32 seed = 1; seed <= 6; ++seed) {
+    for (const size_t level : {0, 1}) {
+      campaign.AddSeries(level, seed,
+                         {"spread", "m", {0, seed == 6 ? 20U : 10U}, {1.0 * seed, 2.0}});
+    }
+  }
+  const CReportData& data = campaign.Open();
+  SFigureRequest request = MakeRequest("difference", "spread", "", "noise");
+  CHECK_THAT(MakeFigure(data, request).Data, Contains("number of pairs\n0 0 0 0 6\n"));
+  // on a logarithmic axis the six at 0 are left out
+  request.IsXLogarithmic = true;
+  CHECK_THROWS_WITH(MakeFigure(data, request), Contains("at no time there are 6 pairs of runs") &&
+                                                   Contains("the series \"spread\""));
+}
+
 TEST_CASE("figures: pairs without a difference count in its interval", "[campaign][report]") {
   CSyntheticCampaign campaign({{"noise", {"off", "on"}}});
   for (UInt32 seed = 1; seed <= 9; ++seed) {
