@@ -1,6 +1,8 @@
 #include <argos3/plugins/simulator/visualizations/offscreen/renderer.h>
 
 #include <argos3/core/utility/configuration/argos_exception.h>
+#include <argos3/plugins/simulator/visualizations/offscreen/gl_context.h>
+#include <argos3/plugins/simulator/visualizations/offscreen/render_target.h>
 #include <argos3/testing/support/pictures.h>
 
 #include <catch2/catch.hpp>
@@ -431,6 +433,22 @@ TEST_CASE("renderer: the parts of the ground that are drawn without shadows have
     CAPTURE(x, y);
     CHECK(std::abs(Brightness(some.At(x, y)) - Brightness(all.At(x, y))) <= 3);
   }
+}
+
+TEST_CASE("render target: a side may have as many pixels as the driver can draw",
+          "[visualizations][offscreen][renderer]") {
+  const std::unique_ptr<CGlContext> context = CGlContext::Create();
+  SGlFunctions gl = context->GetFunctions();
+  gl.GetIntegerv = [](GLenum name, GLint* value) { *value = name == GL_MAX_SAMPLES ? 1 : 64; };
+  CHECK(CRenderTarget(gl, 64, 48, 1).GetDrawnWidth() == 64);
+  CHECK(CRenderTarget(gl, 48, 64, 1).GetDrawnHeight() == 64);
+  CHECK_THROWS_WITH(CRenderTarget(gl, 65, 48, 1),
+                    Contains("65x48 pixels is larger than the 64 pixels"));
+  CHECK_THROWS_WITH(CRenderTarget(gl, 48, 65, 1), Contains("48x65 pixels is larger"));
+  // without enough samples, it is drawn at twice its size
+  CHECK(CRenderTarget(gl, 32, 24, 4).GetDrawnWidth() == 64);
+  CHECK_THROWS_WITH(CRenderTarget(gl, 33, 24, 4),
+                    Contains("33x24 pixels is larger than the 32 pixels"));
 }
 
 }  // namespace renderer_test
