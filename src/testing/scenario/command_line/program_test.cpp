@@ -351,7 +351,9 @@ function init()
   assert(os.remove("old.txt"))
   assert(io.open("old.txt") == nil)
   assert(os.rename("name.txt", "other.txt"))
-  assert(io.open("other.txt")):close()
+  assert(assert(io.open("other.txt")):read("a") == "of a run")
+  assert(os.rename("folder", "moved") and not os.rename("folder", "again"))
+  assert(io.open("moved/new.txt", "w")):close()
   assert(io.open("new.txt", "w")):close()
   assert(io.open("no_folder/new.txt", "w") == nil)
   -- what is not there, is removed already, or would leave its folder
@@ -373,15 +375,20 @@ end
     folder.Write(name, "of a run");
   }
   REQUIRE(mkfifo(folder.Path("fifo").c_str(), 0600) == 0);
+  REQUIRE(std::filesystem::create_directory(folder.Path("folder")));
+  folder.Write("folder/kept.txt", "of a run");
   const SProgramRun check = folder.Run({"e.argos", "--check"});
   CAPTURE(check.Out, check.Err);
   CHECK(check.Status == 0);
-  for (const char* const name : {"results.csv", "log.txt", "old.txt", "name.txt"}) {
+  for (const char* const name :
+       {"results.csv", "log.txt", "old.txt", "name.txt", "folder/kept.txt"}) {
     CAPTURE(name);
     CHECK(folder.Read(name) == "of a run");
   }
-  CHECK_FALSE(std::filesystem::exists(folder.Path("other.txt")));
-  CHECK_FALSE(std::filesystem::exists(folder.Path("new.txt")));
+  for (const char* const name : {"other.txt", "new.txt", "moved"}) {
+    CAPTURE(name);
+    CHECK_FALSE(std::filesystem::exists(folder.Path(name)));
+  }
 }
 
 TEST_CASE("argos3: a controller is unused if no robot has had it at the end of the run",
