@@ -222,9 +222,14 @@ TEST_CASE("slurm: a share of a changed campaign is refused", "[campaign][slurm]"
   SECTION("more seeds") {
     folder.Write("c.xml", MakeCampaign("<slurm tasks='2' />", "seeds='51'"));
   }
-  const SProgramRun run = folder.RunProgram("argos3-campaign", arguments);
-  CHECK(run.Status == 1);
-  CHECK_THAT(run.Err, Contains("has changed since it was submitted"));
+  // the task, and the job that merges
+  for (const auto& job :
+       {arguments, std::vector<std::string>{"merge", "c.xml", "--submission", digest}}) {
+    CAPTURE(job[0]);
+    const SProgramRun run = folder.RunProgram("argos3-campaign", job);
+    CHECK(run.Status == 1);
+    CHECK_THAT(run.Err, Contains("has changed since it was submitted"));
+  }
 }
 
 TEST_CASE("slurm: submit --dry-run prints the scripts and changes nothing", "[campaign][slurm]") {
