@@ -13,6 +13,7 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <filesystem>
 #include <sstream>
 #include <thread>
 #include <vector>
@@ -578,6 +579,34 @@ TEST_CASE("lua loop functions: an error names script and line and ends the run",
   endless.LoopParams = "max_instructions='50000'";
   CLuaWorld world(endless);
   CHECK_THROWS_WITH(world.Step(), Contains("interrupted after 50000 instructions"));
+}
+
+TEST_CASE("lua loop functions: after an error no function of the script is called",
+          "[lua][loop_functions][error]") {
+  const bool isReset = GENERATE(false, true);
+  CAPTURE(isReset);
+  CLuaWorld world(
+      With("function pre_step() error('bad step') end\n"
+           "function is_experiment_finished() log('finished?') return true end\n"
+           "function floor_color() log('floor_color') return 'red' end\n"
+           "function post_experiment() log('post_experiment') end\n"
+           "function destroy() log('destroy') end\n"));
+  CHECK_THROWS_WITH(world.Step(), Contains("bad step"));
+  TakeLog();
+  if (isReset) {
+    // it cannot be loaded again
+    REQUIRE(std::filesystem::remove(world.Folder().Path("loop.lua")));
+    CHECK_THROWS_WITH(world.GetSimulator().Reset(), Contains("there is no Lua script"));
+  }
+  {
+    const CSimulator::CScope scope(world.GetSimulator());
+    CLoopFunctions& functions = world.GetSimulator().GetLoopFunctions();
+    CHECK_FALSE(functions.IsExperimentFinished());
+    CHECK(functions.GetFloorColor(CVector2()) == CColor::WHITE);
+    functions.PostExperiment();
+  }
+  world.Destroy();
+  CHECK(TakeScriptLog().empty());
 }
 
 TEST_CASE("lua loop functions: without a script they are refused", "[lua][loop_functions][error]") {
