@@ -58,6 +58,26 @@ TEST_CASE("planar store: obstacles are listed when they have changed", "[dynamic
   CHECK(scene.Store.ListObstacles().empty());
 }
 
+TEST_CASE("planar store: the widest movable body is any robot or object that was added",
+          "[dynamics2d]") {
+  CPlanarScene scene;
+  scene.AddBox(0.0, 0.0, false);
+  CHECK(scene.Store.GetWidestMovable() == 0.0);
+  scene.AddRobot(1.0, 0.0);
+  CHECK(scene.Store.GetWidestMovable() == CPlanarScene::kRadius);
+  scene.AddBox(2.0, 0.0, true);
+  const Real wide = scene.Store.GetWidestMovable();
+  // half of the diagonal
+  CHECK(wide == Approx(0.05 * std::sqrt(2.0)).epsilon(1e-12));
+  scene.AddRobot(3.0, 0.0);
+  CHECK(scene.Store.GetWidestMovable() == wide);
+  SBodyDescription wider = CPlanarScene::DescribeRobot();
+  wider.Shapes[0] = SShapeDescription::Cylinder(0.2, 0.1);
+  scene.AddRobot(4.0, 0.0, 0.0, 0.0, wider);
+  scene.AddBox(5.0, 0.0, true);
+  CHECK(scene.Store.GetWidestMovable() == 0.2);
+}
+
 TEST_CASE("planar store: a pose is compared except for rounding", "[dynamics2d]") {
   CPlanarScene scene;
   const auto& robot = scene.AddRobot(0.1, 0.2);
