@@ -9,12 +9,12 @@
 
 #include <sys/stat.h>
 
-#include <atomic>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <regex>
 #include <sstream>
+#include <stop_token>
 #include <thread>
 
 namespace program_test {
@@ -59,24 +59,15 @@ class CLoad {
  public:
   CLoad() {
     for (unsigned int i = 0; i < 2 * std::thread::hardware_concurrency(); ++i) {
-      m_threads.emplace_back([this] {
-        while (!m_stop) {
+      m_threads.emplace_back([](const std::stop_token& stop) {
+        while (!stop.stop_requested()) {
         }
       });
     }
   }
-  ~CLoad() {
-    m_stop = true;
-    for (std::thread& thread : m_threads) {
-      thread.join();
-    }
-  }
-  CLoad(const CLoad&) = delete;
-  CLoad& operator=(const CLoad&) = delete;
 
  private:
-  std::atomic<bool> m_stop{false};
-  std::vector<std::thread> m_threads;
+  std::vector<std::jthread> m_threads;
 };
 
 // short runs with threads on a busy machine: first valid ones, then ones whose robots throw
