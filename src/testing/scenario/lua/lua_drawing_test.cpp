@@ -20,21 +20,13 @@ namespace {
 
 using EKind = SDrawnShape::EKind;
 
-SLuaExperiment With(const std::string& loopScript) {
-  SLuaExperiment experiment;
-  experiment.Script =
-      "function init() end function step() end function reset() end function destroy() end";
-  experiment.LoopScript = loopScript;
-  return experiment;
-}
-
 /** What loop functions draw whose hooks are the given code. */
 class CPicture {
  public:
   explicit CPicture(const std::string& inWorld, const std::string& inOverlay = "",
                     const std::string& more = "")
-      : m_world(With(more + "\nfunction draw_in_world() " + inWorld +
-                     "\nend function draw_in_overlay() " + inOverlay + "\nend")) {
+      : m_world(WithLoopFunctions(more + "\nfunction draw_in_world() " + inWorld +
+                                  "\nend function draw_in_overlay() " + inOverlay + "\nend")) {
     TakeLog();
   }
 
@@ -161,12 +153,12 @@ TEST_CASE("lua drawing: wrong calls are errors with function and line", "[lua][d
 }
 
 TEST_CASE("lua drawing: outside of its hooks, drawing is an error", "[lua][drawing][errors]") {
-  CHECK_THAT(LoadError(With("function init() draw.point(vector3(0,0,0), 'red') end")),
+  CHECK_THAT(LoadError(WithLoopFunctions("function init() draw.point(vector3(0,0,0), 'red') end")),
              Contains("drawing is possible in draw_in_world() and draw_in_overlay() only"));
 }
 
 TEST_CASE("lua drawing: a script may have these hooks alone", "[lua][drawing]") {
-  CHECK(LoadError(With("function draw_in_world() end")) == "");
+  CHECK(LoadError(WithLoopFunctions("function draw_in_world() end")) == "");
 }
 
 }  // namespace lua_drawing_test

@@ -14,30 +14,18 @@ namespace lua_loop_failures_test {
 using namespace argos;
 using Catch::Contains;
 
-namespace {
-
-SLuaExperiment With(const std::string& loopScript) {
-  SLuaExperiment experiment;
-  experiment.Script =
-      "function init() end function step() end function reset() end function destroy() end";
-  experiment.LoopScript = loopScript;
-  return experiment;
-}
-
-}  // namespace
-
 TEST_CASE("lua loop functions: an error names script and line and ends the run",
           "[lua][loop_functions][error]") {
-  CHECK_THAT(LoadError(With("error('bad chunk')")), Contains("<loop_functions>") &&
-                                                        Contains("loop.lua:1: bad chunk") &&
-                                                        Contains("stack traceback:"));
-  CHECK_THAT(LoadError(With("\nfunction init() error('bad init') end")),
+  CHECK_THAT(LoadError(WithLoopFunctions("error('bad chunk')")),
+             Contains("<loop_functions>") && Contains("loop.lua:1: bad chunk") &&
+                 Contains("stack traceback:"));
+  CHECK_THAT(LoadError(WithLoopFunctions("\nfunction init() error('bad init') end")),
              Contains("failed in init()") && Contains("loop.lua:2: bad init"));
-  CHECK_THAT(LoadError(With("x = = 1")), Contains("loop.lua:1:"));
-  CHECK_THAT(LoadError(With("init = 5")),
+  CHECK_THAT(LoadError(WithLoopFunctions("x = = 1")), Contains("loop.lua:1:"));
+  CHECK_THAT(LoadError(WithLoopFunctions("init = 5")),
              Contains("the global \"init\" must be a function, got number"));
   {
-    CLuaWorld world(With("function pre_step() simulation.move('fb') end"));
+    CLuaWorld world(WithLoopFunctions("function pre_step() simulation.move('fb') end"));
     CHECK_THROWS_WITH(world.Step(), Contains("failed in pre_step()") &&
                                         Contains("loop.lua:1: simulation.move: argument 2"));
     // the script is loaded again after a reset
@@ -45,15 +33,15 @@ TEST_CASE("lua loop functions: an error names script and line and ends the run",
     CHECK_THROWS_WITH(world.Step(), Contains("failed in pre_step()"));
   }
   {
-    CLuaWorld world(With("function destroy() error('bad end') end"));
+    CLuaWorld world(WithLoopFunctions("function destroy() error('bad end') end"));
     CHECK_THROWS_WITH(world.Destroy(), Contains("failed in destroy()") && Contains("bad end"));
   }
   {
     // without a call of Destroy() the destructor of the simulator can only log the error
-    CLuaWorld world(With("function destroy() error('bad end') end"));
+    CLuaWorld world(WithLoopFunctions("function destroy() error('bad end') end"));
   }
   CHECK_THAT(TakeLogErr(), Contains("failed in destroy()") && Contains("loop.lua:1: bad end"));
-  SLuaExperiment endless = With("function post_step() while true do end end");
+  SLuaExperiment endless = WithLoopFunctions("function post_step() while true do end end");
   endless.LoopParams = "max_instructions='50000'";
   CLuaWorld world(endless);
   CHECK_THROWS_WITH(world.Step(), Contains("interrupted after 50000 instructions"));
@@ -64,11 +52,11 @@ TEST_CASE("lua loop functions: after an error no function of the script is calle
   const bool isReset = GENERATE(false, true);
   CAPTURE(isReset);
   CLuaWorld world(
-      With("function pre_step() error('bad step') end\n"
-           "function is_experiment_finished() log('finished?') return true end\n"
-           "function floor_color() log('floor_color') return 'red' end\n"
-           "function post_experiment() log('post_experiment') end\n"
-           "function destroy() log('destroy') end\n"));
+      WithLoopFunctions("function pre_step() error('bad step') end\n"
+                        "function is_experiment_finished() log('finished?') return true end\n"
+                        "function floor_color() log('floor_color') return 'red' end\n"
+                        "function post_experiment() log('post_experiment') end\n"
+                        "function destroy() log('destroy') end\n"));
   CHECK_THROWS_WITH(world.Step(), Contains("bad step"));
   TakeLog();
   if (isReset) {

@@ -28,18 +28,6 @@ namespace {
 // tolerance of a few roundings of numbers of about 1
 constexpr Real kRounding = 1e-12;
 
-const std::string kIdleRobot =
-    "function init() end function step() end function reset() end function destroy() end";
-
-/** An experiment with a foot-bot and loop functions. */
-SLuaExperiment With(const std::string& loopScript, const std::string& arena = "") {
-  SLuaExperiment experiment;
-  experiment.Script = kIdleRobot;
-  experiment.LoopScript = loopScript;
-  experiment.Arena = arena;
-  return experiment;
-}
-
 std::string TakeScriptLog() {
   std::istringstream lines(TakeLog());
   std::string rest;
@@ -54,13 +42,13 @@ std::string TakeScriptLog() {
 /** The log output of loop functions whose init() is the given code. */
 std::string LogOf(const std::string& code, const std::string& arena = "") {
   TakeLog();
-  CLuaWorld world(With("function init() " + code + " end", arena));
+  CLuaWorld world(WithLoopFunctions("function init() " + code + " end", arena));
   return TakeScriptLog();
 }
 
 /** The error of loop functions whose init() is the given code. */
 std::string ErrorOf(const std::string& code, const std::string& arena = "") {
-  return LoadError(With("function init() " + code + " end", arena));
+  return LoadError(WithLoopFunctions("function init() " + code + " end", arena));
 }
 
 const std::string kBox =
@@ -72,7 +60,7 @@ const std::string kLight =
 }  // namespace
 
 TEST_CASE("lua loop functions: hooks are called in the documented order", "[lua][loop_functions]") {
-  CLuaWorld world(With(
+  CLuaWorld world(WithLoopFunctions(
       "log('chunk')\n"
       "function init() log('init') end\n"
       "function pre_step() log('pre_step ', simulation.clock()) end\n"
@@ -97,7 +85,7 @@ TEST_CASE("lua loop functions: hooks are called in the documented order", "[lua]
 TEST_CASE("lua loop functions: every hook is optional, but there must be one",
           "[lua][loop_functions]") {
   {
-    CLuaWorld world(With("function pre_step() n = (n or 0) + 1 end"));
+    CLuaWorld world(WithLoopFunctions("function pre_step() n = (n or 0) + 1 end"));
     world.Step(3);
     world.GetSimulator().Reset();
     CHECK_FALSE(world.GetSimulator().IsExperimentFinished());
@@ -105,12 +93,12 @@ TEST_CASE("lua loop functions: every hook is optional, but there must be one",
     CHECK(world.GetSimulator().GetLoopFunctions().GetFloorColor(CVector2()) == CColor::WHITE);
   }
   CHECK_THAT(
-      LoadError(With("function prestep() end")),
+      LoadError(WithLoopFunctions("function prestep() end")),
       Contains("define none of the functions that are called: init, reset, destroy, pre_step"));
 }
 
 TEST_CASE("lua loop functions: clock, experiment and arena can be read", "[lua][loop_functions]") {
-  SLuaExperiment experiment = With(
+  SLuaExperiment experiment = WithLoopFunctions(
       "function init()\n"
       "  log(simulation.tick_length, ' ', simulation.length, ' ', simulation.seed())\n"
       "  local a = simulation.arena\n"
@@ -154,14 +142,14 @@ TEST_CASE("lua loop functions: entities can be found by type and by id", "[lua][
 }
 
 TEST_CASE("lua loop functions: move puts entities into free places", "[lua][loop_functions]") {
-  CLuaWorld world(
-      With("function init()\n"
-           "  log(simulation.move('fb', 1, -1, 0, math.pi / 2))\n"
-           "  log(simulation.move('fb', 2, 0.1, 0, 0))\n"
-           "  log(simulation.is_free('fb', 2, 0.1, 0), simulation.is_free('fb', 3, 3, 0))\n"
-           "  log(simulation.move('lamp', vector3(0, 0, 1)))\n"
-           "end",
-           kBox + kLight));
+  CLuaWorld world(WithLoopFunctions(
+      "function init()\n"
+      "  log(simulation.move('fb', 1, -1, 0, math.pi / 2))\n"
+      "  log(simulation.move('fb', 2, 0.1, 0, 0))\n"
+      "  log(simulation.is_free('fb', 2, 0.1, 0), simulation.is_free('fb', 3, 3, 0))\n"
+      "  log(simulation.move('lamp', vector3(0, 0, 1)))\n"
+      "end",
+      kBox + kLight));
   // the second place is occupied by the box: the robot stays in the first
   CHECK(TakeScriptLog() == "1 0 01 1 ");
   CHECK(world.GetAnchor().Position == CVector3(1.0, -1.0, 0.0));
@@ -174,16 +162,16 @@ TEST_CASE("lua loop functions: move puts entities into free places", "[lua][loop
 }
 
 TEST_CASE("lua loop functions: move keeps values that are not given", "[lua][loop_functions]") {
-  CLuaWorld world(
-      With("function init()\n"
-           "  simulation.move('fb', 1, 0, 0, 0.5)\n"
-           "  simulation.move('fb', 1, 1, 0)\n"
-           "  log(simulation.yaw('fb'))\n"
-           "  simulation.move('fb', vector3(1, 2, 0), quaternion(0.25, vector3(0, 0, 1)))\n"
-           "  log(simulation.yaw('fb'))\n"
-           "  simulation.move('fb', vector3(2, 2, 0))\n"
-           "  log(simulation.yaw('fb'))\n"
-           "end"));
+  CLuaWorld world(WithLoopFunctions(
+      "function init()\n"
+      "  simulation.move('fb', 1, 0, 0, 0.5)\n"
+      "  simulation.move('fb', 1, 1, 0)\n"
+      "  log(simulation.yaw('fb'))\n"
+      "  simulation.move('fb', vector3(1, 2, 0), quaternion(0.25, vector3(0, 0, 1)))\n"
+      "  log(simulation.yaw('fb'))\n"
+      "  simulation.move('fb', vector3(2, 2, 0))\n"
+      "  log(simulation.yaw('fb'))\n"
+      "end"));
   CHECK(TakeScriptLog() == "0.5 0.25 0.25 ");
   CHECK(world.GetAnchor().Position == CVector3(2.0, 2.0, 0.0));
   CHECK_THAT(ErrorOf("simulation.move('fb', 0/0, 0, 0)"), Contains("must be finite"));
@@ -197,21 +185,21 @@ TEST_CASE("lua loop functions: move keeps values that are not given", "[lua][loo
 
 TEST_CASE("lua loop functions: entities can be added and removed during the experiment",
           "[lua][loop_functions]") {
-  CLuaWorld world(
-      With("function pre_step()\n"
-           "  if simulation.clock() == 1 then\n"
-           "    log(simulation.add([[<foot-bot id='new'><body position='1,1,0'/>"
-           "<controller config='c'/></foot-bot>]]))\n"
-           "    log(simulation.add([[<cylinder id='on' radius='0.1' height='0.1' movable='true' "
-           "mass='1'>"
-           "<body position='1,1,0'/></cylinder>]]))\n"
-           "    log(simulation.add([[<light id='l' position='0,0,1' color='red' intensity='1' "
-           "medium='leds'/>]]))\n"
-           "  elseif simulation.clock() == 3 then\n"
-           "    simulation.remove('new') simulation.remove('on') simulation.remove('l')\n"
-           "  end\n"
-           "  log(table.concat(simulation.ids(), ' '))\n"
-           "end"));
+  CLuaWorld world(WithLoopFunctions(
+      "function pre_step()\n"
+      "  if simulation.clock() == 1 then\n"
+      "    log(simulation.add([[<foot-bot id='new'><body position='1,1,0'/>"
+      "<controller config='c'/></foot-bot>]]))\n"
+      "    log(simulation.add([[<cylinder id='on' radius='0.1' height='0.1' movable='true' "
+      "mass='1'>"
+      "<body position='1,1,0'/></cylinder>]]))\n"
+      "    log(simulation.add([[<light id='l' position='0,0,1' color='red' intensity='1' "
+      "medium='leds'/>]]))\n"
+      "  elseif simulation.clock() == 3 then\n"
+      "    simulation.remove('new') simulation.remove('on') simulation.remove('l')\n"
+      "  end\n"
+      "  log(table.concat(simulation.ids(), ' '))\n"
+      "end"));
   world.Step();
   // a cylinder that overlaps the robot is added, and the result of the call reports it
   CHECK(TakeScriptLog() == "new1 on0 l1 fb new on l ");
@@ -229,17 +217,17 @@ TEST_CASE("lua loop functions: entities can be added and removed during the expe
 
 TEST_CASE("lua loop functions: entities that init() adds are as those of the file",
           "[lua][loop_functions]") {
-  CLuaWorld world(
-      With("function init()\n"
-           "  for i = 1, 20 do\n"
-           "    simulation.add(\"<foot-bot id='r\" .. i .. \"'><body position='\" .. i % 5 - 2 ..\n"
-           "      ',' .. i // 5 - 3 .. \",0'/><controller config='c'/></foot-bot>\")\n"
-           "  end\n"
-           "  simulation.add([[<box id='b' size='1,1,1' movable='false'>"
-           "<body position='3,3,0'/></box>]])\n"
-           "  log(pcall(simulation.add, [[<box id='b' size='1,1,1' movable='false'>"
-           "<body position='-3,3,0'/></box>]]))\n"
-           "end"));
+  CLuaWorld world(WithLoopFunctions(
+      "function init()\n"
+      "  for i = 1, 20 do\n"
+      "    simulation.add(\"<foot-bot id='r\" .. i .. \"'><body position='\" .. i % 5 - 2 ..\n"
+      "      ',' .. i // 5 - 3 .. \",0'/><controller config='c'/></foot-bot>\")\n"
+      "  end\n"
+      "  simulation.add([[<box id='b' size='1,1,1' movable='false'>"
+      "<body position='3,3,0'/></box>]])\n"
+      "  log(pcall(simulation.add, [[<box id='b' size='1,1,1' movable='false'>"
+      "<body position='-3,3,0'/></box>]]))\n"
+      "end"));
   CHECK_THAT(TakeScriptLog(),
              Contains("already an entity with id \"b\" (<box> at simulation.add:1"));
   world.Step(2);
@@ -250,9 +238,9 @@ TEST_CASE("lua loop functions: entities that init() adds are as those of the fil
 
 TEST_CASE("lua loop functions: a function with nearly the name of a hook is reported",
           "[lua][loop_functions]") {
-  CLuaWorld world(
-      With("function init() helper() reset_all() end function helper() end\n"
-           "function reset_all() end function post_setp() end function posst_experiment() end"));
+  CLuaWorld world(WithLoopFunctions(
+      "function init() helper() reset_all() end function helper() end\n"
+      "function reset_all() end function post_setp() end function posst_experiment() end"));
   CHECK(TakeLogErr() ==
         "[WARNING] the Lua loop functions \"" + world.Folder().Path("loop.lua") +
             "\": nothing calls the global function \"posst_experiment\"; did you mean "
@@ -281,14 +269,14 @@ TEST_CASE("lua loop functions: invalid entities are errors", "[lua][loop_functio
 
 TEST_CASE("lua loop functions: LEDs and lights can be read and set", "[lua][loop_functions]") {
   CLuaWorld world(
-      With("function init()\n"
-           "  simulation.set_all_led_colors('fb', 'green')\n"
-           "  simulation.set_led_color('fb', 13, 1, 2, 3)\n"
-           "  log(simulation.light_intensity('lamp'))\n"
-           "  simulation.set_light_intensity('lamp', 7)\n"
-           "  simulation.set_light_color('lamp', 'blue')\n"
-           "end",
-           kLight + kBox));
+      WithLoopFunctions("function init()\n"
+                        "  simulation.set_all_led_colors('fb', 'green')\n"
+                        "  simulation.set_led_color('fb', 13, 1, 2, 3)\n"
+                        "  log(simulation.light_intensity('lamp'))\n"
+                        "  simulation.set_light_intensity('lamp', 7)\n"
+                        "  simulation.set_light_color('lamp', 'blue')\n"
+                        "end",
+                        kLight + kBox));
   CHECK(TakeScriptLog() == "2.5 ");
   auto& leds = world.World().Get<CComposableEntity>("fb").GetComponent<CLEDEquippedEntity>("leds");
   CHECK(leds.GetLEDColor(0) == CColor::GREEN);
@@ -306,7 +294,7 @@ TEST_CASE("lua loop functions: LEDs and lights can be read and set", "[lua][loop
 TEST_CASE(
     "lua loop functions: a disabled robot stands still and is silent until it is enabled or reset",
     "[lua][loop_functions]") {
-  SLuaExperiment experiment = With(
+  SLuaExperiment experiment = WithLoopFunctions(
       "function pre_step()\n"
       "  assert(simulation.is_enabled('fb') == (simulation.clock() <= 11 or simulation.clock() > "
       "21))\n"
@@ -350,7 +338,7 @@ TEST_CASE(
 
 TEST_CASE("lua loop functions: the charge of a battery can be read and set",
           "[lua][loop_functions]") {
-  SLuaExperiment experiment = With(
+  SLuaExperiment experiment = WithLoopFunctions(
       "function init()\n"
       "  log(simulation.battery('fb'))\n"
       "  simulation.set_battery('fb', 0.25)\n"
@@ -365,7 +353,7 @@ TEST_CASE("lua loop functions: the charge of a battery can be read and set",
 }
 
 TEST_CASE("lua loop functions: the floor has the colors of floor_color", "[lua][loop_functions]") {
-  CLuaWorld world(With(
+  CLuaWorld world(WithLoopFunctions(
       "black = false\n"
       "function floor_color(x, y)\n"
       "  if black then return 'black' end\n"
@@ -387,7 +375,7 @@ TEST_CASE("lua loop functions: the floor has the colors of floor_color", "[lua][
 TEST_CASE("lua loop functions: pheromones can be read and deposited", "[lua][loop_functions]") {
   // one layer on cells of 0.01 m^2, with centres at odd multiples of 0.05 m
   const auto with = [](const std::string& code) {
-    SLuaExperiment experiment = With(code);
+    SLuaExperiment experiment = WithLoopFunctions(code);
     experiment.Media =
         "<led id='leds'/><pheromone id='p' cell_size='0.1'><layer id='trail' "
         "evaporation='2'/></pheromone>";
@@ -433,8 +421,9 @@ TEST_CASE("lua loop functions: pheromones can be read and deposited", "[lua][loo
 
 TEST_CASE("lua loop functions: threads may query the floor's color concurrently",
           "[lua][loop_functions][threads]") {
-  CLuaWorld world(With("function floor_color(x, y) return x, y, 0 end",
-                       "<floor id='f' source='loop_functions' pixels_per_meter='10'/>"));
+  CLuaWorld world(
+      WithLoopFunctions("function floor_color(x, y) return x, y, 0 end",
+                        "<floor id='f' source='loop_functions' pixels_per_meter='10'/>"));
   CFloorEntity& floor = world.World().GetSpace().GetFloorEntity();
   std::vector<std::thread> threads;
   std::atomic<int> wrong{0};
@@ -462,19 +451,19 @@ TEST_CASE("lua loop functions: invalid colors and recursive color queries are er
     const CSimulator::CScope scope(world.GetSimulator());
     return world.World().GetSpace().GetFloorEntity().GetColorAtPoint(0.0, 0.0);
   };
-  CLuaWorld nothing(With("function floor_color(x, y) end", floor));
+  CLuaWorld nothing(WithLoopFunctions("function floor_color(x, y) end", floor));
   CHECK_THROWS_WITH(ask(nothing), Contains("floor_color(x, y) must return a color"));
-  CLuaWorld broken(With("function floor_color(x, y) error('no paint') end", floor));
+  CLuaWorld broken(WithLoopFunctions("function floor_color(x, y) error('no paint') end", floor));
   CHECK_THROWS_WITH(ask(broken),
                     Contains("failed in floor_color()") && Contains("loop.lua:1: no paint"));
 }
 
 TEST_CASE("lua loop functions: the script can end the experiment", "[lua][loop_functions]") {
-  CLuaWorld world(
-      With("function post_step() if simulation.clock() == 5 then simulation.finish() end end"));
+  CLuaWorld world(WithLoopFunctions(
+      "function post_step() if simulation.clock() == 5 then simulation.finish() end end"));
   world.GetSimulator().Execute();
   CHECK(world.World().GetSpace().GetSimulationClock() == 5);
-  CLuaWorld wrong(With("function is_experiment_finished() return 1 end"));
+  CLuaWorld wrong(WithLoopFunctions("function is_experiment_finished() return 1 end"));
   CHECK_THROWS_WITH(wrong.GetSimulator().Execute(),
                     Contains("is_experiment_finished() must return true or false, got number"));
 }
@@ -482,7 +471,7 @@ TEST_CASE("lua loop functions: the script can end the experiment", "[lua][loop_f
 TEST_CASE("lua loop functions: data can be written with the standard io library",
           "[lua][loop_functions]") {
   CTemporaryFolder folder;
-  SLuaExperiment experiment = With(
+  SLuaExperiment experiment = WithLoopFunctions(
       "function init() file = io.open(simulation.params.data, 'w') end\n"
       "function post_step()\n"
       "  local x = simulation.position('fb')\n"
@@ -501,7 +490,7 @@ TEST_CASE("lua loop functions: data can be written with the standard io library"
 
 TEST_CASE("lua loop functions: variables of robots can be read and written",
           "[lua][loop_functions]") {
-  SLuaExperiment experiment = With(
+  SLuaExperiment experiment = WithLoopFunctions(
       "function post_step()\n"
       "  local items = simulation.get_variable('fb', 'items')\n"
       "  log(items.count, ' ', tostring(items.where), ' ', simulation.get_variable('fb', "
@@ -529,8 +518,8 @@ TEST_CASE("lua loop functions: variables of robots can be read and written",
 
 TEST_CASE("lua loop functions: random numbers repeat with the seed and after a reset",
           "[lua][loop_functions][random]") {
-  SLuaExperiment experiment =
-      With("function post_step() log(simulation.random.uniform(), ' ', math.random()) end");
+  SLuaExperiment experiment = WithLoopFunctions(
+      "function post_step() log(simulation.random.uniform(), ' ', math.random()) end");
   CLuaWorld world(experiment);
   TakeLog();
   world.Step(2);

@@ -27,6 +27,15 @@ std::string ToXml(const SLuaExperiment& lua, const CTemporaryFolder& folder) {
   return experiment.ToXml();
 }
 
+SLuaExperiment WithLoopFunctions(const std::string& loopScript, const std::string& arena) {
+  SLuaExperiment experiment;
+  experiment.Script =
+      "function init() end function step() end function reset() end function destroy() end";
+  experiment.LoopScript = loopScript;
+  experiment.Arena = arena;
+  return experiment;
+}
+
 CLuaWorld::CLuaWorld(const SLuaExperiment& experiment) {
   m_world.emplace(ToXml(experiment, m_folder));
 }

@@ -31,6 +31,9 @@ struct SLuaExperiment {
   UInt32 Threads = 0;
 };
 
+/** One with a robot that does nothing, and loop functions. @param loopScript text of loop.lua. */
+SLuaExperiment WithLoopFunctions(const std::string& loopScript, const std::string& arena = "");
+
 /** Runs such an experiment. */
 class CLuaWorld {
  public:
