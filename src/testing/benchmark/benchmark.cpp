@@ -1,6 +1,4 @@
-// Measures the cost of a robot-tick in an arena of rooms, where robots roam or press, of robots
-// that all press against a wall, or of robots that stand and record a metric, and prints it as CSV;
-// or of boxes and balls that lie on each other.
+// Measures the cost of a robot-tick in one of several scenes, see kScenes, and prints it as CSV.
 // Every line is measured in a process of its own, so that the memory is that of one swarm.
 //
 //   argos3_benchmark [--scene rooms] [--robots 100,1000,10000,100000] [--threads 0] [--ticks 600]
@@ -8,15 +6,17 @@
 //                    [--bare-up-to 100000] [--gripping 1] [--records 10]
 
 #include <argos3/testing/benchmark/bare_box2d.h>
+#include <argos3/testing/benchmark/flocks.h>
 #include <argos3/testing/benchmark/in_child.h>
 #include <argos3/testing/benchmark/piles.h>
+#include <argos3/testing/benchmark/shove.h>
 #include <argos3/testing/support/crowd.h>
 #include <argos3/testing/support/experiment.h>
 #include <argos3/testing/support/overlap.h>
 #include <argos3/testing/support/rooms.h>
-#include <argos3/testing/benchmark/shove.h>
 
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
+#include <argos3/core/simulator/context/robot_failures.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/tick/tick_times.h>
 
@@ -127,23 +127,63 @@ std::string MakeRecorders(const SOptions& options, UInt32 robots, UInt32 threads
   return experiment.ToXml();
 }
 
+std::string MakeShoveScene(const SOptions& options, UInt32 robots, UInt32 threads) {
+  return argos::testing::MakeShove(robots, std::min(options.Gripping, robots), threads,
+                                   options.Engine, options.EngineAttributes);
+}
+
+typedef std::string (*TMakeScene)(UInt32 robots, UInt32 threads, const std::string& engine,
+                                  const std::string& attributes);
+
+template <TMakeScene MAKE>
+std::string Make(const SOptions& options, UInt32 robots, UInt32 threads) {
+  return MAKE(robots, threads, options.Engine, options.EngineAttributes);
+}
+
+struct SScene {
+  const char* Name;
+  const char* What;
+  std::string (*Make)(const SOptions& options, UInt32 robots, UInt32 threads);
+};
+
+constexpr SScene kScenes[] = {
+    {"rooms", "e-pucks that keep apart", &MakeRooms},
+    {"crowd", "e-pucks that press, in rooms", &MakeRooms},
+    {"wall", "e-pucks that all press against a wall", &MakeWall},
+    {"records", "e-pucks that record a metric", &MakeRecorders},
+    {"shove", "foot-bots that push boxes and cylinders about", &MakeShoveScene},
+    {"towers", "boxes on each other, ten each", &Make<&argos::testing::MakeTowers>},
+    {"stack", "boxes in pyramids", &Make<&argos::testing::MakeStack>},
+    {"pile", "balls that fall into a pen", &Make<&argos::testing::MakePile>},
+    {"messages", "foot-bots that send each other messages by range and bearing",
+     &Make<&argos::testing::MakeMessages>},
+    {"colors", "the same by LEDs and cameras", &Make<&argos::testing::MakeColors>},
+    {"scripts", "foot-bots that run experiments/controllers/lua/diffusion.lua",
+     &Make<&argos::testing::MakeScripts>},
+    {"flocking", "experiments/flocking.argos", &Make<&argos::testing::MakeFlocking>},
+    {"flocking_lua", "experiments/flocking_lua.argos", &Make<&argos::testing::MakeFlockingLua>}};
+
+std::vector<std::string> ListScenes() {
+  std::vector<std::string> names;
+  for (const SScene& scene : kScenes) {
+    names.emplace_back(scene.Name);
+  }
+  return names;
+}
+
+std::string DescribeScenes() {
+  std::string text;
+  for (const SScene& scene : kScenes) {
+    text += std::string(text.empty() ? "" : "; ") + scene.Name + ": " + scene.What;
+  }
+  return text;
+}
+
 std::string MakeWorld(const SOptions& options, UInt32 robots, UInt32 threads) {
-  if (options.Scene == "wall") {
-    return MakeWall(options, robots, threads);
-  }
-  if (options.Scene == "records") {
-    return MakeRecorders(options, robots, threads);
-  }
-  if (options.Scene == "shove") {
-    return argos::testing::MakeShove(robots, std::min(options.Gripping, robots), threads,
-                                     options.Engine, options.EngineAttributes);
-  }
-  const auto make = options.Scene == "towers"  ? &argos::testing::MakeTowers
-                    : options.Scene == "stack" ? &argos::testing::MakeStack
-                    : options.Scene == "pile"  ? &argos::testing::MakePile
-                                               : nullptr;
-  return make != nullptr ? make(robots, threads, options.Engine, options.EngineAttributes)
-                         : MakeRooms(options, robots, threads);
+  const auto* const scene =
+      std::find_if(std::begin(kScenes), std::end(kScenes),
+                   [&options](const SScene& known) { return known.Name == options.Scene; });
+  return scene->Make(options, robots, threads);
 }
 
 void Report(const SOptions& options, UInt32 robots, UInt32 threads) {
@@ -186,12 +226,15 @@ void Report(const SOptions& options, UInt32 robots, UInt32 threads) {
       MeasureOverlaps(space, overlaps);
     }
   }
+  if (!simulator.GetRobotFailures().IsEmpty()) {
+    THROW_ARGOSEXCEPTION("a robot failed, so the time is not that of the scene");
+  }
 
   const Real perRobotTick = 1e6 / (static_cast<Real>(robots) * options.Ticks);
-  std::printf("%s,%u,%u,%u,%u,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f", options.Engine.c_str(), robots,
+  std::printf("%s,%u,%u,%u,%u,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f", options.Engine.c_str(), robots,
               threads, substeps, options.Ticks, total * perRobotTick, times.Act * perRobotTick,
-              times.Physics * perRobotTick, times.Index * perRobotTick, times.Sense * perRobotTick,
-              times.Control * perRobotTick);
+              times.Physics * perRobotTick, times.Index * perRobotTick, times.Media * perRobotTick,
+              times.Sense * perRobotTick, times.Control * perRobotTick);
   if (bare.has_value()) {
     std::printf(",%.4f,%.3f", bareTotal * perRobotTick, total / bareTotal);
   } else {
@@ -211,14 +254,7 @@ void Report(const SOptions& options, UInt32 robots, UInt32 threads) {
 int main(int argc, char** argv) {
   SOptions options;
   CLI::App app("Measures what a robot-tick costs; prints CSV.");
-  app.add_option(
-         "--scene", options.Scene,
-         "rooms: robots that keep apart; crowd: robots that press, in rooms; wall: robots "
-         "that all press against a wall; records: robots that record a metric; shove: "
-         "foot-bots that push boxes and cylinders about; towers, stack, pile: that many boxes "
-         "or balls on each other")
-      ->check(
-          CLI::IsMember({"rooms", "crowd", "wall", "records", "shove", "towers", "stack", "pile"}));
+  app.add_option("--scene", options.Scene, DescribeScenes())->check(CLI::IsMember(ListScenes()));
   app.add_option("--robots", options.Robots, "numbers of robots")->delimiter(',');
   app.add_option("--threads", options.Threads, "numbers of threads")->delimiter(',');
   app.add_option("--ticks", options.Ticks, "ticks of 0.1 s that are measured");
@@ -236,10 +272,9 @@ int main(int argc, char** argv) {
   CLI11_PARSE(app, argc, argv);
 
   std::printf(
-      "engine,robots,threads,substeps,ticks,total_us,act_us,physics_us,index_us,sense_us,control_"
-      "us,"
-      "bare_box2d_us,ratio_to_bare,bytes_per_robot,startup_s,overlap_median_pct,overlap_p99_pct,"
-      "overlap_max_pct,wall_max_pct,scene\n");
+      "engine,robots,threads,substeps,ticks,total_us,act_us,physics_us,index_us,media_us,sense_us,"
+      "control_us,bare_box2d_us,ratio_to_bare,bytes_per_robot,startup_s,overlap_median_pct,"
+      "overlap_p99_pct,overlap_max_pct,wall_max_pct,scene\n");
   bool good = true;
   for (const UInt32 robots : options.Robots) {
     for (const UInt32 threads : options.Threads) {

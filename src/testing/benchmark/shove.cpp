@@ -1,11 +1,11 @@
 #include <argos3/testing/benchmark/shove.h>
 
+#include <argos3/testing/benchmark/pen.h>
 #include <argos3/testing/support/experiment.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <sstream>
 
 namespace argos::testing {
 
@@ -55,32 +55,19 @@ std::string MakeShove(UInt32 robots, UInt32 gripping, UInt32 threads, const std:
       "<sensors><footbot_proximity implementation='default'/></sensors>"
       "<params grips='true'/></shover>";
   experiment.Engines = "<" + engine + " id='engine' " + attributes + "/>";
-  std::ostringstream arena;
-  for (const int side : {-1, 1}) {
-    const Real at = side * (half + 0.05);
-    arena << "<box id='x" << side << "' size='0.1," << 2.0 * half << ",0.2' movable='false'><body "
-          << "position='" << at << ",0,0'/></box><box id='y" << side << "' size='" << 2.0 * half
-          << ",0.1,0.2' movable='false'><body position='0," << at << ",0'/></box>";
-  }
-  const auto distribute = [&](Real margin, UInt32 count, const std::string& entity) {
-    const Real most = half - margin;
-    arena << "<distribute><position method='uniform' min='" << -most << "," << -most << ",0' max='"
-          << most << "," << most
-          << ",0'/><orientation method='uniform' min='0,0,0' max='360,0,0'/><entity quantity='"
-          << count << "' max_trials='1000'>" << entity << "</entity></distribute>";
-  };
+  CPen pen(half);
   const UInt32 objects = robots / 4;
-  distribute(0.2, objects / 2,
-             "<cylinder id='c' radius='0.1' height='0.1' movable='true' mass='0.2'/>");
-  distribute(0.2, objects - objects / 2,
-             "<box id='b' size='0.3,0.2,0.1' movable='true' mass='0.3'/>");
-  distribute(0.1, robots - gripping, "<foot-bot id='r'><controller config='shover'/></foot-bot>");
+  pen.Distribute(0.2, objects / 2,
+                 "<cylinder id='c' radius='0.1' height='0.1' movable='true' mass='0.2'/>");
+  pen.Distribute(0.2, objects - objects / 2,
+                 "<box id='b' size='0.3,0.2,0.1' movable='true' mass='0.3'/>");
+  pen.Distribute(0.1, robots - gripping,
+                 "<foot-bot id='r'><controller config='shover'/></foot-bot>");
   if (gripping > 0) {
-    distribute(0.1, gripping, "<foot-bot id='g'><controller config='gripper'/></foot-bot>");
+    pen.Distribute(0.1, gripping, "<foot-bot id='g'><controller config='gripper'/></foot-bot>");
   }
-  experiment.ArenaSize =
-      std::to_string(2.0 * half + 2.0) + "," + std::to_string(2.0 * half + 2.0) + ",2";
-  experiment.Arena = arena.str();
+  experiment.ArenaSize = pen.GetArenaSize();
+  experiment.Arena = pen.GetText();
   return experiment.ToXml();
 }
 

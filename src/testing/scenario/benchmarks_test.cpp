@@ -1,5 +1,5 @@
-// Tests that the rows of the accuracy benchmark are complete, and their
-// values for exact engines are right.
+// Tests that each scene of the benchmark runs, that the rows of the accuracy benchmark are
+// complete, and that their values for exact engines are right.
 
 #include <argos3/testing/scenario/command_line/program_run.h>
 #include <argos3/testing/support/overlap.h>
@@ -12,7 +12,7 @@
 #include <map>
 #include <sstream>
 
-namespace argos::accuracy_benchmark_test {
+namespace argos::benchmarks_test {
 
 using testing::MeasureOverlaps;
 using testing::SOverlaps;
@@ -49,6 +49,31 @@ std::vector<TRow> ReadCsv(const std::string& text) {
 }
 
 }  // namespace
+
+TEST_CASE("benchmark: every scene runs", "[scenario][benchmark]") {
+  const CTestFolder folder;
+  const std::string refusal = folder.RunProgram("argos3_benchmark", {"--scene", "?"}).Err;
+  const size_t open = refusal.find('{');
+  const size_t close = refusal.find('}');
+  CAPTURE(refusal);
+  REQUIRE(open < close);
+  REQUIRE(close < refusal.size());
+  const std::vector<std::string> scenes = Split(refusal.substr(open + 1, close - open - 1));
+  CHECK(scenes.size() >= 13);
+  for (const std::string& scene : scenes) {
+    const bool isInSpace = scene == "towers" || scene == "stack" || scene == "pile";
+    const SProgramRun run = folder.RunProgram(
+        "argos3_benchmark",
+        {"--scene", scene, "--engine", isInSpace ? "dynamics3d" : "dynamics2d", "--robots", "12",
+         "--ticks", "2", "--warm-up", "1", "--bare-up-to", "0"});
+    CAPTURE(scene, run.Out, run.Err);
+    REQUIRE(run.Status == 0);
+    const std::vector<TRow> rows = ReadCsv(run.Out);
+    REQUIRE(rows.size() == 1);
+    CHECK(rows[0].at("scene") == scene);
+    CHECK(std::stod(rows[0].at("total_us")) > 0.0);
+  }
+}
 
 TEST_CASE("accuracy benchmark: has a row with finite numbers for each engine and stepper",
           "[scenario][benchmark]") {
@@ -137,4 +162,4 @@ TEST_CASE("overlap: tilted robots are measured at their nearest ends", "[scenari
   CHECK(overlaps.Touching.size() == 2);
 }
 
-}  // namespace argos::accuracy_benchmark_test
+}  // namespace argos::benchmarks_test
