@@ -452,14 +452,9 @@ void CGrammar::MergeEntities(SElement& root) {
       }
     }
   }
-  const SElement& controllers = root.Children[{"controllers"}].Children[{"lua_controller"}];
   for (SElement* const robot : robots) {
     for (const SElementName& engine : engines) {
       robot->Children.try_emplace(engine);
-    }
-    SElement& controller = robot->Children[{"controller"}];
-    if (controller.Find({"params"}) != nullptr && controllers.Find({"params"}) != nullptr) {
-      controller.Children[{"params"}].Merge(*controllers.Find({"params"}));
     }
   }
   ShareChildren(robots, true);

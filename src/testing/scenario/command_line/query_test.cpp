@@ -279,6 +279,7 @@ TEST_CASE("queries: elements and attributes of experiment files, with types, uni
       {"base_num", "arena/distribute/entity\n"},
       {"real_time", "framework/experiment\n  real_time  boolean\n"},
       {"rab_range", "arena/e-puck"},
+      {"reuse_readings", "arena/foot-bot/controller/params"},
       {"vertex", "physics_engines/dynamics2d/boundaries/sides/vertex"}};
   for (const auto& [word, fact] : facts) {
     CAPTURE(word);

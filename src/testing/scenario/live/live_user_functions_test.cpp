@@ -85,6 +85,27 @@ class CLoggingFunctions : public CQTOpenGLUserFunctions {
 };
 REGISTER_QTOPENGL_USER_FUNCTIONS(CLoggingFunctions, "live_test_logging")
 
+/* Says at each key what is selected. */
+class CSelectionFunctions : public CQTOpenGLUserFunctions {
+ public:
+  void KeyPressed(QKeyEvent*) override {
+    CEntity* const selected = GetSelectedEntity();
+    CNotingFunctions::notes.push_back(selected != nullptr ? selected->GetId() : "nothing");
+  }
+};
+REGISTER_QTOPENGL_USER_FUNCTIONS(CSelectionFunctions, "live_test_selection")
+
+/* Removes the box in tick 3. */
+class CRemovingLoopFunctions : public CLoopFunctions {
+ public:
+  void PostStep() override {
+    if (GetSpace().GetSimulationClock() == 3) {
+      RemoveEntity("box");
+    }
+  }
+};
+REGISTER_LOOP_FUNCTIONS(CRemovingLoopFunctions, "live_test_removing_loop_functions")
+
 class CLoggingLoopFunctions : public CLoopFunctions {
  public:
   void PostExperiment() override { LOG << "the result is 42" << std::endl; }
@@ -94,8 +115,10 @@ REGISTER_LOOP_FUNCTIONS(CLoggingLoopFunctions, "live_test_logging_loop_functions
 // a box and a robot, in a file with another view than <live>
 // @param functions  labels
 std::function<void(CSimulator&)> WithFunctions(const std::vector<std::string>& functions,
-                                               const std::string& recording = "") {
+                                               const std::string& recording = "",
+                                               const std::string& loopFunctions = "") {
   SExperiment experiment;
+  experiment.LoopFunctions = loopFunctions;
   experiment.Engines = "<dynamics2d id='dyn2d' />";
   experiment.Arena =
       "<box id='box' size='0.5,0.5,0.5' movable='true' mass='1'><body position='1,1,0' /></box>"
@@ -134,6 +157,29 @@ TEST_CASE("live view: users' functions are told what a viewer does", "[live]") {
         std::vector<std::string>{"selected box", "moved box by 1,0,0",
                                  "pressed " + std::to_string(int{Qt::Key_Up}), "released ",
                                  "released w", "deselected box"});
+}
+
+TEST_CASE("live view: a selection lasts until its entity is removed", "[live]") {
+  CNotingFunctions::notes.clear();
+  CLiveWorld world(kWaits,
+                   WithFunctions({"live_test_selection"}, "",
+                                 "<loop_functions label='live_test_removing_loop_functions' />"));
+  auto viewer = Join(world);
+  const auto note = [&viewer] { CHECK(IsOk(viewer->Do("user_key", {{"key", "s"}}))); };
+  note();
+  CHECK(IsOk(viewer->Do("user_select", {{"entity", "box"}})));
+  note();
+  StepTicks(*viewer, 2);
+  note();
+  CHECK(IsOk(viewer->Do("reset")));
+  viewer->ReceiveUntil([&] { return viewer->GetFrame().Tick == 0; });
+  note();
+  StepTicks(*viewer, 3);
+  note();
+  CHECK(IsOk(viewer->Do("end")));
+  world.Finish();
+  CHECK(CNotingFunctions::notes ==
+        std::vector<std::string>{"nothing", "box", "box", "box", "nothing"});
 }
 
 TEST_CASE("live view: users' functions are told which modifiers are down with a key", "[live]") {
