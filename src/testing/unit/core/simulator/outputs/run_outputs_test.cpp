@@ -60,6 +60,7 @@ class CTestLoop : public CVisualization {
     m_cSimulator.UpdateSpace();
     m_cSimulator.UpdateSpace();
   }
+  void Destroy() override { calls.emplace_back("loop: destroy"); }
 };
 
 REGISTER_VISUALIZATION(CTestLoop, "test_loop", "a test", "1.0", "Loops.", "Loops.", "Usable")
@@ -200,6 +201,14 @@ TEST_CASE("outputs: several views and one loop may be children of <visualization
   CHECK(calls == TCalls{"b: tick 0", "c: tick 0", "a: tick 0", "b: tick 1", "c: tick 1",
                         "a: tick 1", "b: tick 2", "c: tick 2", "a: tick 2", "b: finish at 2",
                         "c: finish at 2", "a: finish at 2"});
+}
+
+TEST_CASE("outputs: the loop is destroyed after them", "[core][outputs]") {
+  {
+    CObservedRun run("<visualization><test_loop/></visualization>" + kOutput);
+    calls.clear();
+  }
+  CHECK(calls == TCalls{"a: destroy", "loop: destroy"});
 }
 
 TEST_CASE("outputs: two visualizations that run the loop are an error", "[core][outputs]") {
