@@ -357,7 +357,7 @@ print_folder "$work/prefix" ! -path ./share/argos3/build.txt ! -path './share/do
 (cd "$work" && "$work/prefix/bin/argos3" -n -zc "$work/prefix/share/argos3/experiments/diffusion_10.argos" --length 1)
 
 began "Side by side: digests, studies, users' projects, packages, site, guide, a build for robots"
-longest_first=(guide studies page outside_projects digests site robot examples packages)
+longest_first=(page guide studies site outside_projects packages digests robot examples)
 mapfile -t other_steps < <(list_steps | grep -vxF "$(printf '%s\n' "${longest_first[@]}")")
 run_steps "${longest_first[@]}" "${other_steps[@]}"
 
