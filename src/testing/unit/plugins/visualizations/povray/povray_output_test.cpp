@@ -222,6 +222,32 @@ TEST_CASE("povray: tells why a scene cannot be rendered", "[povray]") {
                                           Contains("line 7: Parse Error: No matching }"));
 }
 
+TEST_CASE("povray: is started three times where its threads do not start in time", "[povray]") {
+  const CTemporaryFolder folder;
+  const CLogCapture log;
+  const CTemporaryFolder counts;
+  const std::string count = counts.GetPath() + "/count";
+  const int failures = GENERATE(2, 3);
+  CAPTURE(failures);
+  const CFakePovray povray("count='" + count + "'\nfailures=" + std::to_string(failures) + R"(
+echo >>"$count"
+if [ $(wc -l <"$count") -le $failures ]; then
+  echo Timed out waiting for worker thread startup >&2
+  exit 1
+fi
+for i; do case $i in +O*) echo >"${i#+O}" ;; esac; done
+)");
+  CExperiment experiment(In(folder, "ticks='0' render='true'"));
+  if (failures < 3) {
+    experiment.Run();
+    CHECK(folder.List() ==
+          std::vector<std::string>{"scene_0000000000.png", "scene_0000000000.pov"});
+  } else {
+    CHECK_THROWS_WITH(experiment.Run(), Contains("status 1") && Contains("worker thread startup"));
+  }
+  CHECK(std::filesystem::file_size(count) == 3);
+}
+
 TEST_CASE("povray: a program that writes no picture is an error", "[povray]") {
   const CTemporaryFolder folder;
   const CLogCapture log;
