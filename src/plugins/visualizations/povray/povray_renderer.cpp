@@ -157,22 +157,17 @@ void CPovrayRenderer::Render(const std::string& scene) const {
   const std::string part = picture + kPartSuffix + ".png";
   std::vector<std::string> arguments = MakePovrayArguments(m_job, scene, part);
   arguments.insert(arguments.begin(), GetPovrayProgram());
-  std::string messages;
-  const auto run = [&] {
-    CChildProcess povray(arguments, m_job.Directory);
-    SProcessEnd result = povray.Finish();
-    messages = povray.GetErrorText();
-    return result;
-  };
-  SProcessEnd end = run();
   // POV-Ray gives its own threads a few seconds to start, which is too short on a busy machine
   constexpr std::size_t kMaxStarts = 3;
-  for (std::size_t again = 0;
-       !end.IsSuccess && again < kMaxStarts - 1 &&
-       messages.find("waiting for worker thread startup") != std::string::npos;
-       ++again) {
-    end = run();
-  }
+  std::string messages;
+  SProcessEnd end;
+  std::size_t starts = 0;
+  do {
+    CChildProcess povray(arguments, m_job.Directory);
+    end = povray.Finish();
+    messages = povray.GetErrorText();
+  } while (!end.IsSuccess && ++starts < kMaxStarts &&
+           messages.find("waiting for worker thread startup") != std::string::npos);
   const std::filesystem::path folder(m_job.Directory);
   std::error_code error;
   if (end.IsSuccess) {

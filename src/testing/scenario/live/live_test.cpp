@@ -157,18 +157,17 @@ TEST_CASE("live view: a viewer never needs more than 100 states to decode one", 
   CLiveWorld world(kWaits, Diffusion(60));
   auto viewer = Join(world);
   viewer->ReceiveUntil([&] { return viewer->CountFrames() > 0; });
-  std::vector<UInt32> keys;  // numbers of states that can be decoded without others
-  for (UInt32 state = 1; state <= 110; ++state) {
+  std::vector<UInt32> keys;  // numbers of states, from 1, that can be decoded without others
+  while (viewer->CountFrames() < 110) {
     const UInt32 before = viewer->CountKeyFrames();
     StepTicks(*viewer, 1);
     if (viewer->CountKeyFrames() > before) {
-      keys.push_back(state);
+      keys.push_back(viewer->CountFrames());
     }
   }
   // each viewer's first state is one; the others are differences, which need a fraction of the
   // bytes
-  CHECK(viewer->CountFrames() == 111);
-  CHECK(keys == std::vector<UInt32>{100});
+  CHECK(keys == std::vector<UInt32>{101});
   CHECK(IsOk(viewer->Do("end")));
   world.Finish();
 }
