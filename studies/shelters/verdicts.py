@@ -1,11 +1,6 @@
 #!/usr/bin/env python3
-"""For studies/run.sh and studies/check.sh, which call it in this folder after the campaigns.
-
-  verdicts.py           figures and tables in results/, verdicts in README.md and on the standard output (report.py)
-  verdicts.py --test    tests the reduced form (check.py); exit status 1 if a property does not hold
-
-Other arguments are ignored: the databases of the campaigns are read.
-"""
+"""Figures, tables and verdicts of the campaigns (report.py); with --test a test of the reduced form (check.py), whose exit
+status is 1 if a property does not hold. It reads the databases in this folder; other arguments are ignored."""
 import os
 import sys
 
