@@ -123,22 +123,23 @@ TEST_CASE("signed-rank test: ties and zeros", "[campaign][statistics]") {
   CheckInterval(sleep.Interval, -2.95, -1.05, 0.95);
 }
 
-TEST_CASE("signed-rank test: the interval holds the locations that the test accepts",
-          "[campaign][statistics]") {
+namespace {
+
+// Checks for all alternatives that the interval of a test holds the locations that it accepts.
+// @param test    the result for some options
+// @param beside  smaller than the distance of any two locations that bound an interval
+template <typename TEST>
+void CheckHoldsAccepted(const TEST& test, Real beside) {
   const auto alternative =
       GENERATE(EAlternative::TwoSided, EAlternative::Less, EAlternative::Greater);
   const auto distribution = GENERATE(ENullDistribution::Automatic, ENullDistribution::Normal);
-  const size_t count = GENERATE(8u, 23u, 60u);
-  CRandomStream stream(3, "test", "signed", "rank");
-  const std::vector<Real> values = DrawNormal(stream, count, 0.2);
+  CAPTURE(alternative, distribution);
   SRankTestOptions options = With(alternative, distribution);
-  const SConfidenceInterval interval = TestSignedRank(values, options).Interval;
+  const SConfidenceInterval interval = test(options).Interval;
   const auto accepts = [&](Real location) {
     options.Location = location;
-    return TestSignedRank(values, options).PValue > 0.05;
+    return test(options).PValue > 0.05;
   };
-  // smaller than the distance of any two Walsh averages
-  const Real beside = 1e-9;
   CHECK((alternative == EAlternative::Less) == std::isinf(interval.Lower));
   CHECK((alternative == EAlternative::Greater) == std::isinf(interval.Upper));
   if (alternative != EAlternative::Less) {
@@ -149,6 +150,18 @@ TEST_CASE("signed-rank test: the interval holds the locations that the test acce
     CHECK(accepts(interval.Upper - beside));
     CHECK_FALSE(accepts(interval.Upper + beside));
   }
+}
+
+}  // namespace
+
+TEST_CASE("signed-rank test: the interval holds the locations that the test accepts",
+          "[campaign][statistics]") {
+  const size_t count = GENERATE(8u, 23u, 60u);
+  CRandomStream stream(3, "test", "signed", "rank");
+  const std::vector<Real> values = DrawNormal(stream, count, 0.2);
+  // the distance of any two Walsh averages is greater
+  CheckHoldsAccepted(
+      [&values](const SRankTestOptions& options) { return TestSignedRank(values, options); }, 1e-9);
 }
 
 TEST_CASE("signed-rank test: the interval of few values with ties holds what the test accepts",
@@ -268,31 +281,13 @@ TEST_CASE("rank-sum test: normal approximation and ties", "[campaign][statistics
 
 TEST_CASE("rank-sum test: the interval holds the shifts that the test accepts",
           "[campaign][statistics]") {
-  const auto alternative =
-      GENERATE(EAlternative::TwoSided, EAlternative::Less, EAlternative::Greater);
-  const auto distribution = GENERATE(ENullDistribution::Automatic, ENullDistribution::Normal);
   const size_t count = GENERATE(6u, 20u, 70u);
   CRandomStream stream(4, "test", "rank", "sum");
   const std::vector<Real> x = DrawNormal(stream, count, 0.4);
   const std::vector<Real> y = DrawNormal(stream, count + 3, 0.0);
-  SRankTestOptions options = With(alternative, distribution);
-  const SConfidenceInterval interval = TestRankSum(x, y, options).Interval;
-  const auto accepts = [&](Real location) {
-    options.Location = location;
-    return TestRankSum(x, y, options).PValue > 0.05;
-  };
-  // smaller than the distance of any two differences
-  const Real beside = 1e-9;
-  CHECK((alternative == EAlternative::Less) == std::isinf(interval.Lower));
-  CHECK((alternative == EAlternative::Greater) == std::isinf(interval.Upper));
-  if (alternative != EAlternative::Less) {
-    CHECK(accepts(interval.Lower + beside));
-    CHECK_FALSE(accepts(interval.Lower - beside));
-  }
-  if (alternative != EAlternative::Greater) {
-    CHECK(accepts(interval.Upper - beside));
-    CHECK_FALSE(accepts(interval.Upper + beside));
-  }
+  // the distance of any two differences is greater
+  CheckHoldsAccepted([&](const SRankTestOptions& options) { return TestRankSum(x, y, options); },
+                     1e-9);
 }
 
 TEST_CASE("rank-sum test: exchanging the samples mirrors the result", "[campaign][statistics]") {
