@@ -111,6 +111,20 @@ TEST_CASE("simulator: an exception thrown by a check is a loading error, reporte
   CHECK(error.find("one robot") == error.rfind("one robot"));
 }
 
+namespace {
+
+std::unique_ptr<CEmbodiedEntity> MakeCylinder(Real radius, Real height, const CVector3& position,
+                                              bool isMovable) {
+  auto description = std::make_shared<SBodyDescription>();
+  description->Shapes = {SShapeDescription::Cylinder(radius, height)};
+  description->Mass = 1.0;
+  auto body = std::make_unique<CEmbodiedEntity>(nullptr, "b", position, CQuaternion(), isMovable);
+  body->SetBodyDescription(description);
+  return body;
+}
+
+}  // namespace
+
 TEST_CASE("body index: the solids along a ray are those within reach of it in the plane",
           "[core][space]") {
   CRandomStream random(1, "test", "body index", "corridors");
@@ -120,16 +134,11 @@ TEST_CASE("body index: the solids along a ray are those within reach of it in th
   std::vector<std::unique_ptr<CEmbodiedEntity>> bodies;
   std::vector<Real> radii;
   for (int i = 0; i < 200; ++i) {
-    auto description = std::make_shared<SBodyDescription>();
     // some are larger than the limit of small bodies
     radii.push_back(random.Uniform(0.02, 0.5));
-    description->Shapes = {SShapeDescription::Cylinder(radii.back(), 0.1)};
-    description->Mass = 1.0;
     // some are outside the area
     const CVector3 position(random.Uniform(-4.0, 4.0), random.Uniform(-4.0, 4.0), 0.0);
-    bodies.push_back(std::make_unique<CEmbodiedEntity>(nullptr, "b", position, CQuaternion(),
-                                                       random.Bernoulli(0.8)));
-    bodies.back()->SetBodyDescription(description);
+    bodies.push_back(MakeCylinder(radii.back(), 0.1, position, random.Bernoulli(0.8)));
     bodies.back()->EnterIndex(index);
     if (i == 150) {
       // bodies added later are found through the overlay
@@ -170,15 +179,10 @@ TEST_CASE("body index: queries of areas and of rays with heights find all solids
   std::vector<std::unique_ptr<CEmbodiedEntity>> bodies;
   std::vector<Real> radii;
   for (int i = 0; i < 100; ++i) {
-    auto description = std::make_shared<SBodyDescription>();
     radii.push_back(random.Uniform(0.02, 0.4));
-    description->Shapes = {SShapeDescription::Cylinder(radii.back(), kHeight)};
-    description->Mass = 1.0;
     const CVector3 position(random.Uniform(-4.0, 4.0), random.Uniform(-4.0, 4.0),
                             random.Uniform(0.5, 1.5));
-    bodies.push_back(std::make_unique<CEmbodiedEntity>(nullptr, "b", position, CQuaternion(),
-                                                       random.Bernoulli(0.8)));
-    bodies.back()->SetBodyDescription(description);
+    bodies.push_back(MakeCylinder(radii.back(), kHeight, position, random.Bernoulli(0.8)));
     bodies.back()->EnterIndex(index);
     if (i == 80) {
       index.Rebuild(pool);

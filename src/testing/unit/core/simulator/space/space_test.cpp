@@ -1,5 +1,6 @@
 #include <argos3/core/simulator/loop_functions.h>
 #include <argos3/testing/support/experiment.h>
+#include <argos3/testing/support/toy_grid.h>
 #include <argos3/testing/support/toy_world.h>
 
 #include <catch2/catch.hpp>
@@ -347,11 +348,7 @@ TEST_CASE("space: every robot is visited once, on any number of threads",
   CAPTURE(threads);
   SExperiment experiment = TwoRobots();
   experiment.Threads = threads;
-  experiment.Arena =
-      R"(<distribute> <position method='grid' center='0,0,0' distances='0.2,0.2,1' layout='20,20,1' />
-      <orientation method='constant' values='0,0,0' />
-      <entity quantity='400' max_trials='1'> <toy-robot id='r'> <controller config='c' /> </toy-robot> </entity>
-    </distribute>)";
+  experiment.Arena = ToyRobotGrid(20);
   CTestWorld world(experiment);
   std::map<CControllableEntity*, std::atomic<int>> visits;
   for (CControllableEntity* robot : world.GetSpace().GetControllableEntities()) {

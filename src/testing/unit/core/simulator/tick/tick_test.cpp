@@ -6,6 +6,7 @@
 #include <argos3/core/utility/threads/thread_pool.h>
 #include <argos3/testing/support/captured_logs.h>
 #include <argos3/testing/support/experiment.h>
+#include <argos3/testing/support/toy_grid.h>
 #include <argos3/testing/support/toy_world.h>
 
 #include <catch2/catch.hpp>
@@ -42,11 +43,7 @@ SExperiment ManyRobots(UInt32 threads, const std::string& method) {
   experiment.Threads = threads;
   experiment.Method = method;
   experiment.LoopFunctions = "<loop_functions label='toy_loop_functions' />";
-  experiment.Arena =
-      R"(<distribute> <position method='grid' center='0,0,0' distances='0.2,0.2,1' layout='20,20,1' />
-      <orientation method='constant' values='0,0,0' />
-      <entity quantity='400' max_trials='1'> <toy-robot id='r'> <controller config='c' /> </toy-robot> </entity>
-    </distribute>)";
+  experiment.Arena = ToyRobotGrid(20);
   return experiment;
 }
 
@@ -157,11 +154,7 @@ TEST_CASE("tick: hooks may remove robots of a swarm that is large enough for loo
   SExperiment experiment = ManyRobots(threads, "balance_quantity");
   experiment.ArenaSize = "20,20,2";
   // more robots than those for which CLookAhead does nothing
-  experiment.Arena =
-      R"(<distribute> <position method='grid' center='0,0,0' distances='0.2,0.2,1' layout='50,50,1' />
-      <orientation method='constant' values='0,0,0' />
-      <entity quantity='2500' max_trials='1'> <toy-robot id='r'> <controller config='c' /> </toy-robot> </entity>
-    </distribute>)";
+  experiment.Arena = ToyRobotGrid(50);
   CTestWorld world(experiment);
   const CSimulator::CScope scope(world.GetSimulator());
   auto& functions = world.GetLoopFunctions<CToyLoopFunctions>();

@@ -13,9 +13,8 @@
 #include <filesystem>
 #include <string>
 
-namespace file_replacement_test {
+namespace argos::file_replacement_test {
 
-using namespace argos;
 using Catch::Contains;
 namespace fs = std::filesystem;
 
@@ -87,4 +86,4 @@ TEST_CASE("file replacement: a part of a killed process is replaced, a live one 
   RemoveStaleParts("/no/such/folder");
 }
 
-}  // namespace file_replacement_test
+}  // namespace argos::file_replacement_test

@@ -12,9 +12,8 @@
 #include <memory>
 #include <string>
 
-namespace lock_file_test {
+namespace argos::lock_file_test {
 
-using namespace argos;
 using Catch::Contains;
 namespace fs = std::filesystem;
 
@@ -69,4 +68,4 @@ TEST_CASE("lock file: a folder that does not exist is an error", "[core][files]"
                     Contains("/no/such/folder/lock") && Contains("No such file"));
 }
 
-}  // namespace lock_file_test
+}  // namespace argos::lock_file_test

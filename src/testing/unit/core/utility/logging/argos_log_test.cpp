@@ -1,4 +1,5 @@
 #include <argos3/core/utility/logging/argos_log.h>
+#include <argos3/testing/unit/core/utility/logging/log_text.h>
 
 #include <catch2/catch.hpp>
 
@@ -17,20 +18,6 @@ using namespace argos;
 using Catch::Contains;
 
 namespace {
-
-const SLogColor kGreen(ARGOS_LOG_ATTRIBUTE_BRIGHT, ARGOS_LOG_COLOR_GREEN);
-
-struct SLog {
-  explicit SLog(bool colored = false) : Log(Stream, kGreen, colored) {}
-  std::string Flushed() {
-    Log.Flush();
-    const std::string text = Stream.str();
-    Stream.str("");
-    return text;
-  }
-  std::ostringstream Stream;
-  CARGoSLog Log;
-};
 
 class CRobot {
  public:

@@ -1,5 +1,6 @@
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/logging/log_control.h>
+#include <argos3/testing/unit/core/utility/logging/log_text.h>
 
 #include <catch2/catch.hpp>
 
@@ -17,19 +18,6 @@ namespace log_control_test {
 using namespace argos;
 
 namespace {
-
-struct SLog {
-  explicit SLog(bool colored = false)
-      : Log(Stream, SLogColor(ARGOS_LOG_ATTRIBUTE_BRIGHT, ARGOS_LOG_COLOR_GREEN), colored) {}
-  std::string Flushed() {
-    Log.Flush();
-    const std::string text = Stream.str();
-    Stream.str("");
-    return text;
-  }
-  std::ostringstream Stream;
-  CARGoSLog Log;
-};
 
 void LogAllLevels(CARGoSLog& log) {
   log << "[FATAL] f" << std::endl;
