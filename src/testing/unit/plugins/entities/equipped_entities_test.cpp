@@ -1,10 +1,9 @@
 // Wheels, propellers and proximity sensors as components of any robot.
 
-#include <argos3/core/simulator/entity/composable_entity.h>
-#include <argos3/core/utility/datatypes/digest.h>
 #include <argos3/plugins/simulator/entities/proximity_sensor_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/quadrotor_entity.h>
 #include <argos3/plugins/simulator/entities/wheeled_entity.h>
+#include <argos3/testing/unit/plugins/entities/component_checks.h>
 
 #include <catch2/catch.hpp>
 
@@ -21,16 +20,7 @@ using Catch::Matchers::WithinAbs;
 
 namespace {
 
-UInt64 DigestOf(const CEntity& entity) {
-  CDigest digest;
-  entity.UpdateDigest(digest);
-  return digest.GetValue();
-}
-
-// a body with its sensors, without a space
-struct SEquippedBody {
-  CComposableEntity Robot{nullptr, "robot"};
-  CEmbodiedEntity Body{&Robot, "body_0"};
+struct SEquippedBody : SBareBody {
   CProximitySensorEquippedEntity Sensors{&Robot, "proximity_0"};
 };
 
@@ -193,12 +183,7 @@ TEST_CASE("proximity component: enabling it enables its anchors", "[entities]") 
 
 TEST_CASE("proximity component: invalid values are refused", "[entities][errors]") {
   SEquippedBody robot;
-  SAnchor& origin = robot.Body.GetOriginAnchor();
-  CHECK_THROWS_WITH(robot.Sensors.AddSensor(CVector3(), CVector3::X, 0.0, origin),
-                    Contains("range") && Contains("> 0"));
-  CHECK_THROWS_WITH(robot.Sensors.AddSensor(CVector3(), CVector3(), 1.0, origin),
-                    Contains("direction"));
-  CHECK(robot.Sensors.GetNumSensors() == 0);
+  CheckRefusesEmptyRays(robot.Sensors, robot.Body.GetOriginAnchor());
   CHECK_THROWS_WITH(robot.Sensors.GetSensor(0), Contains("no sensor 0"));
 }
 

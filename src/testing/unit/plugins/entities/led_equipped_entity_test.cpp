@@ -1,11 +1,11 @@
 #include <argos3/core/simulator/loop_functions.h>
 #include <argos3/core/utility/datatypes/any.h>
-#include <argos3/core/utility/datatypes/digest.h>
 #include <argos3/plugins/robots/e-puck/simulator/epuck_entity.h>
 #include <argos3/plugins/simulator/entities/box_entity.h>
 #include <argos3/plugins/simulator/entities/light_entity.h>
 #include <argos3/plugins/simulator/media/led_medium.h>
 #include <argos3/testing/support/robot_world.h>
+#include <argos3/testing/unit/plugins/entities/component_checks.h>
 
 #include <catch2/catch.hpp>
 
@@ -32,12 +32,6 @@ const char* const kBoxWithLEDs =
     "<box id=\"b\" size=\"1,1,1\" movable=\"false\"><body position=\"1,2,0\" "
     "orientation=\"90,0,0\"/><leds medium=\"leds\"><led offset=\"0.5,0,0.2\" anchor=\"origin\" "
     "color=\"red\"/><led offset=\"0,0,1\" anchor=\"origin\" color=\"0,10,20,30\"/></leds></box>";
-
-UInt64 DigestOf(const CEntity& entity) {
-  CDigest digest;
-  entity.UpdateDigest(digest);
-  return digest.GetValue();
-}
 
 }  // namespace
 

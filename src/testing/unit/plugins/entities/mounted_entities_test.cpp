@@ -1,7 +1,6 @@
 // Directional LEDs, tags and magnets as components of bodies.
 
 #include <argos3/core/simulator/loop_functions.h>
-#include <argos3/core/utility/datatypes/digest.h>
 #include <argos3/plugins/robots/foot-bot/simulator/footbot_entity.h>
 #include <argos3/plugins/simulator/entities/directional_led_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/magnet_equipped_entity.h>
@@ -9,6 +8,7 @@
 #include <argos3/plugins/simulator/media/directional_led_medium.h>
 #include <argos3/plugins/simulator/media/tag_medium.h>
 #include <argos3/testing/support/robot_world.h>
+#include <argos3/testing/unit/plugins/entities/component_checks.h>
 
 #include <catch2/catch.hpp>
 
@@ -48,15 +48,18 @@ SRobotExperiment With(const std::string& mounted, const std::string& tag = "foot
 }
 
 template <typename ENTITY>
+class CCount : public CPositionalIndex<ENTITY>::COperation {
+ public:
+  bool operator()(ENTITY&) override {
+    ++Number;
+    return true;
+  }
+  size_t Number = 0;
+};
+
+template <typename ENTITY>
 size_t Count(CPositionalIndex<ENTITY>& index) {
-  class CCount : public CPositionalIndex<ENTITY>::COperation {
-   public:
-    bool operator()(ENTITY&) override {
-      ++Number;
-      return true;
-    }
-    size_t Number = 0;
-  } count;
+  CCount<ENTITY> count;
   index.Update();
   index.ForEntitiesInBoxRange(CVector3(), CVector3(100.0, 100.0, 100.0), count);
   return count.Number;
@@ -73,12 +76,6 @@ CTagEquippedEntity& Tags(CRobotWorld& world) {
 
 CMagnetEquippedEntity& Magnets(CRobotWorld& world) {
   return world.Get<CComposableEntity>("r").GetComponent<CMagnetEquippedEntity>("magnets");
-}
-
-UInt64 DigestOf(const CEntity& entity) {
-  CDigest digest;
-  entity.UpdateDigest(digest);
-  return digest.GetValue();
 }
 
 }  // namespace
@@ -209,14 +206,7 @@ namespace {
 // number of times that a medium lists entities, wherever they are
 template <typename ENTITY, typename MEDIUM>
 size_t CountListed(MEDIUM& medium) {
-  class CCount : public CPositionalIndex<ENTITY>::COperation {
-   public:
-    bool operator()(ENTITY&) override {
-      ++Number;
-      return true;
-    }
-    size_t Number = 0;
-  } count;
+  CCount<ENTITY> count;
   medium.Update();
   medium.GetIndex().ForAllEntities(count);
   return count.Number;

@@ -1,7 +1,7 @@
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/utility/configuration/configuration_document.h>
-#include <argos3/core/utility/datatypes/digest.h>
 #include <argos3/plugins/simulator/entities/rab_equipped_entity.h>
+#include <argos3/testing/unit/plugins/entities/component_checks.h>
 
 #include <catch2/catch.hpp>
 
@@ -49,12 +49,6 @@ class CToyRegistry final : public CRABEquippedEntity::CRegistry {
   void Insert(CRABEquippedEntity&) override { ++NumDevices; }
   void Erase(CRABEquippedEntity&) override { --NumDevices; }
 };
-
-UInt64 DigestOf(const CEntity& entity) {
-  CDigest digest;
-  entity.UpdateDigest(digest);
-  return digest.GetValue();
-}
 
 }  // namespace
 

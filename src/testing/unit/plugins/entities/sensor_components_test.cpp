@@ -4,6 +4,7 @@
 #include <argos3/plugins/simulator/entities/ground_sensor_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/light_sensor_equipped_entity.h>
 #include <argos3/testing/support/robot_world.h>
+#include <argos3/testing/unit/plugins/entities/component_checks.h>
 
 #include <catch2/catch.hpp>
 
@@ -18,10 +19,7 @@ using Catch::Matchers::WithinAbs;
 
 namespace {
 
-// a body with its sensors, without a space
-struct SEquippedBody {
-  CComposableEntity Robot{nullptr, "robot"};
-  CEmbodiedEntity Body{&Robot, "body_0"};
+struct SEquippedBody : SBareBody {
   CLightSensorEquippedEntity Lights{&Robot, "light_0"};
   CGroundSensorEquippedEntity Ground{&Robot, "ground_0"};
 };
@@ -103,12 +101,7 @@ TEST_CASE("sensor components: enabling one enables its anchors", "[entities]") {
 
 TEST_CASE("sensor components: invalid values are refused", "[entities][errors]") {
   SEquippedBody robot;
-  SAnchor& origin = robot.Body.GetOriginAnchor();
-  CHECK_THROWS_WITH(robot.Lights.AddSensor(CVector3(), CVector3::X, 0.0, origin),
-                    Contains("range") && Contains("> 0"));
-  CHECK_THROWS_WITH(robot.Lights.AddSensor(CVector3(), CVector3(), 1.0, origin),
-                    Contains("direction"));
-  CHECK(robot.Lights.GetNumSensors() == 0);
+  CheckRefusesEmptyRays(robot.Lights, robot.Body.GetOriginAnchor());
   CHECK_THROWS_WITH(robot.Lights.GetSensor(0),
                     Contains("light_sensors") && Contains("no sensor 0"));
   CHECK_THROWS_WITH(robot.Ground.GetSensor(2),

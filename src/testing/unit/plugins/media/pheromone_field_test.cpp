@@ -12,9 +12,8 @@
 #include <cmath>
 #include <utility>
 
-namespace pheromone_field_test {
+namespace argos::pheromone_field_test {
 
-using namespace argos;
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
 
@@ -395,4 +394,4 @@ TEST_CASE("pheromone field: with joined borders nothing depends on where they ar
   CHECK_THAT(one.ComputeTotal(), WithinRel(30.0, 1e-12));
 }
 
-}  // namespace pheromone_field_test
+}  // namespace argos::pheromone_field_test

@@ -59,15 +59,20 @@ void CheckEqual(const CDrawing& a, const CDrawing& b) {
   }
 }
 
+std::string Encode(const CDrawing& drawing) {
+  std::string bytes;
+  CByteWriter out(bytes);
+  WriteDrawing(drawing, out);
+  return bytes;
+}
+
 }  // namespace
 
 TEST_CASE("drawings: all shapes are the same after writing and drawing again",
           "[core][recording][drawing]") {
   CDrawing drawing;
   DrawEverything(drawing);
-  std::string bytes;
-  CByteWriter out(bytes);
-  WriteDrawing(drawing, out);
+  const std::string bytes = Encode(drawing);
   CDrawing again;
   again.Begin(640, 480);
   again.SetWorldFrame();
@@ -84,9 +89,7 @@ TEST_CASE("drawings: cut and changed bytes give exceptions or drawings, nothing 
           "[core][recording][drawing]") {
   CDrawing drawing;
   DrawEverything(drawing);
-  std::string bytes;
-  CByteWriter out(bytes);
-  WriteDrawing(drawing, out);
+  const std::string bytes = Encode(drawing);
   size_t numErrors = 0;
   const auto read = [&numErrors](const std::string& text) {
     CDrawing again;
