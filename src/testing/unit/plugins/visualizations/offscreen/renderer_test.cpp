@@ -192,18 +192,26 @@ TEST_CASE("renderer: flying solids cast shadows on the ground, also from outside
   CHECK(std::abs(Brightness(PixelOf(picture, above, {1.0, 0.5, 0.0})) - lit) < 6);
 }
 
+namespace {
+
+SLine MakeWideLine(const std::array<float, 3>& start, const std::array<float, 3>& end) {
+  SLine line;
+  line.Start = start;
+  line.End = end;
+  line.Color = kGreen;
+  line.Width = 4.0f;
+  return line;
+}
+
+}  // namespace
+
 TEST_CASE("renderer: lights and lines in the air are drawn, even close to the eye",
           "[visualizations][offscreen][renderer]") {
   // the nearest solid is the ground, 20 m below
   CRenderer renderer(SmallPicture());
   SScene scene = MakeEmptyScene();
   scene.Glows.push_back({{0.2f, 0.0f, 19.0f}, 0.1f, kRed, 0.0f});
-  SLine line;
-  line.Start = {-0.2f, -0.3f, 19.2f};
-  line.End = {-0.2f, 0.3f, 18.8f};
-  line.Color = kGreen;
-  line.Width = 4.0f;
-  scene.Lines.push_back(line);
+  scene.Lines.push_back(MakeWideLine({-0.2f, -0.3f, 19.2f}, {-0.2f, 0.3f, 18.8f}));
   const SCameraPlacement above = ViewFromAbove(20.0);
   SPicture picture;
   renderer.Render(scene, above, picture);
@@ -246,12 +254,7 @@ TEST_CASE("renderer: lights, lines and translucent solids are drawn",
   CRenderer renderer(SmallPicture());
   SScene scene = MakeEmptyScene();
   scene.Glows.push_back({{0.5f, 0.0f, 0.1f}, 0.1f, kRed, 0.0f});
-  SLine line;
-  line.Start = {-0.5f, -0.6f, 0.1f};
-  line.End = {-0.5f, 0.6f, 0.1f};
-  line.Color = kGreen;
-  line.Width = 4.0f;
-  scene.Lines.push_back(line);
+  scene.Lines.push_back(MakeWideLine({-0.5f, -0.6f, 0.1f}, {-0.5f, 0.6f, 0.1f}));
   SRgba glass = kRed;
   glass.A = 128;
   scene.OfKind(EMeshKind::Box).push_back(MakeInstance({0.0, 0.6, 0.0}, {0.4, 0.4, 0.1}, glass));

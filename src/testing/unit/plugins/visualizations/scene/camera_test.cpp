@@ -11,9 +11,8 @@
 #include <cmath>
 #include <numbers>
 
-namespace camera_test {
+namespace argos::camera_test {
 
-using namespace argos;
 using Catch::WithinAbs;
 using Catch::Matchers::Contains;
 
@@ -265,4 +264,4 @@ TEST_CASE("camera: an eye at its target and a zero focal length are errors",
   CHECK_THROWS_AS(CCamera(Make({1.0, 2.0, 3.0}, {0.0, 0.0, 0.0}, -5.0), 1.0), CARGoSException);
 }
 
-}  // namespace camera_test
+}  // namespace argos::camera_test

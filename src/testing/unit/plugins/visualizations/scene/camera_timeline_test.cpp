@@ -4,9 +4,8 @@
 
 #include <catch2/catch.hpp>
 
-namespace camera_timeline_test {
+namespace argos::camera_timeline_test {
 
-using namespace argos;
 using Catch::WithinAbs;
 using Catch::Matchers::Contains;
 
@@ -125,4 +124,4 @@ TEST_CASE("camera timeline: invalid settings are errors", "[visualizations][offs
   CHECK_THROWS_WITH(timeline.InterpolateFromLastKeyframe(), Contains("two <interpolate> in a row"));
 }
 
-}  // namespace camera_timeline_test
+}  // namespace argos::camera_timeline_test

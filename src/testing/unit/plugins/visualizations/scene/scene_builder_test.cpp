@@ -236,13 +236,39 @@ TEST_CASE("scene builder: the floor is sampled at its resolution, again after a 
   CHECK(scene.Floor.Version != version);
 }
 
+namespace {
+
+const CVector3 kEye(0.0, 0.0, 0.5);  // m, where rays start
+
+// A world with a robot that tests record rays of.
+class CRayWorld : public CWorld {
+ public:
+  CRayWorld() { GetSpace().AddControllableEntity(Robot); }
+  ~CRayWorld() { GetSpace().RemoveControllableEntity(Robot); }
+  CRayWorld(const CRayWorld&) = delete;
+  CRayWorld& operator=(const CRayWorld&) = delete;
+
+  typedef std::vector<std::array<float, 3>> TPoints;
+  // builds the scene; @return the ends of its lines
+  TPoints BuildEnds() {
+    TPoints ends;
+    for (const SLine& line : Build().Lines) {
+      ends.push_back(line.End);
+    }
+    return ends;
+  }
+
+  CControllableEntity Robot{nullptr, "robot"};
+};
+
+}  // namespace
+
 TEST_CASE("scene builder: recorded rays end at their hits, in another colour",
           "[visualizations][offscreen][scene]") {
-  CWorld world;
-  CControllableEntity robot(nullptr, "robot");
-  world.GetSpace().AddControllableEntity(robot);
-  const CRay3 free(CVector3(0.0, 0.0, 0.5), CVector3(0.25, 0.0, 0.5));
-  const CRay3 blocked(CVector3(0.0, 0.0, 0.5), CVector3(0.0, 0.5, 0.5));
+  CRayWorld world;
+  CControllableEntity& robot = world.Robot;
+  const CRay3 free(kEye, CVector3(0.25, 0.0, 0.5));
+  const CRay3 blocked(kEye, CVector3(0.0, 0.5, 0.5));
   robot.AddCheckedRay(false, free);
   robot.AddCheckedRay(true, blocked);
   robot.AddIntersectionPoint(blocked, 0.5);
@@ -259,51 +285,39 @@ TEST_CASE("scene builder: recorded rays end at their hits, in another colour",
   world.Build(false);
   CHECK(scene.Lines.empty());
   CHECK(scene.Glows.empty());
-  world.GetSpace().RemoveControllableEntity(robot);
 }
 
 TEST_CASE("scene builder: an obstructed ray without a recorded hit keeps its length",
           "[visualizations][offscreen][scene]") {
-  CWorld world;
-  CControllableEntity robot(nullptr, "robot");
-  world.GetSpace().AddControllableEntity(robot);
+  CRayWorld world;
+  CControllableEntity& robot = world.Robot;
   // a light sensor records no hit; the proximity sensor after it does
-  const CRay3 toLight(CVector3(0.0, 0.0, 0.5), CVector3(1.0, 0.0, 0.5));
-  const CRay3 near(CVector3(0.0, 0.0, 0.5), CVector3(0.0, 0.5, 0.5));
+  const CRay3 toLight(kEye, CVector3(1.0, 0.0, 0.5));
+  const CRay3 near(kEye, CVector3(0.0, 0.5, 0.5));
   robot.AddCheckedRay(true, toLight);
   robot.AddCheckedRay(true, near);
   robot.AddIntersectionPoint(near, 0.5);
-  SScene& scene = world.Build();
-  REQUIRE(scene.Lines.size() == 2);
-  CHECK(scene.Lines[0].End == std::array<float, 3>{1.0f, 0.0f, 0.5f});
-  CHECK(scene.Lines[1].End == std::array<float, 3>{0.0f, 0.25f, 0.5f});
-  world.GetSpace().RemoveControllableEntity(robot);
+  CHECK(world.BuildEnds() == CRayWorld::TPoints{{1.0f, 0.0f, 0.5f}, {0.0f, 0.25f, 0.5f}});
 }
 
 TEST_CASE("scene builder: hits belong to obstructed rays in their order, of any length",
           "[visualizations][offscreen][scene]") {
-  CWorld world;
-  CControllableEntity robot(nullptr, "robot");
-  world.GetSpace().AddControllableEntity(robot);
+  CRayWorld world;
+  CControllableEntity& robot = world.Robot;
   // of no length, free though a later hit is on it, with a hit, and without one
-  const CVector3 origin(0.0, 0.0, 0.5);
-  const CRay3 point(origin, origin);
-  const CRay3 along(origin, CVector3(0.0, 0.5, 0.5));
-  const CRay3 last(origin, CVector3(0.0, -0.5, 0.5));
+  const CRay3 point(kEye, kEye);
+  const CRay3 along(kEye, CVector3(0.0, 0.5, 0.5));
+  const CRay3 last(kEye, CVector3(0.0, -0.5, 0.5));
   robot.AddCheckedRay(true, point);
   robot.AddCheckedRay(false, along);
   robot.AddCheckedRay(true, along);
   robot.AddCheckedRay(true, last);
   robot.AddIntersectionPoint(point, 0.0);
   robot.AddIntersectionPoint(along, 0.5);
-  SScene& scene = world.Build();
-  REQUIRE(scene.Lines.size() == 4);
-  CHECK(scene.Lines[0].End == std::array<float, 3>{0.0f, 0.0f, 0.5f});
-  CHECK(scene.Lines[1].End == std::array<float, 3>{0.0f, 0.5f, 0.5f});
-  CHECK(scene.Lines[2].End == std::array<float, 3>{0.0f, 0.25f, 0.5f});
-  CHECK(scene.Lines[3].End == std::array<float, 3>{0.0f, -0.5f, 0.5f});
-  CHECK(scene.Glows.size() == 2);
-  world.GetSpace().RemoveControllableEntity(robot);
+  CHECK(world.BuildEnds() ==
+        CRayWorld::TPoints{
+            {0.0f, 0.0f, 0.5f}, {0.0f, 0.5f, 0.5f}, {0.0f, 0.25f, 0.5f}, {0.0f, -0.5f, 0.5f}});
+  CHECK(world.Build().Glows.size() == 2);
 }
 
 TEST_CASE("scene builder: a body without an appearance is drawn as its solids",
