@@ -15,13 +15,10 @@ namespace argos {
 namespace {
 
 SBodyDescription MakeBody() {
-  SBodyDescription body;
-  body.Shapes.push_back(SShapeDescription::Cylinder(epuck::kBodyRadius, epuck::kBodyHeight));
-  body.Mass = epuck::kMass;
-  body.PlanarInertia = epuck::kPlanarInertia;
-  body.Drive = SDifferentialDriveDescription{epuck::kInterwheelDistance, epuck::kWheelRadius,
-                                             epuck::kMaxDriveForce, epuck::kMaxDriveTorque};
-  return body;
+  return DescribeWheeledCylinder(epuck::kBodyRadius, epuck::kBodyHeight, epuck::kMass,
+                                 epuck::kPlanarInertia,
+                                 {epuck::kInterwheelDistance, epuck::kWheelRadius,
+                                  epuck::kMaxDriveForce, epuck::kMaxDriveTorque});
 }
 
 std::shared_ptr<const CLEDEquippedEntity::SLayout> MakeLEDs() {

@@ -22,12 +22,10 @@ namespace argos {
 namespace {
 
 SBodyDescription MakeBody() {
-  SBodyDescription body;
-  body.Shapes.push_back(SShapeDescription::Cylinder(footbot::kBodyRadius, footbot::kBodyHeight));
-  body.Mass = footbot::kMass;
-  body.PlanarInertia = footbot::kPlanarInertia;
-  body.Drive = SDifferentialDriveDescription{footbot::kInterwheelDistance, footbot::kWheelRadius,
-                                             footbot::kMaxDriveForce, footbot::kMaxDriveTorque};
+  SBodyDescription body = DescribeWheeledCylinder(
+      footbot::kBodyRadius, footbot::kBodyHeight, footbot::kMass, footbot::kPlanarInertia,
+      {footbot::kInterwheelDistance, footbot::kWheelRadius, footbot::kMaxDriveForce,
+       footbot::kMaxDriveTorque});
   body.Turret = STurretDescription{footbot::kTurretMass, footbot::kTurretInertia,
                                    footbot::kMaxTurretTorque, footbot::kFreeTurretTorque};
   SGripperDescription gripper;

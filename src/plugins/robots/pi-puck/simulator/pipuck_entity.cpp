@@ -20,13 +20,10 @@ namespace argos {
 namespace {
 
 SBodyDescription MakeBody() {
-  SBodyDescription body;
-  body.Shapes.push_back(SShapeDescription::Cylinder(pipuck::kBodyRadius, pipuck::kBodyHeight));
-  body.Mass = pipuck::kMass;
-  body.PlanarInertia = pipuck::kPlanarInertia;
-  body.Drive = SDifferentialDriveDescription{pipuck::kInterwheelDistance, pipuck::kWheelRadius,
-                                             pipuck::kMaxDriveForce, pipuck::kMaxDriveTorque};
-  return body;
+  return DescribeWheeledCylinder(pipuck::kBodyRadius, pipuck::kBodyHeight, pipuck::kMass,
+                                 pipuck::kPlanarInertia,
+                                 {pipuck::kInterwheelDistance, pipuck::kWheelRadius,
+                                  pipuck::kMaxDriveForce, pipuck::kMaxDriveTorque});
 }
 
 const CSharedBodies& Bodies() {

@@ -36,6 +36,16 @@ std::shared_ptr<const SBodyDescription> CSharedBodies::Get(
   return body;
 }
 
+SBodyDescription DescribeWheeledCylinder(Real radius, Real height, Real mass, Real planarInertia,
+                                         const SDifferentialDriveDescription& drive) {
+  SBodyDescription body;
+  body.Shapes.push_back(SShapeDescription::Cylinder(radius, height));
+  body.Mass = mass;
+  body.PlanarInertia = planarInertia;
+  body.Drive = drive;
+  return body;
+}
+
 bool ReadDriveLimits(TConfigurationNode& tree, SDifferentialDriveDescription& drive) {
   if (!NodeExists(tree, "dynamics2d")) {
     return false;

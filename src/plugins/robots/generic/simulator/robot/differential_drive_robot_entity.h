@@ -37,6 +37,14 @@ class CSharedBodies {
 };
 
 /**
+ * Describes a cylinder on two driven wheels.
+ * @param radius, height         m.
+ * @param mass, planarInertia    kg, kg m^2.
+ */
+SBodyDescription DescribeWheeledCylinder(Real radius, Real height, Real mass, Real planarInertia,
+                                         const SDifferentialDriveDescription& drive);
+
+/**
  * Reads the limits of a drive from the child `<dynamics2d><differential_steering max_force="..."
  * max_torque="..." /></dynamics2d>`.
  * @return false if there is none. @throws CARGoSException if a limit is not > 0.
