@@ -81,9 +81,8 @@ command takes effect in the next tick.
 )" +
         RequiredActuatorXML(R"(<footbot_distance_scanner implementation="default" />)",
                             R"(<footbot_distance_scanner implementation="rot_z_only" />)") +
-        OptionalXML(R"(<footbot_distance_scanner implementation="default">
-    <noise on="angle" model="gaussian" std_dev="0.01" />
-  </footbot_distance_scanner>)") +
+        OptionalNoiseXML("footbot_distance_scanner",
+                         R"(on="angle" model="gaussian" std_dev="0.01")") +
         NoiseManual("angle|rpm",
                     "each angle (rad) and each speed (turns per minute) that the controller sets."),
     "Usable")

@@ -51,9 +51,8 @@ about the vertical during a tick; sideways sliding rotates no wheel, and neither
 the arcs of the drive, for less than half a turn in a tick. The drift of differential_steering (dead_reckoning) is not
 part of it: the encoder reads what the motors turned. Also reads the distance between the wheels, in cm.
 )" + RequiredSensorXML(R"(<footbot_encoder implementation="default" />)") +
-        OptionalXML(R"(<footbot_encoder implementation="default">
-    <noise on="distance_left" model="gaussian" std_dev="0.01" relative="true" />
-  </footbot_encoder>)") +
+        OptionalNoiseXML("footbot_encoder",
+                         R"(on="distance_left" model="gaussian" std_dev="0.01" relative="true")") +
         NoiseManual("distance_left|distance_right", "the distances (cm) in each tick."),
     "Usable")
 

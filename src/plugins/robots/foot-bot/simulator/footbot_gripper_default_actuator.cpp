@@ -20,9 +20,7 @@ is beyond pi/4 to either side. lock_positive and lock_negative set pi/2 and -pi/
 the robot, straight ahead of the turret: see the actuator "gripper". While the gripper holds a body and the turret is off
 or passive, the turret rotates freely under the load.
 )" + RequiredActuatorXML(R"(<footbot_gripper implementation="default" />)") +
-        OptionalXML(R"(<footbot_gripper implementation="default">
-    <noise on="aperture" model="gaussian" std_dev="0.1" />
-  </footbot_gripper>)") +
+        OptionalNoiseXML("footbot_gripper", R"(on="aperture" model="gaussian" std_dev="0.1")") +
         NoiseManual("aperture",
                     "the aperture (rad) each time the controller changes it. The sum is clamped to "
                     "[-pi/2,pi/2]."),

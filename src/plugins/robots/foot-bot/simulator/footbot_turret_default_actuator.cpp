@@ -89,9 +89,7 @@ counter-clockwise from straight ahead. Modes:
 The torque of the motor is at most 150 N m while the gripper holds a body. Modes and targets are independent: a target is
 kept while another mode is active. A command takes effect in the next tick.
 )" + RequiredActuatorXML(R"(<footbot_turret implementation="default" />)") +
-        OptionalXML(R"(<footbot_turret implementation="default">
-    <noise on="rotation" model="gaussian" std_dev="0.02" />
-  </footbot_turret>)") +
+        OptionalNoiseXML("footbot_turret", R"(on="rotation" model="gaussian" std_dev="0.02")") +
         NoiseManual(
             "rotation|rotation_speed",
             "the targets, once for each command: rotation (rad) and speed (turns per minute)."),

@@ -30,9 +30,8 @@ REGISTER_SENSOR(
     R"(Reads the rotation of the turret on the base, in rad, in (-pi,pi], counter-clockwise from straight ahead, in
 every mode of the turret, and exactly without noise.
 )" + RequiredSensorXML(R"(<footbot_turret_encoder implementation="default" />)") +
-        OptionalXML(R"(<footbot_turret_encoder implementation="default">
-    <noise on="rotation" model="gaussian" std_dev="0.01" />
-  </footbot_turret_encoder>)") +
+        OptionalNoiseXML("footbot_turret_encoder",
+                         R"(on="rotation" model="gaussian" std_dev="0.01")") +
         NoiseManual("rotation",
                     "the rotation (rad) in each tick; the reading is normalized to (-pi,pi]."),
     "Usable")

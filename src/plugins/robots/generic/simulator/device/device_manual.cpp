@@ -67,6 +67,11 @@ std::string NoiseManual(const std::string& quantities, const std::string& effect
          (several ? "\nWithout the attribute \"on\", noise is added to all of them.\n" : "\n");
 }
 
+std::string OptionalNoiseXML(const std::string& tag, const std::string& noise) {
+  return OptionalXML("<" + tag + " implementation=\"default\">\n    <noise " + noise + " />\n  </" +
+                     tag + ">");
+}
+
 std::string RayReadingsManual(const std::string& tag, const std::string& implementation,
                               const std::string& shown) {
   const std::string element = "<" + tag + " implementation=\"" + implementation + "\"";

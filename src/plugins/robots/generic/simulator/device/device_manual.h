@@ -46,6 +46,13 @@ std::string CarrierXML(const std::string& part);
 std::string NoiseManual(const std::string& quantities, const std::string& effect);
 
 /**
+ * "OPTIONAL XML" of a device of the implementation "default" with a child `<noise>`.
+ * @param tag    of the device.
+ * @param noise  attributes of the child.
+ */
+std::string OptionalNoiseXML(const std::string& tag, const std::string& noise);
+
+/**
  * Required and optional XML of a sensor with the attributes `show_rays` and `noise_level`, whose
  * readings are in [0,1].
  * @param tag, implementation  of the sensor.

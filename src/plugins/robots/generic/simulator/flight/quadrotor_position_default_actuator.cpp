@@ -9,9 +9,7 @@ namespace argos {
 
 namespace {
 
-// quantities of the noise
-constexpr size_t kPosition = 0;
-constexpr size_t kYaw = 1;
+enum : size_t { kPosition, kYaw };  // quantities of the noise
 
 }  // namespace
 
@@ -55,9 +53,7 @@ REGISTER_ACTUATOR(
 the flight control of the robot moves it there from the next tick on. Targets hold until they are replaced. At the start
 and after a reset the robot holds its position. A robot may have this actuator or quadrotor_speed, not both.
 )" + RequiredActuatorXML(R"(<quadrotor_position implementation="default" />)") +
-        OptionalXML(R"(<quadrotor_position implementation="default">
-    <noise on="position" model="gaussian" std_dev="0.02" />
-  </quadrotor_position>)") +
+        OptionalNoiseXML("quadrotor_position", R"(on="position" model="gaussian" std_dev="0.02")") +
         NoiseManual(
             "position|yaw",
             R"(the targets, once for each command: "position" (m, a draw for each coordinate) and "yaw" (rad).)"),

@@ -7,9 +7,7 @@ namespace argos {
 
 namespace {
 
-// quantities of the noise
-constexpr size_t kVelocity = 0;
-constexpr size_t kRotationalSpeed = 1;
+enum : size_t { kVelocity, kRotationalSpeed };  // quantities of the noise
 
 }  // namespace
 
@@ -41,9 +39,7 @@ REGISTER_ACTUATOR(
 (rad/s); the flight control of the robot follows them from the next tick on. Targets hold until they are replaced; at
 the start and after a reset both are zero. A robot may have this actuator or quadrotor_position, not both.
 )" + RequiredActuatorXML(R"(<quadrotor_speed implementation="default" />)") +
-        OptionalXML(R"(<quadrotor_speed implementation="default">
-    <noise on="velocity" model="gaussian" std_dev="0.02" />
-  </quadrotor_speed>)") +
+        OptionalNoiseXML("quadrotor_speed", R"(on="velocity" model="gaussian" std_dev="0.02")") +
         NoiseManual(
             "velocity|rotational_speed",
             R"(the targets, once for each command: "velocity" (m/s, a draw for each component) and "rotational_speed"

@@ -19,9 +19,7 @@ a time; several grippers may hold the same body. An unlocked gripper releases it
 at the start and after a reset. The stiffness of a grip depends on the physics engine: see the manual of the engine. A
 body that is moved by a command, or removed, is released.
 )" + RequiredActuatorXML(R"(<gripper implementation="default" />)") +
-        OptionalXML(R"(<gripper implementation="default">
-    <noise on="lock_state" model="gaussian" std_dev="0.1" />
-  </gripper>)") +
+        OptionalNoiseXML("gripper", R"(on="lock_state" model="gaussian" std_dev="0.1")") +
         NoiseManual(
             "lock_state",
             "the lock state each time the controller changes it. The sum is clamped to [0,1];\nthe "

@@ -52,9 +52,9 @@ on a robot that carries magnets:
   anchor         text, required: a frame of the body; "origin" for magnets that do not rotate on the body.
   passive_field  "x,y,z", required: the field without current.
   active_field   "x,y,z", default "0,0,0": the field that one unit of current adds.
-)" + OptionalXML(R"(<magnets implementation="default">
-    <noise on="current" model="gaussian" std_dev="0.01" relative="true" />
-  </magnets>)") +
+)" +
+        OptionalNoiseXML("magnets",
+                         R"(on="current" model="gaussian" std_dev="0.01" relative="true")") +
         NoiseManual("current", "the current, in each tick."),
     "Usable")
 

@@ -29,9 +29,8 @@ REGISTER_SENSOR(
     R"(Reads the number of the tick, which is 1 in the first step of the controller, and the simulated time in
 seconds: the number of the tick times the length of a tick.
 )" + RequiredSensorXML(R"(<clock implementation="default" />)") +
-        OptionalXML(R"(<clock implementation="default">
-    <noise on="time" model="gaussian" std_dev="0" bias="0.001" relative="true" />
-  </clock>)") +
+        OptionalNoiseXML("clock",
+                         R"(on="time" model="gaussian" std_dev="0" bias="0.001" relative="true")") +
         NoiseManual("time",
                     "the time (s), not to the tick. With the noise of the example, the clock gains "
                     "1 ms per second."),
