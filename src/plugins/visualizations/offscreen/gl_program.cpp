@@ -4,12 +4,20 @@
 
 #include <array>
 #include <cmath>
+#include <string>
 
 namespace argos {
 
 namespace {
 
-constexpr GLsizei kMessageSize = 2048;
+// The messages of the driver about a shader or a program. @param getLog  the function for its kind.
+template <typename GETLOG>
+std::string ReadLog(const GETLOG& getLog, GLuint object) {
+  constexpr GLsizei kMaxBytes = 2048;
+  std::array<char, kMaxBytes> message{};
+  getLog(object, kMaxBytes, nullptr, message.data());
+  return message.data();
+}
 
 }  // namespace
 
@@ -29,10 +37,8 @@ CGlProgram::CGlProgram(const SGlFunctions& gl, const SShaderSource& source)
   GLint linked = GL_FALSE;
   m_gl.GetProgramiv(m_program, GL_LINK_STATUS, &linked);
   if (linked != GL_TRUE) {
-    std::array<char, kMessageSize> message{};
-    m_gl.GetProgramInfoLog(m_program, kMessageSize, nullptr, message.data());
     THROW_ARGOSEXCEPTION("The OpenGL driver cannot link the shaders \""
-                         << source.Name << "\": " << message.data());
+                         << source.Name << "\": " << ReadLog(m_gl.GetProgramInfoLog, m_program));
   }
 }
 
@@ -46,11 +52,9 @@ GLuint CGlProgram::Compile(GLenum stage, const SShaderSource& source) const {
   GLint compiled = GL_FALSE;
   m_gl.GetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
   if (compiled != GL_TRUE) {
-    std::array<char, kMessageSize> message{};
-    m_gl.GetShaderInfoLog(shader, kMessageSize, nullptr, message.data());
     THROW_ARGOSEXCEPTION("The OpenGL driver cannot compile the "
                          << (stage == GL_VERTEX_SHADER ? "vertex" : "fragment") << " shader \""
-                         << source.Name << "\": " << message.data());
+                         << source.Name << "\": " << ReadLog(m_gl.GetShaderInfoLog, shader));
   }
   return shader;
 }

@@ -33,6 +33,10 @@ class CSceneDrawer {
       m_nextNearer += shape.IsFace ? 0.0 : kNearerPerShape;
       if (shape.Kind == SDrawnShape::EKind::Text) {
         AddText(shape);
+      } else if (shape.Kind == SDrawnShape::EKind::Polygon) {
+        AddArea(PolygonCorners(shape), shape);
+      } else if (shape.Kind == SDrawnShape::EKind::Circle) {
+        AddArea(CircleCorners(shape), shape);
       } else if (shape.Space == SDrawnShape::ESpace::Overlay) {
         AddToOverlay(shape);
       } else {
@@ -50,19 +54,13 @@ class CSceneDrawer {
       case SDrawnShape::EKind::Line:
         AddLine(ToEigen(shape.Position), ToEigen(shape.Position + shape.Size), shape);
         break;
-      case SDrawnShape::EKind::Polygon:
-        AddArea(PolygonCorners(shape), shape);
-        break;
-      case SDrawnShape::EKind::Circle:
-        AddArea(CircleCorners(shape), shape);
-        break;
       case SDrawnShape::EKind::Cylinder:
         AddSolidOf(EMeshKind::Cylinder, shape);
         break;
       case SDrawnShape::EKind::Box:
         AddSolidOf(EMeshKind::Box, shape);
         break;
-      case SDrawnShape::EKind::Text:
+      default:  // see AddAll()
         break;
     }
   }
@@ -78,12 +76,6 @@ class CSceneDrawer {
       case SDrawnShape::EKind::Line:
         AddStroke(position, position + size, shape);
         break;
-      case SDrawnShape::EKind::Polygon:
-        AddArea(PolygonCorners(shape), shape);
-        break;
-      case SDrawnShape::EKind::Circle:
-        AddArea(CircleCorners(shape), shape);
-        break;
       case SDrawnShape::EKind::Cylinder:
         AddFilled(RegularCorners(half.x(), kRoundCorners), ToPose(shape), shape);
         break;
@@ -94,7 +86,7 @@ class CSceneDrawer {
                    {-half.x(), half.y()}},
                   ToPose(shape), shape);
         break;
-      case SDrawnShape::EKind::Text:
+      default:  // see AddAll()
         break;
     }
   }
