@@ -6,6 +6,7 @@
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/utility/math/random_stream.h>
 #include <argos3/testing/determinism/comms_swarm.h>
+#include <argos3/testing/support/digests.h>
 #include <argos3/testing/support/no_allocation.h>
 #include <argos3/testing/support/sanitizers.h>
 
@@ -23,20 +24,11 @@ namespace {
 constexpr UInt32 kRobots = 200;
 constexpr UInt32 kTicks = 40;
 
-std::vector<UInt64> Run(CTestWorld& world) {
-  std::vector<UInt64> digests = {world.ComputeDigest()};
-  for (UInt32 tick = 0; tick < kTicks; ++tick) {
-    world.Step();
-    digests.push_back(world.ComputeDigest());
-  }
-  return digests;
-}
-
 // computed once, by the main thread alone
 const std::vector<UInt64>& Reference() {
   static const std::vector<UInt64> reference = [] {
     CTestWorld world(CommsSwarm(kRobots));
-    return Run(world);
+    return RecordDigests(world, kTicks);
   }();
   return reference;
 }
@@ -52,21 +44,21 @@ TEST_CASE("comms determinism: every tick is equal bit by bit for any number of t
   experiment.Threads = threads;
   experiment.Method = method;
   CTestWorld world(experiment);
-  CHECK(Run(world) == Reference());
+  CHECK(RecordDigests(world, kTicks) == Reference());
 }
 
 TEST_CASE("comms determinism: every tick is equal for every index of the media", "[determinism]") {
   const std::string index = GENERATE("index='hash'", "grid_size='3,50,1'");
   CAPTURE(index);
   CTestWorld world(CommsSwarm(kRobots, true, index));
-  CHECK(Run(world) == Reference());
+  CHECK(RecordDigests(world, kTicks) == Reference());
 }
 
 TEST_CASE("comms determinism: after a reset the run repeats", "[determinism]") {
   CTestWorld world(CommsSwarm(kRobots));
   world.Step(17);
   world.GetSimulator().Reset();
-  CHECK(Run(world) == Reference());
+  CHECK(RecordDigests(world, kTicks) == Reference());
 }
 
 TEST_CASE("comms determinism: the compared runs change in every tick, and with the noise",
@@ -74,7 +66,7 @@ TEST_CASE("comms determinism: the compared runs change in every tick, and with t
   CHECK(std::set<UInt64>(Reference().begin(), Reference().end()).size() == Reference().size());
   // readings affect the motion: without noise robots take other paths
   CTestWorld quiet(CommsSwarm(kRobots, false));
-  CHECK(Run(quiet) != Reference());
+  CHECK(RecordDigests(quiet, kTicks) != Reference());
 }
 
 TEST_CASE("no allocation: a tick of communicating robots in steady state allocates nothing",

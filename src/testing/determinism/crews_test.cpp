@@ -4,6 +4,7 @@
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/plugins/simulator/entities/gripper_equipped_entity.h>
 #include <argos3/testing/determinism/crews.h>
+#include <argos3/testing/support/digests.h>
 #include <argos3/testing/support/no_allocation.h>
 #include <argos3/testing/support/sanitizers.h>
 
@@ -26,11 +27,7 @@ SExperiment Crew(bool flies, bool noisy) {
 
 // digests of the world after each tick, followed by the digest of each robot's readings
 std::vector<UInt64> Run(CTestWorld& world) {
-  std::vector<UInt64> digests = {world.ComputeDigest()};
-  for (UInt32 tick = 0; tick < kTicks; ++tick) {
-    world.Step();
-    digests.push_back(world.ComputeDigest());
-  }
+  std::vector<UInt64> digests = RecordDigests(world, kTicks);
   for (CControllableEntity* robot : world.GetSpace().GetControllableEntities()) {
     digests.push_back(dynamic_cast<CRecorder&>(robot->GetController()).GetRead());
   }

@@ -1,6 +1,7 @@
 // A crowd that presses: clusters that merge and split, large enough for several strips, with loads
 // and grips in them, equal bit by bit for any number of threads, also after a reset.
 
+#include <argos3/testing/support/digests.h>
 #include <argos3/testing/support/experiment.h>
 #include <argos3/testing/support/no_allocation.h>
 #include <argos3/testing/support/overlap.h>
@@ -16,12 +17,11 @@
 
 #include <catch2/catch.hpp>
 
-namespace determinism_crowd_test {
+namespace argos::determinism_crowd_test {
 
-using namespace argos;
-using argos::testing::MeasureOverlaps;
-using argos::testing::SOverlaps;
-using argos::testing::SRoomsWorld;
+using testing::MeasureOverlaps;
+using testing::SOverlaps;
+using testing::SRoomsWorld;
 
 namespace {
 
@@ -79,15 +79,6 @@ std::string MakeCrowd(UInt32 threads, const std::string& method, bool withLoads)
   return xml;
 }
 
-std::vector<UInt64> Run(CTestWorld& world, UInt32 ticks) {
-  std::vector<UInt64> digests;
-  for (UInt32 tick = 0; tick < ticks; ++tick) {
-    world.Step();
-    digests.push_back(world.ComputeDigest());
-  }
-  return digests;
-}
-
 }  // namespace
 
 TEST_CASE("crowd determinism: every tick is equal for any number of threads, also after a reset",
@@ -96,14 +87,14 @@ TEST_CASE("crowd determinism: every tick is equal for any number of threads, als
   CAPTURE(withLoads);
   constexpr UInt32 kTicks = FewerIfSanitized(80);
   CTestWorld alone(MakeCrowd(0, "balance_quantity", withLoads));
-  const std::vector<UInt64> expected = Run(alone, kTicks);
+  const std::vector<UInt64> expected = RecordDigests(alone, kTicks);
   alone.GetSimulator().Reset();
-  REQUIRE(Run(alone, kTicks) == expected);
+  REQUIRE(RecordDigests(alone, kTicks) == expected);
   for (const UInt32 threads : MostIfSanitized({1U, 2U, 3U, 4U})) {
     for (const char* method : {"balance_quantity", "balance_length"}) {
       CAPTURE(threads, method);
       CTestWorld world(MakeCrowd(threads, method, withLoads));
-      REQUIRE(Run(world, kTicks) == expected);
+      REQUIRE(RecordDigests(world, kTicks) == expected);
     }
   }
 }
@@ -132,4 +123,4 @@ TEST_CASE("no allocation: a tick of a crowd that presses allocates nothing",
   CheckSettledTicks(world, 200, 100);
 }
 
-}  // namespace determinism_crowd_test
+}  // namespace argos::determinism_crowd_test

@@ -7,6 +7,7 @@
 #include <argos3/plugins/simulator/entities/gripper_equipped_entity.h>
 #include <argos3/testing/support/device_user.h>
 #include <argos3/testing/support/device_world.h>
+#include <argos3/testing/support/digests.h>
 #include <argos3/testing/support/no_allocation.h>
 #include <argos3/testing/support/sanitizers.h>
 
@@ -37,11 +38,7 @@ CDeviceUser& UserOf(CControllableEntity& robot) {
 
 // digests of the world after each tick, followed by the digest of each robot's readings
 std::vector<UInt64> Run(CTestWorld& world) {
-  std::vector<UInt64> digests = {world.ComputeDigest()};
-  for (UInt32 tick = 0; tick < kTicks; ++tick) {
-    world.Step();
-    digests.push_back(world.ComputeDigest());
-  }
+  std::vector<UInt64> digests = RecordDigests(world, kTicks);
   for (CControllableEntity* robot : world.GetSpace().GetControllableEntities()) {
     digests.push_back(UserOf(*robot).GetReadingsDigest());
   }

@@ -4,6 +4,7 @@
 #include <argos3/core/simulator/sensor.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/testing/determinism/swarm.h>
+#include <argos3/testing/support/digests.h>
 #include <argos3/testing/support/experiment.h>
 #include <argos3/testing/support/toy_world.h>
 
@@ -86,16 +87,11 @@ TEST_CASE("grain: results are the same for every grain, number of threads and sc
     experiment.Threads = threads;
     experiment.Method = method;
     CTestWorld world(WithGrain(experiment, grain));
-    std::vector<UInt64> digests;
-    for (UInt32 tick = 0; tick < kTicks; ++tick) {
-      world.Step();
-      digests.push_back(world.ComputeDigest());
-    }
-    return digests;
+    return RecordDigests(world, kTicks);
   };
   const SExperiment swarm = Swarm(60);
   const std::vector<UInt64> alone = run(swarm, "auto", 0, "balance_quantity");
-  CHECK(std::set<UInt64>(alone.begin(), alone.end()).size() == kTicks);
+  CHECK(std::set<UInt64>(alone.begin(), alone.end()).size() == kTicks + 1);
   for (const std::string grain : {"1", "7", "64", "1000", "auto"}) {
     for (const UInt32 threads : {1U, 2U, 4U}) {
       for (const std::string method : {"balance_quantity", "balance_length"}) {

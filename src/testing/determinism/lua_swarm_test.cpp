@@ -1,5 +1,6 @@
 // Swarms of robots that run Lua scripts.
 
+#include <argos3/testing/support/digests.h>
 #include <argos3/testing/support/experiment.h>
 #include <argos3/testing/support/paths.h>
 
@@ -117,15 +118,6 @@ SExperiment Swarm(const CScripts& scripts, UInt32 robots, UInt32 threads, UInt32
   return experiment;
 }
 
-std::vector<UInt64> Run(CTestWorld& world, UInt32 ticks) {
-  std::vector<UInt64> digests = {world.ComputeDigest()};
-  for (UInt32 tick = 0; tick < ticks; ++tick) {
-    world.Step();
-    digests.push_back(world.ComputeDigest());
-  }
-  return digests;
-}
-
 }  // namespace
 
 TEST_CASE("determinism: Lua robots and loop functions give equal results for any number of threads",
@@ -134,16 +126,16 @@ TEST_CASE("determinism: Lua robots and loop functions give equal results for any
   constexpr UInt32 kRobots = 200;
   constexpr UInt32 kTicks = FewerIfSanitized(60);
   CTestWorld reference(Swarm(scripts, kRobots, 0));
-  const std::vector<UInt64> expected = Run(reference, kTicks);
+  const std::vector<UInt64> expected = RecordDigests(reference, kTicks);
   // the digest changes in every tick
   CHECK(std::set<UInt64>(expected.begin(), expected.end()).size() == expected.size());
   for (const UInt32 threads : {0U, 1U, 4U}) {
     CAPTURE(threads);
     CTestWorld world(Swarm(scripts, kRobots, threads));
-    CHECK(Run(world, kTicks) == expected);
+    CHECK(RecordDigests(world, kTicks) == expected);
   }
   CTestWorld other(Swarm(scripts, kRobots, 0, 2));
-  CHECK(Run(other, 5).back() != expected[5]);
+  CHECK(RecordDigests(other, 5).back() != expected[5]);
 }
 
 TEST_CASE("determinism: a run of Lua robots repeats after a reset", "[determinism][lua]") {
@@ -152,22 +144,22 @@ TEST_CASE("determinism: a run of Lua robots repeats after a reset", "[determinis
   // entities added by loop functions stay after a reset, so this run is without loop functions
   experiment.LoopFunctions = "";
   CTestWorld world(experiment);
-  const std::vector<UInt64> first = Run(world, 40);
+  const std::vector<UInt64> first = RecordDigests(world, 40);
   world.GetSimulator().Reset();
-  CHECK(Run(world, 40) == first);
+  CHECK(RecordDigests(world, 40) == first);
 }
 
 TEST_CASE("determinism: simulators with Lua robots do not affect each other",
           "[determinism][lua][threads]") {
   const CScripts scripts;
   CTestWorld reference(Swarm(scripts, 30, 0));
-  const std::vector<UInt64> expected = Run(reference, 40);
+  const std::vector<UInt64> expected = RecordDigests(reference, 40);
   std::vector<std::vector<UInt64>> digests(4);
   std::vector<std::thread> threads;
   for (size_t i = 0; i < digests.size(); ++i) {
     threads.emplace_back([&, i] {
       CTestWorld world(Swarm(scripts, 30, static_cast<UInt32>(i)));
-      digests[i] = Run(world, 40);
+      digests[i] = RecordDigests(world, 40);
     });
   }
   for (std::thread& thread : threads) {

@@ -187,6 +187,18 @@ TRun Run(CTestWorld& world) {
   return run;
 }
 
+SExperiment RecordersOn(UInt32 threads, const std::string& method) {
+  SExperiment experiment = Recorders();
+  experiment.Threads = threads;
+  experiment.Method = method;
+  return experiment;
+}
+
+// otherwise so little work would be done by one thread
+void UseShortRuns(CSimulator& simulator) {
+  simulator.AddOverride("framework/system/@grain", "8");
+}
+
 void EnableBuiltIns(CTestWorld& world) {
   for (const char* const name :
        {"dispersion", "collisions", "real_time_factor", "speedup", "resident_memory"}) {
@@ -219,13 +231,7 @@ TEST_CASE("metrics: equal to the bit for any number of threads and schedule",
   const UInt32 threads = GENERATE(from_range(MostIfSanitized({0U, 1U, 4U, 15U})));
   const std::string method = GENERATE("balance_quantity", "balance_length");
   CAPTURE(threads, method);
-  SExperiment experiment = Recorders();
-  experiment.Threads = threads;
-  experiment.Method = method;
-  // otherwise so little work would be done by one thread
-  CTestWorld world(experiment, [](CSimulator& simulator) {
-    simulator.AddOverride("framework/system/@grain", "8");
-  });
+  CTestWorld world(RecordersOn(threads, method), UseShortRuns);
   const TRun& reference = Reference();
   threadsOfRobots.clear();
   areThreadsNoted = true;
@@ -293,12 +299,7 @@ TEST_CASE("metrics: a settled tick with metrics allocates nothing",
   const UInt32 threads = GENERATE(0U, 2U);
   const std::string method = GENERATE("balance_quantity", "balance_length");
   CAPTURE(threads, method);
-  SExperiment experiment = Recorders();
-  experiment.Threads = threads;
-  experiment.Method = method;
-  CTestWorld world(experiment, [](CSimulator& simulator) {
-    simulator.AddOverride("framework/system/@grain", "8");
-  });
+  CTestWorld world(RecordersOn(threads, method), UseShortRuns);
   EnableBuiltIns(world);
   world.Step(20);
   CheckAllocatesNothing([&] { world.Step(50); });

@@ -3,6 +3,7 @@
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
 #include <argos3/testing/determinism/swarm.h>
+#include <argos3/testing/support/digests.h>
 #include <argos3/testing/support/paths.h>
 #include <argos3/testing/support/sanitizers.h>
 
@@ -39,22 +40,13 @@ const std::vector<SSize> kSizes = {{10, 1, kManyTicks},
                                    {1000, 1, kFewTicks, "kinematics2d"},
                                    {1000, 2, kFewTicks, "kinematics2d"}};
 
-std::vector<UInt64> Run(CTestWorld& world, UInt32 ticks) {
-  std::vector<UInt64> digests = {world.ComputeDigest()};
-  for (UInt32 tick = 0; tick < ticks; ++tick) {
-    world.Step();
-    digests.push_back(world.ComputeDigest());
-  }
-  return digests;
-}
-
 // computed once for each size, by the main thread alone
 const std::vector<UInt64>& Reference(const SSize& size) {
   static std::map<std::tuple<UInt32, UInt32, std::string>, std::vector<UInt64>> references;
   std::vector<UInt64>& reference = references[{size.Robots, size.EnginesPerSide, size.Engine}];
   if (reference.empty()) {
     CTestWorld world(Swarm(size.Robots, size.EnginesPerSide, true, size.Engine));
-    reference = Run(world, size.Ticks);
+    reference = RecordDigests(world, size.Ticks);
   }
   return reference;
 }
@@ -85,7 +77,7 @@ TEST_CASE("determinism: every tick is equal bit by bit for any number of threads
   experiment.Threads = threads;
   experiment.Method = method;
   CTestWorld world(experiment);
-  CheckSame(Run(world, size.Ticks), size);
+  CheckSame(RecordDigests(world, size.Ticks), size);
 }
 
 TEST_CASE("determinism: after a reset the run repeats", "[determinism]") {
@@ -98,9 +90,9 @@ TEST_CASE("determinism: after a reset the run repeats", "[determinism]") {
   // also if the previous run was interrupted, and a second time
   world.Step(size.Ticks / 3);
   world.GetSimulator().Reset();
-  CheckSame(Run(world, size.Ticks), size);
+  CheckSame(RecordDigests(world, size.Ticks), size);
   world.GetSimulator().Reset();
-  CheckSame(Run(world, size.Ticks), size);
+  CheckSame(RecordDigests(world, size.Ticks), size);
 }
 
 TEST_CASE("determinism: the compared runs change in every tick, and with the seed",
@@ -165,7 +157,7 @@ TEST_CASE("determinism: simulators that run concurrently do not affect each othe
       experiment.Controllers += "<epuck_diffusion_controller id='unused' library='" +
                                 InBuildTree("experiments/libepuck_diffusion") + "' />";
       CTestWorld world(experiment);
-      digests[i] = Run(world, size.Ticks);
+      digests[i] = RecordDigests(world, size.Ticks);
     });
   }
   for (std::thread& thread : threads) {

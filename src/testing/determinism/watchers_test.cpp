@@ -3,6 +3,7 @@
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/testing/determinism/watchers.h>
+#include <argos3/testing/support/digests.h>
 #include <argos3/testing/support/no_allocation.h>
 #include <argos3/testing/support/sanitizers.h>
 
@@ -17,19 +18,10 @@ namespace {
 constexpr UInt32 kRobots = 130;  // more than two runs of robots that a thread processes
 constexpr UInt32 kTicks = FewerIfSanitized(60);
 
-std::vector<UInt64> Run(CTestWorld& world) {
-  std::vector<UInt64> digests = {world.ComputeDigest()};
-  for (UInt32 tick = 0; tick < kTicks; ++tick) {
-    world.Step();
-    digests.push_back(world.ComputeDigest());
-  }
-  return digests;
-}
-
 const std::vector<UInt64>& Reference() {
   static const std::vector<UInt64> reference = [] {
     CTestWorld world(Watchers(kRobots, true, true));
-    return Run(world);
+    return RecordDigests(world, kTicks);
   }();
   return reference;
 }
@@ -57,19 +49,19 @@ TEST_CASE("watchers: every tick is equal for any number of threads and schedule"
   experiment.Threads = threads;
   experiment.Method = method;
   CTestWorld world(experiment);
-  CHECK(Run(world) == Reference());
+  CHECK(RecordDigests(world, kTicks) == Reference());
   const CWatcher::SSights sights = CountSights(world);
   CHECK(sights.LEDs > kRobots * kTicks / 6);
   CHECK(sights.Signals > kRobots * kTicks / 60);
   CHECK(sights.Tags > kRobots * kTicks / 120);
   world.GetSimulator().Reset();
-  CHECK(Run(world) == Reference());
+  CHECK(RecordDigests(world, kTicks) == Reference());
 }
 
 TEST_CASE("watchers: readings of cameras affect the run", "[determinism][cameras]") {
   // without noise the run differs from the first tick with other readings on
   CTestWorld world(Watchers(kRobots, true, false));
-  const std::vector<UInt64> digests = Run(world);
+  const std::vector<UInt64> digests = RecordDigests(world, kTicks);
   CHECK(digests.front() == Reference().front());
   CHECK(digests.back() != Reference().back());
 }

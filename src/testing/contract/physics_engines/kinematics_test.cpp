@@ -3,6 +3,7 @@
 #include <argos3/testing/contract/physics_engines/drive_world.h>
 #include <argos3/testing/contract/physics_engines/engines.h>
 #include <argos3/testing/support/closed_form/differential_drive.h>
+#include <argos3/testing/support/digests.h>
 #include <argos3/testing/support/overlap.h>
 #include <argos3/testing/support/robot_sizes.h>
 #include <argos3/testing/support/sanitizers.h>
@@ -420,11 +421,7 @@ TEST_CASE("kinematics: piled robots separate equally with any number of threads"
   }
   const auto run = [&arena](UInt32 threads) {
     CDriveWorld world(kEngine, arena, threads);
-    std::vector<UInt64> digests;
-    for (int tick = 0; tick < 5; ++tick) {
-      world.Step();
-      digests.push_back(world.ComputeDigest());
-    }
+    std::vector<UInt64> digests = RecordDigests(world, 5);
     SOverlaps overlaps;
     MeasureOverlaps(world.GetSpace(), overlaps);
     // since the second tick there was room for all

@@ -2,6 +2,7 @@
 
 #include <argos3/testing/contract/physics_engines/drive_world.h>
 #include <argos3/testing/contract/physics_engines/engines.h>
+#include <argos3/testing/support/digests.h>
 #include <argos3/testing/support/robot_sizes.h>
 
 #include <argos3/core/simulator/geometry/body_index.h>
@@ -213,16 +214,9 @@ TEST_CASE("lifecycle: after a reset the run repeats bit by bit", "[contract][eng
   const SEngineType engine = GENERATE(from_range(kEnginesWithWheels));
   CAPTURE(engine);
   CDriveWorld world(engine.ToXml(), Square());
-  std::vector<UInt64> first;
-  for (int tick = 0; tick < 120; ++tick) {
-    world.Step();
-    first.push_back(world.ComputeDigest());
-  }
+  const std::vector<UInt64> first = RecordDigests(world, 120);
   world.GetSimulator().Reset();
-  for (int tick = 0; tick < 120; ++tick) {
-    world.Step();
-    REQUIRE(world.ComputeDigest() == first[tick]);
-  }
+  CHECK(RecordDigests(world, 120) == first);
 }
 
 TEST_CASE("lifecycle: a body that leaves its engine's region is transferred to the next engine",
@@ -311,11 +305,7 @@ TEST_CASE("lifecycle: after moves, additions and removals a reset starts the sam
   const std::string solver = GENERATE_COPY(from_range(engine.Solvers));
   CAPTURE(engine, solver);
   CDriveWorld world(engine.ToXml("e", "", solver), Square());
-  std::vector<UInt64> first = {world.ComputeDigest()};
-  for (int tick = 0; tick < 60; ++tick) {
-    world.Step();
-    first.push_back(world.ComputeDigest());
-  }
+  const std::vector<UInt64> first = RecordDigests(world, 60);
   CLoopFunctions& functions = world.GetSimulator().GetLoopFunctions();
   world.GetSimulator().Reset();
   world.Step(30);

@@ -3,6 +3,7 @@
 #include <argos3/testing/contract/physics_engines/rigid_scene.h>
 #include <argos3/testing/support/captured_logs.h>
 #include <argos3/testing/support/closed_form/differential_drive.h>
+#include <argos3/testing/support/digests.h>
 #include <argos3/testing/support/no_allocation.h>
 #include <argos3/testing/support/robot_sizes.h>
 
@@ -65,15 +66,6 @@ SExperiment Roamers(UInt32 threads, const std::string& method) {
   experiment.ArenaSize = "40,40,4";
   experiment.Arena = RoamersXml(20);
   return experiment;
-}
-
-std::vector<UInt64> Run(CTestWorld& world, int ticks) {
-  std::vector<UInt64> digests;
-  for (int tick = 0; tick < ticks; ++tick) {
-    world.Step();
-    digests.push_back(world.ComputeDigest());
-  }
-  return digests;
 }
 
 // the fastest speed of the box and its place at the end
@@ -402,14 +394,14 @@ TEST_CASE("rigid free robots: a wall that is moved stops them where it is, not w
 TEST_CASE("rigid free robots: equal for any number of threads and schedule, and after a reset",
           "[contract][engine][rigid]") {
   CTestWorld reference(Roamers(0, "balance_quantity"));
-  const std::vector<UInt64> expected = Run(reference, 60);
+  const std::vector<UInt64> expected = RecordDigests(reference, 60);
   reference.GetSimulator().Reset();
-  CHECK(Run(reference, 60) == expected);
+  CHECK(RecordDigests(reference, 60) == expected);
   const std::string method = GENERATE("balance_quantity", "balance_length");
   const UInt32 threads = GENERATE(1U, 2U, 4U);
   CAPTURE(threads, method);
   CTestWorld world(Roamers(threads, method));
-  CHECK(Run(world, 60) == expected);
+  CHECK(RecordDigests(world, 60) == expected);
 }
 
 TEST_CASE("rigid free robots: a tick in which robots become active and free allocates nothing",

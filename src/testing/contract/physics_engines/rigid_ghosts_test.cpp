@@ -5,6 +5,7 @@
 #include <argos3/testing/contract/physics_engines/regions.h>
 #include <argos3/testing/contract/physics_engines/rigid_scene.h>
 #include <argos3/testing/support/captured_logs.h>
+#include <argos3/testing/support/digests.h>
 #include <argos3/testing/support/no_allocation.h>
 #include <argos3/testing/support/robot_sizes.h>
 
@@ -214,14 +215,6 @@ TEST_CASE("rigid ghosts: without ghosts, and away from borders, nothing changes"
 
 TEST_CASE("rigid ghosts: equal bit by bit for any number of threads, and after a reset",
           "[contract][engine][rigid][partition]") {
-  const auto run = [](CTestWorld& world) {
-    std::vector<UInt64> digests;
-    for (int tick = 0; tick < 100; ++tick) {
-      world.Step();
-      digests.push_back(world.ComputeDigest());
-    }
-    return digests;
-  };
   SExperiment experiment;
   experiment.ArenaSize = "40,40,2";
   experiment.Controllers =
@@ -235,13 +228,13 @@ TEST_CASE("rigid ghosts: equal bit by bit for any number of threads, and after a
                                   isEast ? 180 + 7 * i : 7 * i, 8 + 0.1 * i, 10);
   }
   CTestWorld reference(experiment);
-  const std::vector<UInt64> expected = run(reference);
+  const std::vector<UInt64> expected = RecordDigests(reference, 100);
   reference.GetSimulator().Reset();
-  CHECK(run(reference) == expected);
+  CHECK(RecordDigests(reference, 100) == expected);
   for (const UInt32 threads : {1U, 4U}) {
     experiment.Threads = threads;
     CTestWorld world(experiment);
-    CHECK(run(world) == expected);
+    CHECK(RecordDigests(world, 100) == expected);
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <argos3/testing/contract/physics_engines/rigid_scene.h>
 #include <argos3/testing/support/captured_logs.h>
+#include <argos3/testing/support/digests.h>
 #include <argos3/testing/support/no_allocation.h>
 
 #include <argos3/core/simulator/loop_functions.h>
@@ -54,15 +55,6 @@ std::string Quarters() {
 std::string ControllersOf() {
   return "<contract_driver id='driver'><actuators><differential_steering implementation='default'/>"
          "</actuators><sensors/></contract_driver>";
-}
-
-std::vector<UInt64> Run(CTestWorld& world, int ticks) {
-  std::vector<UInt64> digests;
-  for (int tick = 0; tick < ticks; ++tick) {
-    world.Step();
-    digests.push_back(world.ComputeDigest());
-  }
-  return digests;
 }
 
 SExperiment CollidingBodiesIn(const std::string& engines, UInt32 threads) {
@@ -122,11 +114,11 @@ TEST_CASE("rigid lifecycle: after a reset the run repeats bit by bit",
   CAPTURE(stepper);
   CRigidScene world(GroundedEngine("", "<solver stepper='" + stepper + "' max_direct_rows='40'/>"),
                     CollidingBodiesXml());
-  const std::vector<UInt64> first = Run(world, 100);
+  const std::vector<UInt64> first = RecordDigests(world, 100);
   world.Body("r1").MoveTo(CVector3(4, 4, 0), CQuaternion());
   for (int repetition = 0; repetition < 2; ++repetition) {
     world.GetSimulator().Reset();
-    REQUIRE(Run(world, 100) == first);
+    REQUIRE(RecordDigests(world, 100) == first);
   }
   if (stepper == "direct") {
     // warns once of contacts that ODE has left unsolved
@@ -147,11 +139,11 @@ TEST_CASE("rigid determinism: equal bit by bit for any number of threads",
     xml.replace(at, 8, solver);
   }
   CTestWorld reference(CollidingBodiesIn(xml, 0));
-  const std::vector<UInt64> expected = Run(reference, 100);
+  const std::vector<UInt64> expected = RecordDigests(reference, 100);
   for (const UInt32 threads : {1U, 4U}) {
     CAPTURE(threads);
     CTestWorld world(CollidingBodiesIn(xml, threads));
-    CHECK(Run(world, 100) == expected);
+    CHECK(RecordDigests(world, 100) == expected);
   }
 }
 
@@ -159,14 +151,14 @@ TEST_CASE("rigid determinism: simulators in several threads do not affect each o
           "[contract][engine][rigid]") {
   const std::string engine = GroundedEngine("", "<solver stepper='iterative'/>");
   CTestWorld reference(CollidingBodiesIn(engine, 0));
-  const std::vector<UInt64> expected = Run(reference, 60);
+  const std::vector<UInt64> expected = RecordDigests(reference, 60);
   std::vector<std::vector<UInt64>> results(4);
   {
     std::vector<std::jthread> threads;
     for (std::vector<UInt64>& result : results) {
       threads.emplace_back([&result, &engine] {
         CTestWorld world(CollidingBodiesIn(engine, 0));
-        result = Run(world, 60);
+        result = RecordDigests(world, 60);
       });
     }
   }

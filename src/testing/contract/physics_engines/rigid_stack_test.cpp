@@ -2,6 +2,7 @@
 
 #include <argos3/testing/contract/physics_engines/rigid_scene.h>
 #include <argos3/testing/support/captured_logs.h>
+#include <argos3/testing/support/digests.h>
 
 #include <argos3/core/simulator/loop_functions.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/dynamics3d_model.h>
@@ -441,12 +442,7 @@ TEST_CASE("rigid stack: equal bit by bit for any number of threads", "[contract]
                    .ToXml();
     }
     CRigidScene world(GroundedEngine("sleep='false'"), arena, threads);
-    std::vector<UInt64> digests;
-    for (int tick = 0; tick < 15; ++tick) {
-      world.Step();
-      digests.push_back(world.ComputeDigest());
-    }
-    return digests;
+    return RecordDigests(world, 15);
   };
   const std::vector<UInt64> expected = run(0);
   CHECK(run(1) == expected);

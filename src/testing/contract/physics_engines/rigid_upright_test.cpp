@@ -3,6 +3,7 @@
 
 #include <argos3/testing/contract/physics_engines/rigid_scene.h>
 #include <argos3/testing/support/crowd.h>
+#include <argos3/testing/support/digests.h>
 #include <argos3/testing/support/overlap.h>
 #include <argos3/testing/support/robot_sizes.h>
 
@@ -96,12 +97,7 @@ std::string PenXml() {
 
 std::vector<UInt64> RunPen(UInt32 threads) {
   CRigidScene world(GroundedEngine(), PenXml(), threads);
-  std::vector<UInt64> digests;
-  for (int tick = 0; tick < 60; ++tick) {
-    world.Step();
-    digests.push_back(world.ComputeDigest());
-  }
-  return digests;
+  return RecordDigests(world, 60);
 }
 
 }  // namespace
