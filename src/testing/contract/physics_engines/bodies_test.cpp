@@ -1,8 +1,8 @@
 // Pushing, braking, robots of other shapes, and the heights and regions of engines.
 
+#include <argos3/testing/contract/physics_engines/arc_and_push.h>
 #include <argos3/testing/contract/physics_engines/drive_world.h>
 #include <argos3/testing/contract/physics_engines/engines.h>
-#include <argos3/testing/support/closed_form/differential_drive.h>
 #include <argos3/testing/support/robot_sizes.h>
 
 #include <argos3/core/simulator/geometry/body_description.h>
@@ -19,8 +19,6 @@ namespace argos::bodies_test {
 
 using Catch::Matchers::Contains;
 using Catch::Matchers::WithinAbs;
-using testing::IntegrateDifferentialDrive;
-using testing::SPose;
 
 namespace {
 
@@ -146,22 +144,8 @@ TEST_CASE("shapes: a box-shaped robot follows its arc and pushes with its front"
                         DriverXml("foot-bot", "pusher", 0, 0, 0, 10, 10) +
                         "<cylinder id='c' radius='0.05' height='0.1' movable='true' "
                         "mass='0.5'><body position='0.3,0,0'/></cylinder>");
-  const SShapeDescription box = SShapeDescription::Box(CVector3(2.0 * kHalfLength, 0.15, 0.1));
-  world.Reshape("free", box);
-  world.Reshape("pusher", box);
-  world.Step();
-  const SPose start{3, 3, 30.0 / 180.0 * ARGOS_PI};
-  for (int tick = 1; tick <= 100; ++tick) {
-    world.Step();
-    const SPose exact = IntegrateDifferentialDrive(start, 0.09, 0.10, 0.14, 0.1 * tick);
-    // it is always in the crowd, and keeps the exact pose while nothing pushes it
-    const Real tolerance = 1e-9 + engine.Slip * 0.0095 * tick + engine.Slack;
-    REQUIRE_THAT(world.Position("free").GetX(), WithinAbs(exact.X, tolerance));
-    REQUIRE_THAT(world.Position("free").GetY(), WithinAbs(exact.Y, tolerance));
-  }
-  CHECK_THAT(world.Position("c").GetX() - world.Position("pusher").GetX(),
-             WithinAbs(kHalfLength + 0.05, 1e-3 + engine.Slack));
-  CHECK(world.Position("c").GetX() > 0.9);
+  CheckArcAndPush(world, engine, SShapeDescription::Box(CVector3(2.0 * kHalfLength, 0.15, 0.1)),
+                  kHalfLength, 0.0);
 }
 
 TEST_CASE("heights: a body must stand on the plane of the engine", "[contract][engine]") {

@@ -275,6 +275,26 @@ TEST_CASE("bundles: a wall between two regions keeps objects on its sides apart"
   CHECK_THAT(world.Position("right").GetX(), WithinAbs(0.101, engine.Slack));
 }
 
+namespace {
+
+std::string RobotAndBoxXml() {
+  return DriverXml("foot-bot", "robot", -0.3, 0, 0, 10, 10) + ObjectXml("box", 0.05, 0, 0.2, 0.3);
+}
+
+// The robot pushes the box across the border, and drives back.
+void CheckReturnToRegions(CDriveWorld& world) {
+  world.Step(25);
+  // the box is in the robot's engine as long as they touch
+  CHECK(world.EngineOf("robot") == "west");
+  CHECK(world.EngineOf("box") == "west");
+  world.Driver("robot").Left = world.Driver("robot").Right = -10.0;
+  world.Step(20);
+  CHECK(world.EngineOf("robot") == "west");
+  CHECK(world.EngineOf("box") == "east");
+}
+
+}  // namespace
+
 TEST_CASE("bundles: bodies return to the engines of their regions",
           "[contract][engine][partition]") {
   const SSharingEngine engine = GENERATE(from_range(kSharingEngines));
@@ -282,16 +302,8 @@ TEST_CASE("bundles: bodies return to the engines of their regions",
   if (IsSkippedHere(engine)) {
     return;
   }
-  CDriveWorld world(Halves(engine), DriverXml("foot-bot", "robot", -0.3, 0, 0, 10, 10) +
-                                        ObjectXml("box", 0.05, 0, 0.2, 0.3));
-  world.Step(25);
-  // the robot pushes the box, and is still in the west
-  CHECK(world.EngineOf("robot") == "west");
-  CHECK(world.EngineOf("box") == "west");
-  world.Driver("robot").Left = world.Driver("robot").Right = -10.0;
-  world.Step(20);
-  CHECK(world.EngineOf("robot") == "west");
-  CHECK(world.EngineOf("box") == "east");
+  CDriveWorld world(Halves(engine), RobotAndBoxXml());
+  CheckReturnToRegions(world);
 }
 
 TEST_CASE("bundles: objects at the border of two types of engines are pushed as in one",
@@ -344,16 +356,9 @@ TEST_CASE("bundles: bodies return to the type of engine of their region",
           "[contract][engine][partition]") {
   const TPair pair = GENERATE(from_range(ListPairs()));
   CAPTURE(pair.first, pair.second);
-  CDriveWorld world(HalvesOf(pair), DriverXml("foot-bot", "robot", -0.3, 0, 0, 10, 10) +
-                                        ObjectXml("box", 0.05, 0, 0.2, 0.3));
+  CDriveWorld world(HalvesOf(pair), RobotAndBoxXml());
   const UInt64 start = world.ComputeDigest();
-  world.Step(25);
-  CHECK(world.EngineOf("robot") == "west");
-  CHECK(world.EngineOf("box") == "west");
-  world.Driver("robot").Left = world.Driver("robot").Right = -10.0;
-  world.Step(20);
-  CHECK(world.EngineOf("robot") == "west");
-  CHECK(world.EngineOf("box") == "east");
+  CheckReturnToRegions(world);
   world.GetSimulator().Reset();
   CHECK(world.EngineOf("box") == "east");
   CHECK(world.ComputeDigest() == start);

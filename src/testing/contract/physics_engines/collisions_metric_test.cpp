@@ -20,6 +20,15 @@ Real Value(CTestWorld& world, const std::string& metric) {
   return world.GetSimulator().GetMetrics().Find(metric)->Value;
 }
 
+SRobotExperiment DriversIn(const std::string& engine) {
+  SRobotExperiment experiment;
+  experiment.Actuators = "<differential_steering implementation=\"default\"/>";
+  experiment.Engine = engine == "dynamics3d"
+                          ? "<dynamics3d id=\"e\"><gravity g=\"9.8\"/><floor/></dynamics3d>"
+                          : "<" + engine + " id=\"e\"/>";
+  return experiment;
+}
+
 void Drive(CRobotWorld& world, const std::string& robot, Real speedCmPerS) {
   world.GetActuator<CCI_DifferentialSteeringActuator>(robot, "differential_steering")
       .SetLinearVelocity(speedCmPerS, speedCmPerS);
@@ -31,11 +40,7 @@ TEST_CASE("collisions metric: robots that press against a body count, those near
           "[contract][metrics]") {
   const std::string engine = GENERATE("dynamics2d", "kinematics2d", "dynamics3d");
   CAPTURE(engine);
-  SRobotExperiment experiment;
-  experiment.Actuators = "<differential_steering implementation=\"default\"/>";
-  experiment.Engine = engine == "dynamics3d"
-                          ? "<dynamics3d id=\"e\"><gravity g=\"9.8\"/><floor/></dynamics3d>"
-                          : "<" + engine + " id=\"e\"/>";
+  SRobotExperiment experiment = DriversIn(engine);
   // a and b meet, c drives against the box, d stands 5 mm from a box
   experiment.Arena = Robot("e-puck", "a", "position=\"-0.1,0,0\"") +
                      Robot("e-puck", "b", "position=\"0.1,0,0\" orientation=\"180,0,0\"") +
@@ -68,11 +73,7 @@ TEST_CASE("collisions metric: robots that press against a body count, those near
 TEST_CASE("contact: functions see the same contacts as the metric", "[contract][metrics]") {
   const std::string engine = GENERATE("dynamics2d", "kinematics2d", "dynamics3d");
   CAPTURE(engine);
-  SRobotExperiment experiment;
-  experiment.Actuators = "<differential_steering implementation=\"default\"/>";
-  experiment.Engine = engine == "dynamics3d"
-                          ? "<dynamics3d id=\"e\"><gravity g=\"9.8\"/><floor/></dynamics3d>"
-                          : "<" + engine + " id=\"e\"/>";
+  SRobotExperiment experiment = DriversIn(engine);
   // a and b meet, c drives against a wall, d pushes a box, e stands 5 mm from a wall
   const std::string wall = "\" size=\"0.2,1,0.3\" movable=\"false\"><body position=\"";
   experiment.Arena = Robot("e-puck", "a", "position=\"-0.1,0,0\"") +

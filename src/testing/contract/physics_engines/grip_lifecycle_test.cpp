@@ -3,6 +3,7 @@
 
 #include <argos3/testing/contract/physics_engines/engines.h>
 #include <argos3/testing/contract/physics_engines/grip_world.h>
+#include <argos3/testing/support/digests.h>
 #include <argos3/testing/support/robot_sizes.h>
 #include <argos3/testing/support/sanitizers.h>
 
@@ -173,11 +174,7 @@ TEST_CASE("grip lifecycle: a reset releases all grips, and the run repeats bit b
   const SEngineType engine = GENERATE(from_range(kEnginesWithGrips));
   CAPTURE(engine);
   CGripWorld world(ChainXml() + RingXml(6, 2, 2, "lock='true' random='true'"), In(engine.ToXml()));
-  std::vector<UInt64> first = {world.ComputeDigest()};
-  for (int tick = 0; tick < 200; ++tick) {
-    world.Step();
-    first.push_back(world.ComputeDigest());
-  }
+  const std::vector<UInt64> first = RecordDigests(world, 200);
   REQUIRE(world.HeldBy("r") == "b");
   world.GetSimulator().Reset();
   CHECK(world.HeldBy("r").empty());
@@ -341,7 +338,14 @@ class CGripWatch {
     m_before = std::move(now);
   }
 
-  size_t GetNumRobots() const { return m_robots.size(); }
+  // Checks that robots hold something for some of the time: they let go at random, and drive away.
+  void StepForMinutes(UInt32 ticksPerSecond) {
+    const UInt32 ticks = FewerIfSanitized(ticksPerSecond == 10 ? 6000 : 10000);
+    for (UInt32 tick = 0; tick < ticks; ++tick) {
+      Step();
+    }
+    CHECK(TicksHeld > m_robots.size() * ticks / 20);
+  }
 
   // maxima so far
   Real Stretch = 0.0;  // m
@@ -376,19 +380,12 @@ TEST_CASE("grip lifecycle: minutes of random orders leave every grip intact",
           "[contract][engine][grip]") {
   const UInt32 ticksPerSecond = GENERATE(10U, 100U);
   CAPTURE(ticksPerSecond);
-  CGripWorld::SOptions options;
-  options.TicksPerSecond = ticksPerSecond;
   constexpr Real kTorque = 1.0;  // N m
-  CGripWorld world(CrowdXml("lock='true' random='true' turret='false'", kTorque), options);
+  CGripWorld world(CrowdXml("lock='true' random='true' turret='false'", kTorque),
+                   {.TicksPerSecond = ticksPerSecond});
   CGripWatch watch(world);
-  const UInt32 ticks = FewerIfSanitized(ticksPerSecond == 10 ? 6000 : 10000);
-  for (UInt32 tick = 0; tick < ticks; ++tick) {
-    watch.Step();
-  }
+  watch.StepForMinutes(ticksPerSecond);
   CAPTURE(watch.Stretch, watch.Sideways, watch.Fastest);
-  // robots hold something for much of the time
-  // robots hold something for some of the time: they let go at random, and drive away
-  CHECK(watch.TicksHeld > watch.GetNumRobots() * ticks / 20);
   // the joint force of the drives of the ring's six robots, at the rims of the robots they hold
   const Real longest = 6.0 * (15.0 + kTorque / kRadius) / 1e4;
   CHECK(watch.Stretch <= longest);
@@ -402,18 +399,12 @@ TEST_CASE("grip lifecycle: opposed motors of 150 N m break grips only",
           "[contract][engine][grip]") {
   const UInt32 ticksPerSecond = GENERATE(10U, 100U);
   CAPTURE(ticksPerSecond);
-  CGripWorld::SOptions options;
-  options.TicksPerSecond = ticksPerSecond;
   // turrets are random too; at a lever of 9 cm their motors exert 1,700 N
-  CGripWorld world(CrowdXml("lock='true' random='true'", 150.0), options);
+  CGripWorld world(CrowdXml("lock='true' random='true'", 150.0),
+                   {.TicksPerSecond = ticksPerSecond});
   CGripWatch watch(world);
-  const UInt32 ticks = FewerIfSanitized(ticksPerSecond == 10 ? 6000 : 10000);
-  for (UInt32 tick = 0; tick < ticks; ++tick) {
-    watch.Step();
-  }
+  watch.StepForMinutes(ticksPerSecond);
   CAPTURE(watch.Stretch, watch.Sideways, watch.Fastest);
-  // robots hold something for some of the time: they let go at random, and drive away
-  CHECK(watch.TicksHeld > watch.GetNumRobots() * ticks / 20);
   // a grip bears 10 kN, which stretch it by 1 m
   CHECK(watch.Stretch <= 1.0);
   CHECK(watch.Sideways <= 0.05);

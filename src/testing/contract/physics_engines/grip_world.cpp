@@ -5,6 +5,8 @@
 
 #include <argos3/core/simulator/geometry/body_description.h>
 
+#include <catch2/catch.hpp>
+
 #include <algorithm>
 #include <iomanip>
 #include <sstream>
@@ -198,6 +200,13 @@ CGripGauge::CGripGauge(CGripWorld& world, const std::string& robot,
 }
 
 // in the frame of the turret
+CGripGauge CGripGauge::Grip(CGripWorld& world, const std::string& robot, const std::string& body) {
+  const CGripWorld::TPoses start = world.GetPoses();
+  world.Step(2);
+  REQUIRE(world.HeldBy(robot) == body);
+  return CGripGauge(world, robot, start);
+}
+
 CVector3 CGripGauge::ComputePoint(const CGripWorld::TPoses& poses) const {
   const CGripWorld::SPose& own = poses.at(m_robot);
   const CGripWorld::SPose& held = poses.at(m_held.GetRootEntity().GetId());

@@ -101,6 +101,9 @@ class CGripGauge {
  public:
   /** @param before  poses at the start of the tick in which the robot has gripped the body. */
   CGripGauge(CGripWorld& world, const std::string& robot, const CGripWorld::TPoses& before);
+  /** Runs the ticks in which a robot locks onto a body ahead, the first ones of a world. */
+  static CGripGauge Grip(CGripWorld& world, const std::string& robot, const std::string& body);
+
   CEmbodiedEntity& GetHeld() const { return m_held; }
   /** Displacement of the gripped point along the arm, positive away from the robot, m. */
   Real Stretch() const;

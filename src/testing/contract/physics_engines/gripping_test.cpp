@@ -56,10 +56,7 @@ TEST_CASE(
   options.TicksPerSecond = ticksPerSecond;
   CGripWorld world(GripperXml("r", 0, 0, 0, "lock='true'") + LoadXml("box", kAhead, 0, mass),
                    options);
-  const CGripWorld::TPoses start = world.GetPoses();
-  world.Step(2);
-  REQUIRE(world.HeldBy("r") == "box");
-  const CGripGauge gauge(world, "r", start);
+  const CGripGauge gauge = CGripGauge::Grip(world, "r", "box");
   CHECK_THAT(gauge.Stretch(), WithinAbs(0.0, 1e-6));
   world.Drive("r", 100.0 * speed, 100.0 * speed);
   world.Step(4 * ticksPerSecond);
@@ -82,9 +79,7 @@ TEST_CASE("grip: softer grips stretch more", "[contract][engine][grip]") {
   options.Engine = "<dynamics2d id='e' gripping_rigidity='" + std::to_string(rigidity) + "'/>";
   CGripWorld world(GripperXml("r", 0, 0, 0, "lock='true'") + LoadXml("box", kAhead, 0, 1.0),
                    options);
-  const CGripWorld::TPoses start = world.GetPoses();
-  world.Step(2);
-  const CGripGauge gauge(world, "r", start);
+  const CGripGauge gauge = CGripGauge::Grip(world, "r", "box");
   world.Drive("r", -5, -5);
   world.Step(100);
   CHECK_THAT(gauge.Stretch(), WithinRel(kFriction / rigidity, 0.02));

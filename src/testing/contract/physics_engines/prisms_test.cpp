@@ -1,8 +1,8 @@
 // Bodies that are prisms: robots, objects and walls, in every engine.
 
+#include <argos3/testing/contract/physics_engines/arc_and_push.h>
 #include <argos3/testing/contract/physics_engines/drive_world.h>
 #include <argos3/testing/contract/physics_engines/engines.h>
-#include <argos3/testing/support/closed_form/differential_drive.h>
 #include <argos3/testing/support/polygons.h>
 #include <argos3/testing/support/robot_sizes.h>
 
@@ -18,8 +18,6 @@
 namespace argos::prisms_test {
 
 using Catch::Matchers::WithinAbs;
-using testing::IntegrateDifferentialDrive;
-using testing::SPose;
 
 namespace {
 
@@ -67,22 +65,8 @@ TEST_CASE("prisms: a hexagonal robot follows its arc and pushes with its side",
   CDriveWorld world(engine.ToXml(), DriverXml("foot-bot", "free", 3, 3, 30, 9, 10) +
                                         DriverXml("foot-bot", "pusher", 0, 0, 0, 10, 10) +
                                         CylinderXml("c", 0.3, 0, 0.05));
-  world.Reshape("free", HexagonPrism());
-  world.Reshape("pusher", HexagonPrism());
-  world.Step();
-  const SPose start{3, 3, 30.0 / 180.0 * ARGOS_PI};
   // a new command takes effect late once
-  const Real late = 0.1 * engine.GetLag();
-  for (int tick = 1; tick <= 100; ++tick) {
-    world.Step();
-    const SPose exact = IntegrateDifferentialDrive(start, 0.09, 0.10, 0.14, 0.1 * tick - late);
-    const Real tolerance = 1e-9 + engine.Slip * 0.0095 * tick + engine.Slack;
-    REQUIRE_THAT(world.Position("free").GetX(), WithinAbs(exact.X, tolerance));
-    REQUIRE_THAT(world.Position("free").GetY(), WithinAbs(exact.Y, tolerance));
-  }
-  CHECK_THAT(world.Position("c").GetX() - world.Position("pusher").GetX(),
-             WithinAbs(kSide + 0.05, 1e-3 + engine.Slack));
-  CHECK(world.Position("c").GetX() > 0.9);
+  CheckArcAndPush(world, engine, HexagonPrism(), kSide, 0.1 * engine.GetLag());
 }
 
 TEST_CASE("prisms: a polygon of many corners stops robots where its circle does",

@@ -1,5 +1,7 @@
 #include <argos3/testing/contract/physics_engines/push_scene.h>
 
+#include <catch2/catch.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
@@ -7,6 +9,8 @@
 #include <sstream>
 
 namespace argos {
+
+using Catch::Matchers::WithinAbs;
 
 namespace {
 
@@ -81,6 +85,25 @@ CVector3 CPushScene::Map(Real x, Real y) const {
   CVector3 place(x, m_isMirrored ? -y : y, 0.0);
   place.RotateZ(CRadians(m_degrees * std::numbers::pi / 180.0));
   return place;
+}
+
+void CPushScene::CheckWay(CDriveWorld& world, const std::string& id, UInt32 ticks, Real way,
+                          Real tolerance) const {
+  world.Step(ticks);
+  const CVector3 place = PlaceOf(world, id);
+  CHECK_THAT(place.GetX(), WithinAbs(way, tolerance));
+  CHECK_THAT(place.GetY(), WithinAbs(0.0, 2e-3));
+  CHECK_THAT(TurnOf(world, id), WithinAbs(0.0, 5e-3));
+}
+
+void CPushScene::CheckBalance(CDriveWorld& world, const std::string& id, UInt32 ticks,
+                              bool yields) const {
+  const CVector3 before = PlaceOf(world, id);
+  world.Step(ticks);
+  const CVector3 way = PlaceOf(world, id) - before;
+  CHECK_THAT(way.GetX(), WithinAbs(yields ? -(ticks * kPushTick * kPushSpeed) : 0.0, 2e-3));
+  CHECK_THAT(way.GetY(), WithinAbs(0.0, 1e-3));
+  CHECK_THAT(TurnOf(world, id), WithinAbs(0.0, 5e-3));
 }
 
 std::string MakePushEngine(const SEngineType& engine, UInt32 iterations,

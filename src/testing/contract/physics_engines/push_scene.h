@@ -46,6 +46,17 @@ class CPushScene {
   CVector3 PlaceOf(CDriveWorld& world, const std::string& id) const;
   /** By how much a body has turned, rad. */
   Real TurnOf(CDriveWorld& world, const std::string& id) const;
+  /**
+   * Checks that in some ticks robots push a body from the origin along x by a way in m, and do not
+   * turn it.
+   */
+  void CheckWay(CDriveWorld& world, const std::string& id, UInt32 ticks, Real way,
+                Real tolerance) const;
+  /**
+   * Checks that for some ticks robots on both sides balance over a body, or, if it yields, that the
+   * robots on the right push it at their speed.
+   */
+  void CheckBalance(CDriveWorld& world, const std::string& id, UInt32 ticks, bool yields) const;
 
  private:
   void AddSolid(Real x, Real y, Real degrees, const std::string& start, const std::string& tag);

@@ -40,6 +40,11 @@ Real ComputeWay(const SEngineType& engine, const SPusher& robot, UInt32 count, R
   return 0.5 * (start + end) * change + (acceleration > 0.0 ? end * (time - change) : 0.0);
 }
 
+// m: the impact may be anywhere in a substep, of which there are 2 or more
+Real ImpactError(UInt32 iterations) {
+  return kPushSpeed * kPushTick / (iterations > 0 ? iterations : 2);
+}
+
 const std::vector<SEngineType> kEnginesThatPush{kDynamics2D, kKinematics2D};
 
 }  // namespace
@@ -86,16 +91,10 @@ TEST_CASE("pushing: several robots move what their forces together move", "[cont
   scene.AddBox("b", 0.0, 0.0, 2.0 * kHalf, kDistance * count, mass);
   const Real force = share * count * kFootBot.Force;
   CDriveWorld world(MakePushEngine(engine, iterations, {force, force}), scene.GetArena());
-  world.Step(50);
   // the robots drive from the second tick on
   const Real exact =
       ComputeWay(engine, kFootBot, count, mass, force, 49 * kPushTick - kGap / kPushSpeed);
-  const CVector3 way = scene.PlaceOf(world, "b");
-  // the impact may be anywhere in a substep, of which there are 2 or more
-  const Real substep = kPushTick / (iterations > 0 ? iterations : 2);
-  CHECK_THAT(way.GetX(), WithinAbs(exact, 0.03 * exact + kPushSpeed * substep));
-  CHECK_THAT(way.GetY(), WithinAbs(0.0, 2e-3));
-  CHECK_THAT(scene.TurnOf(world, "b"), WithinAbs(0.0, 5e-3));
+  scene.CheckWay(world, "b", 50, exact, 0.03 * exact + ImpactError(iterations));
 }
 
 TEST_CASE("pushing: columns of robots that touch push as each column would alone",
@@ -250,12 +249,7 @@ TEST_CASE("pushing: equal robots balance over an object, and one more moves it",
   }
   CDriveWorld world(MakePushEngine(engine, iterations, {1.49, 1.49}), scene.GetArena());
   world.Step(30);
-  const CVector3 before = scene.PlaceOf(world, "b");
-  world.Step(20);
-  const CVector3 way = scene.PlaceOf(world, "b") - before;
-  CHECK_THAT(way.GetX(), WithinAbs(more > 0 ? -20 * kPushTick * kPushSpeed : 0.0, 2e-3));
-  CHECK_THAT(way.GetY(), WithinAbs(0.0, 1e-3));
-  CHECK_THAT(scene.TurnOf(world, "b"), WithinAbs(0.0, 5e-3));
+  scene.CheckBalance(world, "b", 20, more > 0);
 }
 
 namespace {
@@ -426,14 +420,9 @@ TEST_CASE("pushing: robots move a prism by what their forces together move", "[c
                  mass);
   CDriveWorld world(MakePushGround(engine, iterations, force), scene.GetArena());
   scene.Shape(world);
-  world.Step(50);
   const Real exact =
       ComputeWay(engine, robot, count, mass, force, 50 * kPushTick - kGap / kPushSpeed);
-  const CVector3 way = scene.PlaceOf(world, "p");
-  const Real substep = kPushTick / (iterations > 0 ? iterations : 2);
-  CHECK_THAT(way.GetX(), WithinAbs(exact, 0.03 * exact + kPushSpeed * substep));
-  CHECK_THAT(way.GetY(), WithinAbs(0.0, 2e-3));
-  CHECK_THAT(scene.TurnOf(world, "p"), WithinAbs(0.0, 5e-3));
+  scene.CheckWay(world, "p", 50, exact, 0.03 * exact + ImpactError(iterations));
 }
 
 TEST_CASE("pushing: robots in line turn no box that they push in its middle",

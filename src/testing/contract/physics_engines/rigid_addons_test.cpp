@@ -90,15 +90,27 @@ TEST_CASE("rigid add-ons: they read the motion of bodies, and change the engine 
   CHECK(CProbe::Engine->GetNumSubsteps() == 5);
 }
 
+namespace {
+
+// Carriers of magnets in an engine without gravity, which it warns of.
+class CMagnetScene : public CRigidScene {
+ public:
+  CMagnetScene(const std::string& magnetism, const std::string& arena)
+      : CRigidScene(RigidEngine("", "<magnetism " + magnetism + "/>"), arena) {
+    CHECK_THAT(TakeLogErr(), Contains("\"e\" has no gravity"));
+  }
+};
+
+}  // namespace
+
 TEST_CASE("rigid magnets: two collinear dipoles attract each other with 2 K a b / r^4",
           "[contract][engine][rigid]") {
   const Real sign = GENERATE(1.0, -1.0);
   CAPTURE(sign);
   // 2 * 1e-4 * 2 * 3 / 0.5^4 = 0.0192 N on 1.6 kg
-  CRigidScene world(
-      RigidEngine("", "<magnetism force_constant='1e-4'/>"),
+  CMagnetScene world(
+      "force_constant='1e-4'",
       MagnetXml("a", 0.0, "2,0,0") + MagnetXml("b", 0.5, sign > 0.0 ? "3,0,0" : "-3,0,0"));
-  CHECK_THAT(TakeLogErr(), Contains("\"e\" has no gravity"));
   world.Step(5);
   const Real acceleration = 2.0 * 1e-4 * 6.0 / std::pow(0.5, 4) / 1.6;
   const Real path = acceleration * 1e-4 * 50.0 * 51.0 / 2.0;
@@ -108,9 +120,8 @@ TEST_CASE("rigid magnets: two collinear dipoles attract each other with 2 K a b 
 
 TEST_CASE("rigid magnets: a dipole perpendicular to another one's field is turned into it",
           "[contract][engine][rigid]") {
-  CRigidScene world(RigidEngine("", "<magnetism force_constant='1e-3'/>"),
-                    MagnetXml("a", 0.0, "2,0,0") + MagnetXml("b", 0.5, "0,3,0"));
-  TakeLogErr();
+  CMagnetScene world("force_constant='1e-3'",
+                     MagnetXml("a", 0.0, "2,0,0") + MagnetXml("b", 0.5, "0,3,0"));
   world.Step(3);
   // Jackson's field at b is (2 K / (3 r^3)) a along x; torque b x B is along -z
   const Real torqueB = -3.0 * 2.0 * 1e-3 / 3.0 / 0.125 * 2.0;
@@ -123,23 +134,21 @@ TEST_CASE("rigid magnets: a dipole perpendicular to another one's field is turne
 
 TEST_CASE("rigid magnets: beyond the greatest distance they have no effect",
           "[contract][engine][rigid]") {
-  CRigidScene world(RigidEngine("", "<magnetism force_constant='1e-4' max_distance='0.4'/>"),
-                    MagnetXml("a", 0.0, "2,0,0") + MagnetXml("b", 0.5, "3,0,0"));
-  TakeLogErr();
+  CMagnetScene world("force_constant='1e-4' max_distance='0.4'",
+                     MagnetXml("a", 0.0, "2,0,0") + MagnetXml("b", 0.5, "3,0,0"));
   world.Step(20);
   CHECK(world.Position("a").Length() < 1e-12);
 }
 
 TEST_CASE("rigid magnets: those of one body, and those at one place, exert nothing",
           "[contract][engine][rigid]") {
-  CRigidScene world(
-      RigidEngine("", "<magnetism force_constant='1e-2'/>"),
+  CMagnetScene world(
+      "force_constant='1e-2'",
       "<foot-bot id='a'><body position='0,0,0'/><controller config='driver'/><magnets>"
       "<magnet id='m' anchor='origin' offset='0.05,0,0.1' passive_field='2,0,0'/>"
       "<magnet id='n' anchor='origin' offset='-0.05,0,0.02' passive_field='0,3,1'/>"
       "<magnet id='o' anchor='origin' offset='-0.05,0,0.02' passive_field='1,0,1'/>"
       "</magnets></foot-bot>");
-  TakeLogErr();
   world.Step(20);
   CHECK(world.Position("a").Length() < 1e-12);
   CHECK_THAT(world.Yaw("a"), WithinAbs(0.0, 1e-12));
@@ -147,10 +156,9 @@ TEST_CASE("rigid magnets: those of one body, and those at one place, exert nothi
 
 TEST_CASE("rigid magnets: after a reset the run repeats, whatever was removed before",
           "[contract][engine][rigid]") {
-  CRigidScene world(RigidEngine("", "<magnetism force_constant='1e-4'/>"),
-                    MagnetXml("a", 0.0, "2,0,0") + MagnetXml("b", 0.5, "3,1,0") +
-                        MagnetXml("c", 0.9, "1,2,0") + MagnetXml("d", 1.4, "2,-1,0"));
-  TakeLogErr();
+  CMagnetScene world("force_constant='1e-4'",
+                     MagnetXml("a", 0.0, "2,0,0") + MagnetXml("b", 0.5, "3,1,0") +
+                         MagnetXml("c", 0.9, "1,2,0") + MagnetXml("d", 1.4, "2,-1,0"));
   const auto end = [&world] {
     world.Step(10);
     return std::array{world.Position("a"), world.Position("b"), world.Position("d")};

@@ -2,6 +2,7 @@
 
 #include <argos3/testing/contract/physics_engines/grip_world.h>
 #include <argos3/testing/contract/physics_engines/rigid_scene.h>
+#include <argos3/testing/support/digests.h>
 #include <argos3/testing/support/robot_sizes.h>
 #include <argos3/testing/support/sanitizers.h>
 
@@ -28,13 +29,9 @@ CGripWorld::SOptions Options(UInt32 threads = 0, const std::string& engine = Gro
   return {engine, 10, threads};
 }
 
-std::vector<UInt64> Run(CGripWorld& world, int ticks) {
-  std::vector<UInt64> digests;
-  for (int tick = 0; tick < ticks; ++tick) {
-    world.Step();
-    digests.push_back(world.ComputeDigest());
-  }
-  return digests;
+void StepUntilHeld(CGripWorld& world) {
+  world.Step(3);
+  REQUIRE(world.HeldBy("r") == "load");
 }
 
 // two engines with a border at x = 0
@@ -66,8 +63,7 @@ TEST_CASE("rigid grip: a gripped load is dragged along, and stays when the gripp
           "[contract][engine][rigid][grip]") {
   CGripWorld world(GripperXml("r", 0, 0, 0, "lock='true'") + LoadXml("load", kLoadAt, 0, 0.5),
                    Options());
-  world.Step(3);
-  REQUIRE(world.HeldBy("r") == "load");
+  StepUntilHeld(world);
   world.Drive("r", -10, -10);
   world.Step(30);
   const CVector3 robot = world.Position("r");
@@ -100,8 +96,7 @@ TEST_CASE("rigid grip: the turret swings its load around the robot",
           "[contract][engine][rigid][grip]") {
   CGripWorld world(GripperXml("r", 0, 0, 0, "lock='true'") + LoadXml("load", kLoadAt, 0, 0.3),
                    Options());
-  world.Step(3);
-  REQUIRE(world.HeldBy("r") == "load");
+  StepUntilHeld(world);
   const CVector3 before = world.Position("load") - world.Position("r");
   world.Driver("r").Mode = TModes::MODE_SPEED_CONTROL;
   world.Driver("r").TurretSpeed = 2;
@@ -158,11 +153,11 @@ TEST_CASE(
   const std::string engine = GENERATE(GroundedEngine(), TwoEngines());
   CAPTURE(engine);
   CGripWorld world(CrowdXml(), Options(0, engine));
-  const std::vector<UInt64> first = Run(world, 300);
+  const std::vector<UInt64> first = RecordDigests(world, 300);
   world.GetSimulator().Reset();
-  CHECK(Run(world, 300) == first);
+  CHECK(RecordDigests(world, 300) == first);
   CGripWorld threaded(CrowdXml(), Options(4, engine));
-  CHECK(Run(threaded, 300) == first);
+  CHECK(RecordDigests(threaded, 300) == first);
 }
 
 // Two grips and the touch of two robots share forces along the same line, which must not grow

@@ -158,10 +158,7 @@ TEST_CASE("turret: it swings a load on a circle around the robot", "[contract][e
   constexpr Real kDistance = kRadius + kRoll;
   CGripWorld world(GripperXml("r", 0, 0, 0, "lock='true'") + RollXml("roll", kDistance, 0, mass),
                    options);
-  const CGripWorld::TPoses start = world.GetPoses();
-  world.Step(2);
-  REQUIRE(world.HeldBy("r") == "roll");
-  const CGripGauge gauge(world, "r", start);
+  const CGripGauge gauge = CGripGauge::Grip(world, "r", "roll");
   world.Driver("r").Mode = TMode::MODE_SPEED_CONTROL;
   world.Driver("r").TurretSpeed = rpm;
   world.Step();
@@ -264,10 +261,7 @@ TEST_CASE("turret: it pushes a load with at most the torque of its motor",
   CGripWorld world(
       GripperXml("r", 0, 0, 0, "lock='true'") + LoadXml("box", kAhead, 0, kMass) + wall.str(),
       options);
-  const CGripWorld::TPoses start = world.GetPoses();
-  world.Step(2);
-  REQUIRE(world.HeldBy("r") == "box");
-  const CGripGauge gauge(world, "r", start);
+  const CGripGauge gauge = CGripGauge::Grip(world, "r", "box");
   world.Driver("r").Mode = TMode::MODE_SPEED_CONTROL;
   world.Driver("r").TurretSpeed = rpm;
   world.Step(11);

@@ -62,12 +62,7 @@ TEST_CASE("unequal pushing: ten robots balance over objects of unequal masses, o
   AddRow(scene, "r", kRobots + more, 2.0 * kHalf * (kObjects - 1) + beside, true);
   CDriveWorld world(MakePushGround(engine, 0, 1.0), scene.GetArena());
   world.Step(20);
-  const CVector3 before = scene.PlaceOf(world, "b0");
-  world.Step(10);
-  const CVector3 way = scene.PlaceOf(world, "b0") - before;
-  CHECK_THAT(way.GetX(), WithinAbs(more > 0 ? -10 * kPushTick * kPushSpeed : 0.0, 2e-3));
-  CHECK_THAT(way.GetY(), WithinAbs(0.0, 1e-3));
-  CHECK_THAT(scene.TurnOf(world, "b0"), WithinAbs(0.0, 5e-3));
+  scene.CheckBalance(world, "b0", 10, more > 0);
   // share of a robot's radius by which it may be in an object
   const Real deepest = engine.HasSlopes ? 0.02 : 0.01;
   for (UInt32 i = 0; i < kRobots; ++i) {
@@ -107,12 +102,7 @@ TEST_CASE("unequal pushing: two and three e-pucks balance over an object, one mo
   addRow("r", robots + more, beside, 180.0);
   CDriveWorld world(MakePushGround(engine, iterations, mass * kEngineGravity), scene.GetArena());
   world.Step(start);
-  const CVector3 before = scene.PlaceOf(world, "b");
-  world.Step(ticks);
-  const CVector3 way = scene.PlaceOf(world, "b") - before;
-  CHECK_THAT(way.GetX(), WithinAbs(more > 0 ? -(ticks * kPushTick * kPushSpeed) : 0.0, 2e-3));
-  CHECK_THAT(way.GetY(), WithinAbs(0.0, 1e-3));
-  CHECK_THAT(scene.TurnOf(world, "b"), WithinAbs(0.0, 5e-3));
+  scene.CheckBalance(world, "b", ticks, more > 0);
 }
 
 TEST_CASE("unequal pushing: a row of light and heavy boxes moves if its friction is overcome",
