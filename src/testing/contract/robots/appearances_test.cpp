@@ -2,8 +2,8 @@
 
 #include <argos3/core/simulator/entity/entity.h>
 #include <argos3/core/simulator/visualization/appearance.h>
-#include <argos3/core/utility/files/file_replacement.h>
 #include <argos3/testing/support/device_list.h>
+#include <argos3/testing/support/golden_text.h>
 #include <argos3/testing/support/paths.h>
 #include <argos3/testing/support/robot_world.h>
 
@@ -12,9 +12,6 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <sstream>
 
 namespace argos::appearances_test {
@@ -91,23 +88,7 @@ std::string DescribeAll() {
 // picture of the robot before it is committed.
 TEST_CASE("appearances: the parts of robots and objects are those in appearances.txt",
           "[contract][robots]") {
-  const std::string text = DescribeAll();
-  const std::string path = InSourceTree("src/testing/contract/robots/appearances.txt");
-  if (std::getenv("ARGOS_RENEW_GOLDEN") != nullptr) {
-    std::string problem;
-    REQUIRE(ReplaceFile(path, text, problem));
-  }
-  std::ifstream file(path);
-  const std::string golden((std::istreambuf_iterator<char>(file)), {});
-  std::istringstream expectedLines(golden);
-  std::istringstream foundLines(text);
-  std::string expected;
-  std::string found;
-  while (std::getline(expectedLines, expected)) {
-    REQUIRE(std::getline(foundLines, found));
-    CHECK(found == expected);
-  }
-  CHECK_FALSE(std::getline(foundLines, found));
+  CheckGoldenText(InSourceTree("src/testing/contract/robots/appearances.txt"), DescribeAll());
 }
 
 }  // namespace argos::appearances_test

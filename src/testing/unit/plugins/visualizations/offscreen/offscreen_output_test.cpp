@@ -4,14 +4,15 @@
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/logging/log_control.h>
 #include <argos3/core/utility/plugins/factory.h>
+#include <argos3/testing/support/log_capture.h>
 #include <argos3/testing/support/temporary_folder.h>
+#include <argos3/testing/unit/plugins/visualizations/short_run.h>
 
 #include <catch2/catch.hpp>
 
 #include <FreeImage.h>
 
 #include <filesystem>
-#include <sstream>
 #include <string>
 
 namespace offscreen_output_test {
@@ -20,51 +21,6 @@ using namespace argos;
 using Catch::Matchers::Contains;
 
 namespace {
-
-// collects log output during its lifetime
-class CLogCapture {
- public:
-  explicit CLogCapture(CARGoSLog& log = LOG)
-      : m_log(log), m_previous(log.GetStream().rdbuf(m_text.rdbuf())) {
-    m_log.DisableColoredOutput();
-  }
-  ~CLogCapture() {
-    m_log.Flush();
-    m_log.GetStream().rdbuf(m_previous);
-    m_log.EnableColoredOutput();
-  }
-  std::string GetText() {
-    m_log.Flush();
-    return m_text.str();
-  }
-
- private:
-  CARGoSLog& m_log;
-  std::ostringstream m_text;
-  std::streambuf* m_previous;
-};
-
-// ten ticks in an empty arena
-class CExperiment {
- public:
-  explicit CExperiment(const std::string& visualization) : m_scope(m_simulator) {
-    m_document.Parse(R"(<argos-configuration>
-      <framework><experiment length="1" ticks_per_second="10" random_seed="1"/></framework>
-      <controllers/><arena size="2,2,1"/><physics_engines/>
-      <media/>
-      <visualization>)" + visualization +
-                         "</visualization></argos-configuration>",
-                     "test.argos");
-    m_simulator.Load(m_document);
-  }
-
-  CSimulator& GetSimulator() { return m_simulator; }
-
- private:
-  CConfigurationDocument m_document;
-  CSimulator m_simulator;
-  CSimulator::CScope m_scope;
-};
 
 std::string Frame(const std::string& tick) {
   return "frame_" + std::string(10 - tick.size(), '0') + tick + ".png";
@@ -76,8 +32,8 @@ TEST_CASE("offscreen: frames show the first state, every n-th tick, and the last
           "[visualizations][offscreen]") {
   const CTemporaryFolder folder;
   CLogCapture log(LOGERR);
-  CExperiment experiment("<offscreen directory='" + folder.GetPath() +
-                         "/new' size='64x48' every='4'/>");
+  CShortRun experiment("<offscreen directory='" + folder.GetPath() +
+                       "/new' size='64x48' every='4'/>");
   experiment.GetSimulator().Execute();
   CHECK(experiment.GetSimulator().GetSpace().GetSimulationClock() == 10);
   CHECK(folder.List("new") ==
@@ -91,7 +47,7 @@ TEST_CASE("offscreen: the log names the driver of OpenGL only at the level debug
     const CTemporaryFolder folder;
     CLogCapture log(LOGERR);
     CLogControl::SetLevel(level);
-    CExperiment experiment("<offscreen directory='" + folder.GetPath() + "' size='64x48'/>");
+    CShortRun experiment("<offscreen directory='" + folder.GetPath() + "' size='64x48'/>");
     experiment.GetSimulator().Execute();
     CLogControl::SetLevel(ELogLevel::Info);
     CHECK_THAT(log.GetText(), Contains("64x48"));
@@ -101,8 +57,8 @@ TEST_CASE("offscreen: the log names the driver of OpenGL only at the level debug
 
 TEST_CASE("offscreen: a frame has the requested size", "[visualizations][offscreen]") {
   const CTemporaryFolder folder;
-  CExperiment experiment("<offscreen directory='" + folder.GetPath() +
-                         "' size='100x60' every='100' samples='1'/>");
+  CShortRun experiment("<offscreen directory='" + folder.GetPath() +
+                       "' size='100x60' every='100' samples='1'/>");
   experiment.GetSimulator().Execute();
   FIBITMAP* bitmap = FreeImage_Load(FIF_PNG, (folder.GetPath() + "/" + Frame("10")).c_str());
   REQUIRE(bitmap != nullptr);
@@ -114,8 +70,7 @@ TEST_CASE("offscreen: a frame has the requested size", "[visualizations][offscre
 TEST_CASE("offscreen: after a reset the run writes the same frames",
           "[visualizations][offscreen]") {
   const CTemporaryFolder folder;
-  CExperiment experiment("<offscreen directory='" + folder.GetPath() +
-                         "' size='64x48' every='5'/>");
+  CShortRun experiment("<offscreen directory='" + folder.GetPath() + "' size='64x48' every='5'/>");
   experiment.GetSimulator().Execute();
   std::filesystem::remove(folder.GetPath() + "/" + Frame("5"));
   experiment.GetSimulator().Reset();
@@ -125,26 +80,26 @@ TEST_CASE("offscreen: after a reset the run writes the same frames",
 
 TEST_CASE("offscreen: drawing does not change the run", "[visualizations][offscreen]") {
   const CTemporaryFolder folder;
-  CExperiment drawn("<offscreen directory='" + folder.GetPath() + "' size='64x48'/>");
+  CShortRun drawn("<offscreen directory='" + folder.GetPath() + "' size='64x48'/>");
   drawn.GetSimulator().Execute();
   const UInt64 digest = drawn.GetSimulator().GetSpace().ComputeDigest();
-  CExperiment headless("");
+  CShortRun headless("");
   headless.GetSimulator().Execute();
   CHECK(headless.GetSimulator().GetSpace().ComputeDigest() == digest);
 }
 
 TEST_CASE("offscreen: errors are reported while loading, with their place",
           "[visualizations][offscreen]") {
-  CHECK_THROWS_WITH(CExperiment("<offscreen format='mpg'/>"),
+  CHECK_THROWS_WITH(CShortRun("<offscreen format='mpg'/>"),
                     Contains("test.argos:") && Contains("\"mpg\"") && Contains("png"));
-  CHECK_THROWS_WITH(CExperiment("<offscreen directory='/dev/null'/>"),
+  CHECK_THROWS_WITH(CShortRun("<offscreen directory='/dev/null'/>"),
                     Contains("\"/dev/null\": it is not a directory"));
-  CHECK_THROWS_WITH(CExperiment("<offscreen size='1x1'/>"), Contains("out of range"));
+  CHECK_THROWS_WITH(CShortRun("<offscreen size='1x1'/>"), Contains("out of range"));
   const CTemporaryFolder folder;
   CHECK_THROWS_WITH(
-      CExperiment("<offscreen directory='" + folder.GetPath() +
-                  "'><user_functions label='unknown' library='/no/such/lib.so'/>"
-                  "</offscreen>"),
+      CShortRun("<offscreen directory='" + folder.GetPath() +
+                "'><user_functions label='unknown' library='/no/such/lib.so'/>"
+                "</offscreen>"),
       Contains("test.argos:5: <user_functions label=\"unknown\">") && Contains("/no/such/lib.so"));
 }
 
@@ -152,7 +107,7 @@ TEST_CASE(
     "qt-opengl: a file without frame grabbing runs headless, and a line of the log reports it",
     "[visualizations][offscreen]") {
   CLogCapture log;
-  CExperiment experiment(
+  CShortRun experiment(
       "<qt-opengl><camera><placement idx='0' position='0,0,1' look_at='0,1,0'/>"
       "</camera></qt-opengl>");
   experiment.GetSimulator().Execute();
@@ -163,11 +118,11 @@ TEST_CASE(
 TEST_CASE("qt-opengl: user functions are loaded only for frames", "[visualizations][offscreen]") {
   const std::string functions = "<user_functions label='unknown'/>";
   CLogCapture log;
-  CHECK_NOTHROW(CExperiment("<qt-opengl>" + functions + "</qt-opengl>"));
+  CHECK_NOTHROW(CShortRun("<qt-opengl>" + functions + "</qt-opengl>"));
   CHECK_THAT(log.GetText(), Contains("headless, without its user functions"));
   const CTemporaryFolder folder;
-  CHECK_THROWS_WITH(CExperiment("<qt-opengl>" + functions + "<frame_grabbing directory='" +
-                                folder.GetPath() + "'/></qt-opengl>"),
+  CHECK_THROWS_WITH(CShortRun("<qt-opengl>" + functions + "<frame_grabbing directory='" +
+                              folder.GetPath() + "'/></qt-opengl>"),
                     Contains("test.argos:5: <user_functions label=\"unknown\">") &&
                         Contains("there is no CDrawingFunctions"));
 }
@@ -176,9 +131,9 @@ TEST_CASE("qt-opengl: a file with frame grabbing writes every n-th frame",
           "[visualizations][offscreen]") {
   const CTemporaryFolder folder;
   CLogCapture log(LOGERR);
-  CExperiment experiment("<qt-opengl><frame_grabbing directory='" + folder.GetPath() +
-                         "/' headless_grabbing='true' headless_frame_size='64x48'"
-                         " headless_frame_rate='4'/></qt-opengl>");
+  CShortRun experiment("<qt-opengl><frame_grabbing directory='" + folder.GetPath() +
+                       "/' headless_grabbing='true' headless_frame_size='64x48'"
+                       " headless_frame_rate='4'/></qt-opengl>");
   experiment.GetSimulator().Execute();
   CHECK(folder.List() == std::vector<std::string>{Frame("0"), Frame("4"), Frame("8")});
   CHECK_THAT(log.GetText(), Contains("<qt-opengl>") && Contains("asks for frames"));
@@ -186,7 +141,7 @@ TEST_CASE("qt-opengl: a file with frame grabbing writes every n-th frame",
 
 TEST_CASE("qt-opengl: the directory for frames must exist", "[visualizations][offscreen]") {
   CHECK_THROWS_WITH(
-      CExperiment("<qt-opengl><frame_grabbing directory='/no/such/place'/></qt-opengl>"),
+      CShortRun("<qt-opengl><frame_grabbing directory='/no/such/place'/></qt-opengl>"),
       Contains("\"/no/such/place\": there is no such directory"));
 }
 
@@ -204,8 +159,8 @@ TEST_CASE("offscreen: both visualizations are registered and describe their XML"
 TEST_CASE("offscreen: only the ticks that are asked for have frames",
           "[visualizations][offscreen]") {
   const CTemporaryFolder folder;
-  CExperiment experiment("<offscreen directory='" + folder.GetPath() +
-                         "' size='64x48' every='2' ticks='3-6,9'/>");
+  CShortRun experiment("<offscreen directory='" + folder.GetPath() +
+                       "' size='64x48' every='2' ticks='3-6,9'/>");
   experiment.GetSimulator().Execute();
   CHECK(folder.List() == std::vector<std::string>{Frame("4"), Frame("6")});
 }

@@ -7,7 +7,9 @@
 #include <argos3/core/utility/plugins/factory.h>
 #include <argos3/support/child_process.h>
 #include <argos3/core/utility/text/string_utilities.h>
+#include <argos3/testing/support/log_capture.h>
 #include <argos3/testing/support/temporary_folder.h>
+#include <argos3/testing/unit/plugins/visualizations/short_run.h>
 
 #include <catch2/catch.hpp>
 
@@ -15,7 +17,6 @@
 
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -26,29 +27,6 @@ using namespace argos;
 using Catch::Matchers::Contains;
 
 namespace {
-
-// collects log output during its lifetime
-class CLogCapture {
- public:
-  explicit CLogCapture(CARGoSLog& log = LOG)
-      : m_log(log), m_previous(log.GetStream().rdbuf(m_text.rdbuf())) {
-    m_log.DisableColoredOutput();
-  }
-  ~CLogCapture() {
-    m_log.Flush();
-    m_log.GetStream().rdbuf(m_previous);
-    m_log.EnableColoredOutput();
-  }
-  std::string GetText() {
-    m_log.Flush();
-    return m_text.str();
-  }
-
- private:
-  CARGoSLog& m_log;
-  std::ostringstream m_text;
-  std::streambuf* m_previous;
-};
 
 // makes a shell script the program that renders
 class CFakePovray {
@@ -66,30 +44,6 @@ class CFakePovray {
   CTemporaryFolder m_folder;
 };
 
-// ten ticks in an empty arena
-class CExperiment {
- public:
-  explicit CExperiment(const std::string& visualization, const std::string& arena = "")
-      : m_scope(m_simulator) {
-    m_document.Parse(R"(<argos-configuration>
-      <framework><experiment length="1" ticks_per_second="10" random_seed="1"/></framework>
-      <controllers/><arena size="2,2,1">)" +
-                         arena + R"(</arena><physics_engines/>
-      <media/>
-      <visualization>)" + visualization +
-                         "</visualization></argos-configuration>",
-                     "test.argos");
-    m_simulator.Load(m_document);
-  }
-  CSimulator& GetSimulator() { return m_simulator; }
-  void Run() { m_simulator.Execute(); }
-
- private:
-  CConfigurationDocument m_document;
-  CSimulator m_simulator;
-  CSimulator::CScope m_scope;
-};
-
 std::string In(const CTemporaryFolder& folder, const std::string& attributes) {
   return "<povray size='16x16' directory='" + folder.GetPath() + "' " + attributes + "/>";
 }
@@ -99,7 +53,7 @@ std::string In(const CTemporaryFolder& folder, const std::string& attributes) {
 TEST_CASE("povray: writes scene files of the ticks that are chosen", "[povray]") {
   const CTemporaryFolder folder;
   const CLogCapture log;
-  CExperiment(In(folder, "every='4' render='false'")).Run();
+  CShortRun(In(folder, "every='4' render='false'")).Run();
   CHECK(folder.List() == std::vector<std::string>{"scene_0000000000.pov", "scene_0000000004.pov",
                                                   "scene_0000000008.pov", "scene_0000000010.pov"});
 }
@@ -122,8 +76,8 @@ TEST_CASE("povray: an image of the floor is written for each change of it", "[po
   };
   const CTemporaryFolder folder;
   const CLogCapture log;
-  CExperiment experiment(In(folder, "every='4' render='false'"),
-                         "<floor id='floor' source='loop_functions' pixels_per_meter='4'/>");
+  CShortRun experiment(In(folder, "every='4' render='false'"),
+                       "<floor id='floor' source='loop_functions' pixels_per_meter='4'/>");
   CPainting painting(experiment.GetSimulator());
   experiment.GetSimulator().SetLoopFunctions(painting);
   experiment.Run();
@@ -153,7 +107,7 @@ TEST_CASE("povray: runs the program in the folder of the scenes", "[povray]") {
   // writes its working directory and its arguments as the picture
   const CFakePovray povray(
       "for i; do case $i in +O*) out=${i#+O};; esac; done\n(pwd; echo \"$@\") >\"$out\"\n");
-  CExperiment(In(folder, "ticks='0' threads='1' render='true'")).Run();
+  CShortRun(In(folder, "ticks='0' threads='1' render='true'")).Run();
   CHECK(folder.List() == std::vector<std::string>{"scene_0000000000.png", "scene_0000000000.pov"});
   std::ifstream picture(folder.GetPath() + "/scene_0000000000.png");
   std::string directory;
@@ -178,7 +132,7 @@ TEST_CASE("povray: POV-Ray renders scenes whose names have blanks and quotes", "
   std::string escaped = name;
   Replace(escaped, "'", "&apos;");
   Replace(escaped, "\t", "&#9;");
-  CExperiment(In(folder, "ticks='0' render='true' base_name='" + escaped + "'")).Run();
+  CShortRun(In(folder, "ticks='0' render='true' base_name='" + escaped + "'")).Run();
   CHECK(folder.List() ==
         std::vector<std::string>{name + "0000000000.png", name + "0000000000.pov"});
 }
@@ -192,9 +146,9 @@ TEST_CASE("povray: names that POV-Ray cannot open are errors before the run", "[
   std::string escaped = name;
   Replace(escaped, "'", "&apos;");
   const std::string attributes = "base_name='" + escaped + "' ticks='0' render=";
-  CHECK_THROWS_WITH(CExperiment(In(folder, attributes + "'auto'")),
+  CHECK_THROWS_WITH(CShortRun(In(folder, attributes + "'auto'")),
                     Contains("test.argos:5") && Contains("POV-Ray cannot open files"));
-  CHECK_NOTHROW(CExperiment(In(folder, attributes + "'false'")).Run());
+  CHECK_NOTHROW(CShortRun(In(folder, attributes + "'false'")).Run());
   CHECK(folder.List().size() == 1);
 }
 
@@ -202,8 +156,8 @@ TEST_CASE("povray: the command for a folder and names with blanks is quoted", "[
   const CTemporaryFolder folder;
   setenv("ARGOS_POVRAY", "no such povray", 1);
   CLogCapture log(LOGERR);
-  CExperiment("<povray size='16x16' directory='" + folder.GetPath() +
-              "/my scenes' every='5' base_name='a scene '/>")
+  CShortRun("<povray size='16x16' directory='" + folder.GetPath() +
+            "/my scenes' every='5' base_name='a scene '/>")
       .Run();
   CHECK_THAT(log.GetText(), Contains("Where it is: cd '" + folder.GetPath() +
                                      "/my scenes' && 'no such povray' "
@@ -217,7 +171,7 @@ TEST_CASE("povray: tells why a scene cannot be rendered", "[povray]") {
   const CLogCapture log;
   const CFakePovray povray(
       "echo \"File 'scene.pov' line 7: Parse Error: No matching }\" >&2\nexit 3\n");
-  CExperiment experiment(In(folder, "every='5' render='true'"));
+  CShortRun experiment(In(folder, "every='5' render='true'"));
   CHECK_THROWS_WITH(experiment.Run(), Contains("scene_0000000000.pov") && Contains("status 3") &&
                                           Contains("line 7: Parse Error: No matching }"));
 }
@@ -237,7 +191,7 @@ if [ $(wc -l <"$count") -le $failures ]; then
 fi
 for i; do case $i in +O*) echo >"${i#+O}" ;; esac; done
 )");
-  CExperiment experiment(In(folder, "ticks='0' render='true'"));
+  CShortRun experiment(In(folder, "ticks='0' render='true'"));
   if (failures < 3) {
     experiment.Run();
     CHECK(folder.List() ==
@@ -252,7 +206,7 @@ TEST_CASE("povray: a program that writes no picture is an error", "[povray]") {
   const CTemporaryFolder folder;
   const CLogCapture log;
   const CFakePovray povray("exit 0\n");
-  CExperiment experiment(In(folder, "ticks='0' render='true'"));
+  CShortRun experiment(In(folder, "ticks='0' render='true'"));
   CHECK_THROWS_WITH(experiment.Run(), Contains("cannot render") && Contains("No such file"));
 }
 
@@ -260,13 +214,13 @@ TEST_CASE("povray: without POV-Ray, says once how to render", "[povray]") {
   const CTemporaryFolder folder;
   setenv("ARGOS_POVRAY", "no_such_povray", 1);
   CLogCapture log(LOGERR);
-  CExperiment(In(folder, "every='5'")).Run();
+  CShortRun(In(folder, "every='5'")).Run();
   CHECK(std::filesystem::exists(folder.Path("scene_0000000005.pov")));
   const std::string text = log.GetText();
   CHECK_THAT(text, Contains("\"no_such_povray\" is not installed. Where it is: cd " +
                             folder.GetPath() + " && no_such_povray +Iscene_0000000000.pov"));
   CHECK(text.find("is not installed") == text.rfind("is not installed"));
-  CHECK_THROWS_WITH(CExperiment(In(folder, "render='true'")),
+  CHECK_THROWS_WITH(CShortRun(In(folder, "render='true'")),
                     Contains("test.argos:5") && Contains("no_such_povray"));
   unsetenv("ARGOS_POVRAY");
 }
@@ -283,12 +237,12 @@ TEST_CASE("povray: names file and line of wrong attributes", "[povray]") {
       {"max_lights='1001'", "at most 1000"},
       {"base_name='a/b'", "must not contain"},
   }));
-  CHECK_THROWS_WITH(CExperiment(In(folder, attributes)),
+  CHECK_THROWS_WITH(CShortRun(In(folder, attributes)),
                     Contains("test.argos:5") && Contains(message));
 }
 
 TEST_CASE("povray: names a folder that cannot be written to", "[povray]") {
-  CHECK_THROWS_WITH(CExperiment("<povray directory='/proc/no_such_folder' render='false'/>"),
+  CHECK_THROWS_WITH(CShortRun("<povray directory='/proc/no_such_folder' render='false'/>"),
                     Contains("test.argos:5") && Contains("/proc/no_such_folder"));
 }
 

@@ -1,9 +1,9 @@
 #include <argos3/plugins/simulator/visualizations/povray/scene_file.h>
 
 #include <argos3/core/simulator/visualization/povray_model.h>
-#include <argos3/core/utility/files/file_replacement.h>
 #include <argos3/support/child_process.h>
 #include <argos3/plugins/simulator/visualizations/povray/povray_renderer.h>
+#include <argos3/testing/support/golden_text.h>
 #include <argos3/testing/support/paths.h>
 #include <argos3/testing/support/pictures.h>
 #include <argos3/testing/support/temporary_folder.h>
@@ -15,11 +15,8 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <limits>
 #include <memory>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -258,24 +255,9 @@ TEST_CASE("povray scene: the texts of both looks are those in golden/", "[povray
   std::size_t numSkipped = 0;
   const std::string text =
       MakeSceneFile(scene, ObliqueView(), settings, {{}, "floor.ppm"}, numSkipped);
-  const std::string path = InSourceTree("src/testing/unit/plugins/visualizations/povray/golden/" +
-                                        std::string(c.Name) + ".pov");
-  if (std::getenv("ARGOS_RENEW_GOLDEN") != nullptr) {
-    std::string problem;
-    REQUIRE(ReplaceFile(path, text, problem));
-  }
-  std::ifstream file(path);
-  const std::string golden((std::istreambuf_iterator<char>(file)), {});
-  std::istringstream expectedLines(golden);
-  std::istringstream foundLines(text);
-  std::string expected;
-  std::string found;
-  for (int line = 1; std::getline(expectedLines, expected); ++line) {
-    CAPTURE(c.Name, line);
-    REQUIRE(std::getline(foundLines, found));
-    REQUIRE(RoundNumbers(found) == RoundNumbers(expected));
-  }
-  CHECK_FALSE(std::getline(foundLines, found));
+  CheckGoldenText(InSourceTree("src/testing/unit/plugins/visualizations/povray/golden/" +
+                               std::string(c.Name) + ".pov"),
+                  text, RoundNumbers);
 }
 
 TEST_CASE("povray scene: a model appears at its place", "[povray]") {
