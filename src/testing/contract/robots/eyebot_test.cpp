@@ -22,9 +22,8 @@
 
 #include <cmath>
 
-namespace eyebot_test {
+namespace argos::eyebot_test {
 
-using namespace argos;
 using Catch::Matchers::Contains;
 using Catch::Matchers::WithinAbs;
 
@@ -328,6 +327,27 @@ TEST_CASE("eye-bot: programs create it by one call", "[contract][robots]") {
       Contains("eye-bot \"e\"") && Contains("camera_aperture"));
 }
 
+namespace {
+
+struct SDevices {
+  Real RABRange;  // m
+  UInt32 DataSize;
+  Real Aperture;  // degrees
+  Real FocalLength, CameraRange;  // m
+};
+
+void CheckDevices(CRobotWorld& world, const SDevices& expected) {
+  const SDeviceParameters& parameters = EyeBot(world).GetDeviceParameters();
+  CHECK(parameters.RAB.Range == expected.RABRange);
+  CHECK(parameters.RAB.DataSize == expected.DataSize);
+  CHECK_THAT(ToDegrees(parameters.PerspectiveCamera.Aperture).GetValue(),
+             WithinAbs(expected.Aperture, kRounding));
+  CHECK(parameters.PerspectiveCamera.FocalLength == expected.FocalLength);
+  CHECK(parameters.PerspectiveCamera.Range == expected.CameraRange);
+}
+
+}  // namespace
+
 TEST_CASE("eye-bot: attributes are read and checked, and have the documented defaults",
           "[contract][robots][errors]") {
   const auto withAttributes = [](const std::string& attributes) {
@@ -338,25 +358,13 @@ TEST_CASE("eye-bot: attributes are read and checked, and have the documented def
   };
   {
     CRobotWorld world(withAttributes(""));
-    const SDeviceParameters& parameters = EyeBot(world).GetDeviceParameters();
-    CHECK(parameters.RAB.Range == 3.0);
-    CHECK(parameters.RAB.DataSize == 10);
-    CHECK_THAT(ToDegrees(parameters.PerspectiveCamera.Aperture).GetValue(),
-               WithinAbs(30.0, kRounding));
-    CHECK(parameters.PerspectiveCamera.FocalLength == 0.035);
-    CHECK(parameters.PerspectiveCamera.Range == 2.0);
+    CheckDevices(world, {3.0, 10, 30.0, 0.035, 2.0});
   }
   {
     CRobotWorld world(withAttributes(
         "rab_range=\"5\" rab_data_size=\"2\" camera_aperture=\"20\" camera_focal_length=\"0.1\" "
         "camera_range=\"4\" camera_front=\"false\""));
-    const SDeviceParameters& parameters = EyeBot(world).GetDeviceParameters();
-    CHECK(parameters.RAB.Range == 5.0);
-    CHECK(parameters.RAB.DataSize == 2);
-    CHECK_THAT(ToDegrees(parameters.PerspectiveCamera.Aperture).GetValue(),
-               WithinAbs(20.0, kRounding));
-    CHECK(parameters.PerspectiveCamera.FocalLength == 0.1);
-    CHECK(parameters.PerspectiveCamera.Range == 4.0);
+    CheckDevices(world, {5.0, 2, 20.0, 0.1, 4.0});
     // no warning about unused attributes
     CHECK(TakeLogErr() == "");
   }
@@ -369,4 +377,4 @@ TEST_CASE("eye-bot: attributes are read and checked, and have the documented def
   }
 }
 
-}  // namespace eyebot_test
+}  // namespace argos::eyebot_test

@@ -15,9 +15,8 @@
 #include <utility>
 #include <vector>
 
-namespace encoder_test {
+namespace argos::encoder_test {
 
-using namespace argos;
 using Catch::Matchers::Contains;
 using Catch::Matchers::WithinAbs;
 
@@ -251,4 +250,4 @@ TEST_CASE("encoder: the sensor of another robot is refused", "[contract][sensors
              Contains("\"ep0\"") && Contains("odometer"));
 }
 
-}  // namespace encoder_test
+}  // namespace argos::encoder_test

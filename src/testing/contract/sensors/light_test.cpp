@@ -11,6 +11,7 @@
 #include <argos3/plugins/simulator/entities/light_entity.h>
 #include <argos3/plugins/simulator/entities/light_sensor_equipped_entity.h>
 #include <argos3/testing/contract/sensors/scene.h>
+#include <argos3/testing/contract/sensors/sensor_ring.h>
 #include <argos3/testing/support/robot_sizes.h>
 
 #include <catch2/catch.hpp>
@@ -20,9 +21,8 @@
 #include <memory>
 #include <vector>
 
-namespace light_test {
+namespace argos::light_test {
 
-using namespace argos;
 using Catch::Matchers::Contains;
 using Catch::Matchers::WithinAbs;
 
@@ -31,46 +31,23 @@ namespace {
 // tolerance of about ten roundings of numbers of the order of 1
 constexpr Real kRounding = 1e-13;
 
-// geometry of a robot's light sensors
-struct SRing {
-  std::string Tag;
-  Real Radius, Height;  // m
-  std::vector<Real> Angles;  // rad
-};
-
 constexpr Real kHeight = 0.06;  // m, of the light sensors of wheeled robots
 
-SRing FootBotRing() {
-  SRing ring{"foot-bot", kFootBotRadius, kHeight, {}};
-  for (int i = 0; i < 24; ++i) {
-    ring.Angles.push_back((7.5 + 15.0 * i) * M_PI / 180.0);
-  }
-  return ring;
-}
-
-SRing EPuckRing() {
-  SRing ring{"e-puck", kEPuckRadius, kHeight, {}};
+SSensorRing EPuckRing() {
+  SSensorRing ring{"e-puck", kEPuckRadius, kHeight, {}};
   for (int i = 0; i < 8; ++i) {
     ring.Angles.push_back((22.5 + 45.0 * i) * M_PI / 180.0);
   }
   return ring;
 }
 
-SRing EyeBotRing() {
-  SRing ring = FootBotRing();
-  ring.Tag = "eye-bot";
-  ring.Radius = 0.255;
-  ring.Height = 0.1635;
-  return ring;
-}
-
-CVector3 SensorAt(const SRing& ring, size_t i, const CVector3& robot, Real yaw) {
+CVector3 SensorAt(const SSensorRing& ring, size_t i, const CVector3& robot, Real yaw) {
   const Real angle = ring.Angles[i] + yaw;
   return robot +
          CVector3(ring.Radius * std::cos(angle), ring.Radius * std::sin(angle), ring.Height);
 }
 
-bool IsInFront(const SRing& ring, size_t i, const CVector3& robot, Real yaw,
+bool IsInFront(const SSensorRing& ring, size_t i, const CVector3& robot, Real yaw,
                const CVector3& light) {
   const Real angle = ring.Angles[i] + yaw;
   const CVector3 towards = light - SensorAt(ring, i, robot, yaw);
@@ -105,7 +82,7 @@ const CCI_FootBotLightSensor::TReadings& FootBotReadings(CRobotWorld& world,
 
 TEST_CASE("light: sensors in front read the squared ratio of intensity and distance",
           "[contract][sensors]") {
-  const SRing ring = GENERATE(FootBotRing(), EPuckRing(), EyeBotRing());
+  const SSensorRing ring = GENERATE(FootBotRing(), EPuckRing(), EyeBotRing());
   CRandomStream random(1, "test", ring.Tag, "light");
   int lit = 0;
   int dark = 0;
@@ -161,7 +138,7 @@ TEST_CASE("light: a light on the tangent of a sensor is seen on both sides of th
 
 TEST_CASE("light: lights add up, lights without intensity are ignored, and the maximum is 1",
           "[contract][sensors]") {
-  const SRing ring = FootBotRing();
+  const SSensorRing ring = FootBotRing();
   const CVector3 a(1.5, 0.3, 0.2);
   const CVector3 b(0.4, 2.0, 0.1);
   CRobotWorld world(
@@ -184,7 +161,7 @@ TEST_CASE("light: lights add up, lights without intensity are ignored, and the m
 }
 
 TEST_CASE("light: a sensor at the position of a light reads 1", "[contract][sensors]") {
-  const SRing ring = EPuckRing();
+  const SSensorRing ring = EPuckRing();
   CRobotWorld world(WithGenericSensor(Robot("e-puck", "r", PoseText(CVector3())) +
                                       LampText("l", SensorAt(ring, 2, CVector3(), 0.0), 1e-3)));
   world.Step();
@@ -193,7 +170,7 @@ TEST_CASE("light: a sensor at the position of a light reads 1", "[contract][sens
 
 TEST_CASE("light: a body occludes the light from the sensors behind it only",
           "[contract][sensors]") {
-  const SRing ring = GENERATE(FootBotRing(), EPuckRing());
+  const SSensorRing ring = GENERATE(FootBotRing(), EPuckRing());
   const Real radius = GENERATE(0.01, 0.03, 0.05);  // m, radius of the pole
   CAPTURE(ring.Tag, radius);
   const CVector3 light(1.5, 0.0, kHeight);
@@ -301,7 +278,7 @@ TEST_CASE("light: the sensors of a tilted robot tilt with it", "[contract][senso
       "config=\"c\"/></e-puck>" +
       LampText("l", CVector3(0.0, 0.0, 3.5), 0.5)));
   world.Step();
-  const SRing ring = EPuckRing();
+  const SSensorRing ring = EPuckRing();
   for (size_t i = 0; i < 8; ++i) {
     CAPTURE(i);
     const Real up = ring.Radius * std::cos(ring.Angles[i]);
@@ -525,4 +502,4 @@ TEST_CASE("light sensors: invalid experiments are refused with the reason",
   }
 }
 
-}  // namespace light_test
+}  // namespace argos::light_test

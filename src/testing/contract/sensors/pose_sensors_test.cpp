@@ -32,6 +32,19 @@ const CCI_PositioningSensor::SReading& Pose(CRobotWorld& world) {
   return world.GetSensor<CCI_PositioningSensor>("r", "positioning").GetReading();
 }
 
+constexpr int kTicks = 3000;  // of samples of noise
+
+// A function of the orientation that the sensor reads, in each tick.
+template <typename FUNCTION>
+std::vector<Real> Sample(CRobotWorld& world, const FUNCTION& function) {
+  std::vector<Real> values;
+  for (int i = 0; i < kTicks; ++i) {
+    world.Step();
+    values.push_back(function(Pose(world).Orientation));
+  }
+  return values;
+}
+
 Real Altitude(CRobotWorld& world) {
   return world.GetSensor<CCI_AltitudeSensor>("r", "altitude").GetReading();
 }
@@ -74,7 +87,6 @@ TEST_CASE("positioning: follows a moved robot", "[contract][sensors]") {
 
 TEST_CASE("positioning noise: each coordinate has the requested distribution",
           "[contract][sensors][noise]") {
-  constexpr int kTicks = 3000;
   const bool even = GENERATE(true, false);
   const std::string device = "positioning implementation=\"default\"";
   CRobotWorld world(
@@ -99,19 +111,16 @@ TEST_CASE("positioning noise: each coordinate has the requested distribution",
 }
 
 TEST_CASE("positioning noise: the angle's range is in radians", "[contract][sensors][noise]") {
-  constexpr int kTicks = 3000;
   CRobotWorld world(
       WithSensor("<positioning implementation=\"default\" angle_noise_range=\"-0.2:0.1\"/>",
                  Robot("foot-bot", "r", "position=\"1,2,3\" orientation=\"60,0,0\"")));
-  std::vector<Real> deviations;
-  for (int i = 0; i < kTicks; ++i) {
-    world.Step();
+  const std::vector<Real> deviations = Sample(world, [](const CQuaternion& orientation) {
     CRadians z, y, x;
-    Pose(world).Orientation.ToEulerAngles(z, y, x);
-    deviations.push_back(z.GetValue() - M_PI / 3.0);
+    orientation.ToEulerAngles(z, y, x);
     REQUIRE_THAT(y.GetValue(), WithinAbs(0.0, 1e-14));
     REQUIRE_THAT(x.GetValue(), WithinAbs(0.0, 1e-14));
-  }
+    return z.GetValue() - M_PI / 3.0;
+  });
   CHECK(KolmogorovSmirnovExcess(deviations,
                                 [](Real x) { return UniformDistribution(x, -0.2, 0.1); }) <= 1.0);
   CHECK(Pose(world).Position == CVector3(1.0, 2.0, 3.0));
@@ -119,20 +128,16 @@ TEST_CASE("positioning noise: the angle's range is in radians", "[contract][sens
 
 TEST_CASE("positioning noise: the axis tilts, and orientations remain rotations",
           "[contract][sensors][noise]") {
-  constexpr int kTicks = 3000;
   // a rotation about z by 90 degrees; noise is drawn for all three components of the axis
   CRobotWorld world(
       WithSensor("<positioning implementation=\"default\" axis_noise_range=\"-0.3:0.4\"/>",
                  Robot("foot-bot", "r", "position=\"1,2,3\" orientation=\"90,0,0\"")));
-  std::vector<Real> slopes;
-  for (int i = 0; i < kTicks; ++i) {
-    world.Step();
-    const CQuaternion& q = Pose(world).Orientation;
+  const std::vector<Real> slopes = Sample(world, [](const CQuaternion& q) {
     REQUIRE_THAT(q.Length(), WithinAbs(1.0, 1e-14));
     // the angle has no noise
     REQUIRE_THAT(q.GetW(), WithinAbs(std::cos(M_PI / 4.0), 1e-14));
-    slopes.push_back(q.GetX() / q.GetZ());
-  }
+    return q.GetX() / q.GetZ();
+  });
   // Distribution of the ratio of n1 and 1 + n2, both uniform in [-0.3, 0.4]: P(n1 / (1 + n2) <= s)
   // is the mean over n2 of P(n1 <= s (1 + n2)), by Simpson's rule on 1000 intervals.
   const auto distribution = [](Real slope) {

@@ -7,6 +7,7 @@
 #include <argos3/plugins/robots/eye-bot/control_interface/ci_eyebot_proximity_sensor.h>
 #include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_proximity_sensor.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_proximity_sensor.h>
+#include <argos3/testing/contract/sensors/sensor_ring.h>
 #include <argos3/testing/support/polygons.h>
 #include <argos3/testing/support/robot_sizes.h>
 #include <argos3/testing/support/robot_world.h>
@@ -27,35 +28,11 @@ constexpr Real kNoHit = -1.0;
 // tolerance of about ten roundings of numbers up to 10 m
 constexpr Real kRounding = 1e-13;
 
-// geometry of a robot's sensors
-struct SRing {
-  std::string Tag;
-  Real Radius, Height, Range;  // m
-  std::vector<Real> Angles;  // rad
-};
-
-SRing FootBotRing() {
-  SRing ring{"foot-bot", kFootBotRadius, 0.06, 0.1, {}};
-  for (int i = 0; i < 24; ++i) {
-    ring.Angles.push_back((7.5 + 15.0 * i) * M_PI / 180.0);
-  }
-  return ring;
-}
-
-SRing EPuckRing() {
-  SRing ring{"e-puck", kEPuckRadius, 0.06, 0.1, {}};
+SSensorRing EPuckRing() {
+  SSensorRing ring{"e-puck", kEPuckRadius, 0.06, {}, 0.1};
   for (const Real divisor : {10.5884, 3.5999, 2.0, 1.2, 0.8571, 0.6667, 0.5806, 0.5247}) {
     ring.Angles.push_back(M_PI / divisor);
   }
-  return ring;
-}
-
-SRing EyeBotRing() {
-  SRing ring = FootBotRing();
-  ring.Tag = "eye-bot";
-  ring.Radius = 0.255;
-  ring.Height = 0.1635;
-  ring.Range = 3.0;
   return ring;
 }
 
@@ -93,7 +70,7 @@ SRobotExperiment WithGenericSensor(const std::string& arena) {
 }
 
 // distance from a point on the ring, outward, to a disc, by the law of cosines
-Real DistanceToDisc(const SRing& ring, Real rayAngle, Real centerDistance, Real centerAngle,
+Real DistanceToDisc(const SSensorRing& ring, Real rayAngle, Real centerDistance, Real centerAngle,
                     Real radius) {
   const Real along = centerDistance * std::cos(centerAngle - rayAngle);
   const Real aside = centerDistance * std::sin(centerAngle - rayAngle);
@@ -120,7 +97,7 @@ void CheckDistances(const std::vector<Real>& seen, const std::vector<Real>& expe
 
 TEST_CASE("proximity: a robot alone reads zeros and does not detect itself",
           "[contract][sensors]") {
-  const SRing ring = GENERATE(FootBotRing(), EPuckRing(), EyeBotRing());
+  const SSensorRing ring = GENERATE(FootBotRing(), EPuckRing(), EyeBotRing());
   CAPTURE(ring.Tag);
   CRobotWorld world(WithGenericSensor(Robot(ring.Tag, "r", Pose(0.3, -0.2, 0.0, 30.0))));
   world.Step();
@@ -128,7 +105,7 @@ TEST_CASE("proximity: a robot alone reads zeros and does not detect itself",
 }
 
 TEST_CASE("proximity: distances to a disc satisfy the law of cosines", "[contract][sensors]") {
-  const SRing ring = GENERATE(FootBotRing(), EPuckRing(), EyeBotRing());
+  const SSensorRing ring = GENERATE(FootBotRing(), EPuckRing(), EyeBotRing());
   const bool movable = GENERATE(false, true);
   CRandomStream random(1, "test", ring.Tag, "poses");
   for (int trial = 0; trial < 25; ++trial) {
@@ -154,7 +131,7 @@ TEST_CASE("proximity: distances to a disc satisfy the law of cosines", "[contrac
 
 TEST_CASE("proximity: distances to a wall are its distance over the cosine of the angle",
           "[contract][sensors]") {
-  const SRing ring = GENERATE(FootBotRing(), EPuckRing(), EyeBotRing());
+  const SSensorRing ring = GENERATE(FootBotRing(), EPuckRing(), EyeBotRing());
   const Real facing = GENERATE(0.0, 20.0, 45.0, 137.0, -90.0);  // degrees, towards the wall
   const Real yaw = GENERATE(0.0, 33.0, 180.0);  // degrees, of the robot
   const Real gap = 0.03;  // m, from the body to the wall
@@ -186,7 +163,7 @@ TEST_CASE("proximity: distances to a wall are its distance over the cosine of th
 
 TEST_CASE("proximity: readings are equal in every engine", "[contract][sensors]") {
   const std::string engine = GENERATE("toy_engine", "dynamics2d", "pointmass3d");
-  const SRing ring = GENERATE(FootBotRing(), EPuckRing(), EyeBotRing());
+  const SSensorRing ring = GENERATE(FootBotRing(), EPuckRing(), EyeBotRing());
   CAPTURE(engine, ring.Tag);
   if (engine == "dynamics2d" && ring.Tag == "eye-bot") {
     WARN("skipped: robots do not fly in dynamics2d");
@@ -210,7 +187,7 @@ TEST_CASE("proximity: readings are equal in every engine", "[contract][sensors]"
 TEST_CASE("proximity: robots detect each other", "[contract][sensors]") {
   // an e-puck straight ahead of ray 0 of a foot-bot, 5 cm from body to body;
   // ray 3 of the e-puck points back
-  const SRing ring = FootBotRing();
+  const SSensorRing ring = FootBotRing();
   const Real distance = ring.Radius + 0.05 + 0.035;
   const Real yaw = 7.5 + 180.0 - EPuckRing().Angles[3] * 180.0 / M_PI;
   CRobotWorld world(WithGenericSensor(Robot("foot-bot", "fb", Pose(0.0, 0.0, 0.0, 0.0)) +
@@ -225,7 +202,7 @@ TEST_CASE("proximity: robots detect each other", "[contract][sensors]") {
 }
 
 TEST_CASE("proximity: rays end at their range", "[contract][sensors]") {
-  const SRing ring = GENERATE(FootBotRing(), EPuckRing(), EyeBotRing());
+  const SSensorRing ring = GENERATE(FootBotRing(), EPuckRing(), EyeBotRing());
   const Real excess = GENERATE(-1e-6, 1e-6);  // m, beyond the range
   CAPTURE(ring.Tag, excess);
   const Real distance = ring.Radius + ring.Range + excess + 0.2;
@@ -243,7 +220,7 @@ TEST_CASE("proximity: rays end at their range", "[contract][sensors]") {
 TEST_CASE("proximity: of two bodies in line the nearer one is detected, in any order of addition",
           "[contract][sensors]") {
   const bool nearFirst = GENERATE(true, false);
-  const SRing ring = FootBotRing();
+  const SSensorRing ring = FootBotRing();
   const auto at = [&](const std::string& id, Real gap, Real radius) {
     const Real distance = ring.Radius + gap + radius;
     return Cylinder(id, distance * std::cos(ring.Angles[5]), distance * std::sin(ring.Angles[5]),
@@ -310,7 +287,7 @@ TEST_CASE("proximity: the rays of a tilted robot tilt with it", "[contract][sens
       "\" orientation=\"0,-90,0\"/><controller config=\"c\"/></foot-bot>" +
       Box("slab", CVector3(2.0, 2.0, 1.0), Pose(0.0, 0.0, -1.0, 0.0))));
   world.Step();
-  const SRing ring = FootBotRing();
+  const SSensorRing ring = FootBotRing();
   std::vector<Real> expected;
   for (const Real angle : ring.Angles) {
     // the robot's x axis points up: a ray at this angle descends by -cos(angle) per metre
@@ -333,7 +310,7 @@ TEST_CASE("proximity: rays hit tilted boxes on their faces", "[contract][sensors
       ToText(CVector3(corner + side / 2.0 * std::sqrt(0.5), 0.0, side / 2.0 * std::sqrt(0.5))) +
       "\" orientation=\"0,-45,0\"/></box>"));
   world.Step();
-  const SRing ring = FootBotRing();
+  const SSensorRing ring = FootBotRing();
   const Real face = corner - ring.Height;
   std::vector<Real> expected;
   for (const Real angle : ring.Angles) {
@@ -351,7 +328,7 @@ TEST_CASE("proximity: each robot has its own response curve", "[contract][sensor
   const Real parabola = 298.701 * distance * distance - 36.8961 * distance + 1.08212;
   const auto expectedEPuck = distance <= 0.05 ? std::min(1.0, std::max(0.0, parabola)) : 0.0;
 
-  const auto experiment = [distance](const SRing& ring, const std::string& sensor) {
+  const auto experiment = [distance](const SSensorRing& ring, const std::string& sensor) {
     SRobotExperiment result;
     result.Sensors = "<" + sensor + " implementation=\"default\"/>";
     const Real center = ring.Radius + distance + 0.05;
@@ -382,7 +359,7 @@ TEST_CASE("proximity: each robot has its own response curve", "[contract][sensor
 
 TEST_CASE("proximity: after a move by a program readings are those of the new place at once",
           "[contract][sensors]") {
-  const SRing ring = EPuckRing();
+  const SSensorRing ring = EPuckRing();
   CRobotWorld world(WithGenericSensor(Robot("e-puck", "r", Pose(0.0, 0.0, 0.0, 0.0)) +
                                       Cylinder("c", 2.0, 0.0, 0.1)));
   world.Step();

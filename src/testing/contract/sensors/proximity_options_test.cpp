@@ -36,6 +36,16 @@ std::vector<Real> DrawReadings(CRobotWorld& world, const std::string& robot, int
   return readings;
 }
 
+// The box begins at y = 0.06, in the range of sensor 2.
+SRobotExperiment EPuckBesideBox(const std::string& implementation = "default") {
+  SRobotExperiment experiment;
+  experiment.Sensors = "<proximity implementation=\"" + implementation + "\"/>";
+  experiment.Arena =
+      Robot("e-puck", "r", "position=\"0,0,0\"") +
+      "<box id=\"b\" size=\"0.1,0.1,0.1\" movable=\"false\"><body position=\"0,0.11,0\"/></box>";
+  return experiment;
+}
+
 SRobotExperiment NoisyEPucks(const std::string& noise) {
   SRobotExperiment experiment;
   experiment.Sensors =
@@ -147,12 +157,7 @@ TEST_CASE("proximity: readings contain the directions of the sensors", "[contrac
 }
 
 TEST_CASE("proximity: a disabled sensor keeps its readings", "[contract][sensors]") {
-  SRobotExperiment experiment;
-  experiment.Sensors = "<proximity implementation=\"default\"/>";
-  experiment.Arena =
-      Robot("e-puck", "r", "position=\"0,0,0\"") +
-      "<box id=\"b\" size=\"0.1,0.1,0.1\" movable=\"false\"><body position=\"0,0.11,0\"/></box>";
-  CRobotWorld world(experiment);
+  CRobotWorld world(EPuckBesideBox());
   auto& sensor = world.GetSensor<CCI_ProximitySensor>("r", "proximity");
   world.Step();
   const std::vector<Real> seen = sensor.GetReadings();
@@ -180,12 +185,7 @@ class CLinearProximitySensor : public CProximityDefaultSensor {
 REGISTER_SENSOR(CLinearProximitySensor, "proximity", "linear_for_tests", "", "", "", "", "")
 
 TEST_CASE("proximity: derived sensors can change the response", "[contract][sensors]") {
-  SRobotExperiment experiment;
-  experiment.Sensors = "<proximity implementation=\"linear_for_tests\"/>";
-  experiment.Arena =
-      Robot("e-puck", "r", "position=\"0,0,0\"") +
-      "<box id=\"b\" size=\"0.1,0.1,0.1\" movable=\"false\"><body position=\"0,0.11,0\"/></box>";
-  CRobotWorld world(experiment);
+  CRobotWorld world(EPuckBesideBox("linear_for_tests"));
   world.Step();
   // the box begins at y = 0.06, the ray at 0.035
   CHECK_THAT(world.GetSensor<CCI_ProximitySensor>("r", "proximity").GetReadings()[2],
@@ -193,12 +193,7 @@ TEST_CASE("proximity: derived sensors can change the response", "[contract][sens
 }
 
 TEST_CASE("proximity: sensors added or changed by a program are read", "[contract][sensors]") {
-  SRobotExperiment experiment;
-  experiment.Sensors = "<proximity implementation=\"default\"/>";
-  experiment.Arena =
-      Robot("e-puck", "r", "position=\"0,0,0\"") +
-      "<box id=\"b\" size=\"0.1,0.1,0.1\" movable=\"false\"><body position=\"0,0.11,0\"/></box>";
-  CRobotWorld world(experiment);
+  CRobotWorld world(EPuckBesideBox());
   auto& robot = world.Get<CEPuckEntity>("r");
   CProximitySensorEquippedEntity& component = robot.GetProximitySensorEquippedEntity();
   component.GetSensor(0).Offset = CVector3(0.0, 0.05, 0.06);

@@ -15,9 +15,8 @@
 #include <cmath>
 #include <vector>
 
-namespace range_and_bearing_test {
+namespace argos::range_and_bearing_test {
 
-using namespace argos;
 using Catch::Matchers::Contains;
 using Catch::Matchers::WithinAbs;
 
@@ -409,4 +408,4 @@ TEST_CASE("range and bearing: invalid orders and experiments are refused with th
   }
 }
 
-}  // namespace range_and_bearing_test
+}  // namespace argos::range_and_bearing_test

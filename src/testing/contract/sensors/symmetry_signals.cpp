@@ -162,29 +162,31 @@ Real ToNumber(const CColor& color) {
   return color.GetRed() + 1e3 * color.GetGreen() + 1e6 * color.GetBlue();
 }
 
-TSymmetryReadings ReadOmnidirectional(CRobotWorld& world, const SSymmetryMap& map) {
+TRow PlaceOf(const CCI_ColoredBlobOmnidirectionalCameraSensor::SBlob& blob) {
+  return {0.0, blob.Angle.GetValue(), blob.Distance, ToNumber(blob.Color)};
+}
+
+TRow PlaceOf(const CCI_ColoredBlobPerspectiveCameraSensor::SBlob& blob) {
+  return {0.0, static_cast<Real>(blob.X), static_cast<Real>(blob.Y), ToNumber(blob.Color)};
+}
+
+template <typename CAMERA>
+TSymmetryReadings ReadBlobs(CRobotWorld& world, const SSymmetryMap& map, const char* type) {
   std::vector<TRow> rows;
-  for (const auto* blob : world
-                              .GetSensor<CCI_ColoredBlobOmnidirectionalCameraSensor>(
-                                  "r", "colored_blob_omnidirectional_camera")
-                              .GetReadings()
-                              .BlobList) {
-    rows.push_back({0.0, blob->Angle.GetValue(), blob->Distance, ToNumber(blob->Color)});
+  for (const auto* blob : world.GetSensor<CAMERA>("r", type).GetReadings().BlobList) {
+    rows.push_back(PlaceOf(*blob));
   }
   return Flatten(rows, map.IsInOrderOfCreation);
 }
 
+TSymmetryReadings ReadOmnidirectional(CRobotWorld& world, const SSymmetryMap& map) {
+  return ReadBlobs<CCI_ColoredBlobOmnidirectionalCameraSensor>(
+      world, map, "colored_blob_omnidirectional_camera");
+}
+
 TSymmetryReadings ReadPerspective(CRobotWorld& world, const SSymmetryMap& map) {
-  std::vector<TRow> rows;
-  for (const auto* blob : world
-                              .GetSensor<CCI_ColoredBlobPerspectiveCameraSensor>(
-                                  "r", "colored_blob_perspective_camera")
-                              .GetReadings()
-                              .BlobList) {
-    rows.push_back(
-        {0.0, static_cast<Real>(blob->X), static_cast<Real>(blob->Y), ToNumber(blob->Color)});
-  }
-  return Flatten(rows, map.IsInOrderOfCreation);
+  return ReadBlobs<CCI_ColoredBlobPerspectiveCameraSensor>(world, map,
+                                                           "colored_blob_perspective_camera");
 }
 
 template <typename ALGORITHM, typename ADD>
