@@ -16,9 +16,8 @@
 
 #include <cmath>
 
-namespace omnidirectional_camera_test {
+namespace argos::omnidirectional_camera_test {
 
-using namespace argos;
 using Catch::Matchers::Contains;
 using Catch::Matchers::WithinAbs;
 
@@ -566,4 +565,4 @@ TEST_CASE("omnidirectional camera: invalid experiments are refused with the reas
   }
 }
 
-}  // namespace omnidirectional_camera_test
+}  // namespace argos::omnidirectional_camera_test

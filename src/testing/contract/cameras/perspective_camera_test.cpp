@@ -17,9 +17,8 @@
 #include <cmath>
 #include <limits>
 
-namespace perspective_camera_test {
+namespace argos::perspective_camera_test {
 
-using namespace argos;
 using Catch::Matchers::Contains;
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
@@ -435,4 +434,4 @@ TEST_CASE("perspective camera: invalid experiments are refused with the reason",
   }
 }
 
-}  // namespace perspective_camera_test
+}  // namespace argos::perspective_camera_test

@@ -17,9 +17,8 @@
 #include <cmath>
 #include <memory>
 
-namespace pheromone_test {
+namespace argos::pheromone_test {
 
-using namespace argos;
 using Catch::Matchers::Contains;
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
@@ -520,4 +519,4 @@ TEST_CASE("pheromone: a layer that does not exist is noticed", "[contract][media
   CheckCaught([&] { static_cast<void>(medium.GetConcentration(1, CVector3())); }, "no layer 1");
 }
 
-}  // namespace pheromone_test
+}  // namespace argos::pheromone_test

@@ -17,9 +17,8 @@
 #include <algorithm>
 #include <cmath>
 
-namespace rfid_test {
+namespace argos::rfid_test {
 
-using namespace argos;
 using Catch::Matchers::Contains;
 using Catch::Matchers::WithinAbs;
 
@@ -483,4 +482,4 @@ TEST_CASE("rfid: invalid experiments are refused with the reason", "[contract][m
   }
 }
 
-}  // namespace rfid_test
+}  // namespace argos::rfid_test

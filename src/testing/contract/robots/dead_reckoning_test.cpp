@@ -18,9 +18,8 @@
 #include <utility>
 #include <vector>
 
-namespace dead_reckoning_test {
+namespace argos::dead_reckoning_test {
 
-using namespace argos;
 using Catch::Matchers::Contains;
 using Catch::Matchers::WithinAbs;
 
@@ -345,4 +344,4 @@ TEST_CASE("dead reckoning: the direction of the drift backwards is one of two wo
              Contains("backward") && Contains("\"faster\" or \"slower\"") && Contains("left"));
 }
 
-}  // namespace dead_reckoning_test
+}  // namespace argos::dead_reckoning_test

@@ -13,9 +13,8 @@
 
 #include <limits>
 
-namespace mounted_devices_test {
+namespace argos::mounted_devices_test {
 
-using namespace argos;
 using Catch::Matchers::Contains;
 
 namespace {
@@ -147,4 +146,4 @@ TEST_CASE("mounted devices: a robot without the component is refused by name",
   CHECK_THAT(LoadError(experiment), Contains("ep0") && Contains("no component \"" + device + "\""));
 }
 
-}  // namespace mounted_devices_test
+}  // namespace argos::mounted_devices_test

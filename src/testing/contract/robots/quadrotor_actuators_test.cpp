@@ -11,9 +11,8 @@
 #include <cmath>
 #include <limits>
 
-namespace quadrotor_actuators_test {
+namespace argos::quadrotor_actuators_test {
 
-using namespace argos;
 using Catch::Matchers::Contains;
 using Catch::Matchers::WithinAbs;
 
@@ -212,4 +211,4 @@ TEST_CASE("quadrotor actuators: noise repeats after a reset and differs between 
   CHECK_THAT(LoadError(experiment), Contains("<quadrotor_speed> has no \"height\""));
 }
 
-}  // namespace quadrotor_actuators_test
+}  // namespace argos::quadrotor_actuators_test

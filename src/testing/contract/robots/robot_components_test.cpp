@@ -21,9 +21,8 @@
 #include <cmath>
 #include <utility>
 
-namespace robot_components_test {
+namespace argos::robot_components_test {
 
-using namespace argos;
 using Catch::Matchers::Contains;
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
@@ -326,4 +325,4 @@ TEST_CASE("robots: constructors refuse parameters out of range", "[contract][rob
       Contains("foot-bot \"f\"") && Contains("omnidirectional_camera_aperture"));
 }
 
-}  // namespace robot_components_test
+}  // namespace argos::robot_components_test

@@ -6,9 +6,8 @@
 
 #include <catch2/catch.hpp>
 
-namespace silence_test {
+namespace argos::silence_test {
 
-using namespace argos;
 using Catch::Contains;
 
 namespace {
@@ -216,4 +215,4 @@ TEST_CASE("errors: faults of <distribute> and of what follows are reported at on
                         Contains("<orientation> is missing"));
 }
 
-}  // namespace silence_test
+}  // namespace argos::silence_test
