@@ -26,8 +26,6 @@ Real GetNumber(CLuaWorld& world, const std::string& expression) {
 SLuaExperiment With(const std::string& actuators, const std::string& sensors,
                     const std::string& mounted = "") {
   SLuaExperiment experiment;
-  experiment.Script =
-      "function init() end function step() end function reset() end function destroy() end\n";
   experiment.Actuators = actuators;
   experiment.Sensors = sensors;
   experiment.Robots = "<foot-bot id='fb'><body position='0,0,0'/><controller config='c'/>" +

@@ -41,18 +41,6 @@ SLuaExperiment Running(const SFunctions& functions, const std::string& params = 
   return experiment;
 }
 
-/** @return the log output without messages of the program. */
-std::string TakeScriptLog() {
-  std::istringstream lines(TakeLog());
-  std::string rest;
-  for (std::string line; std::getline(lines, line);) {
-    if (line.rfind("[INFO]", 0) != 0) {
-      rest += line + ' ';
-    }
-  }
-  return rest;
-}
-
 // functions that log nothing
 const SFunctions kQuiet{"", "", "", "", ""};
 

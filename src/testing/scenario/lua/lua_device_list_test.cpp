@@ -477,9 +477,7 @@ TEST_CASE("lua device list: actuator and sensor of a communication device share 
       GENERATE(as<std::string>(), "differential_steering", "range_and_bearing", "simple_radios");
   CAPTURE(tag);
   SLuaExperiment experiment;
-  experiment.Script =
-      std::string(kShapeOf) +
-      "function init() end function step() end function reset() end function destroy() end\n";
+  experiment.Script = std::string(kShapeOf) + kIdleScript;
   for (const SListedDevice& device : ListedDevices()) {
     if (device.Tag == tag && device.Implementation != "dead_reckoning") {
       (device.Section == "sensors" ? experiment.Sensors : experiment.Actuators) = device.ToXml();

@@ -113,12 +113,20 @@ TEST_CASE("lua devices: the wheels' table is complete with actuator or sensor al
   CHECK(actuator.Get("robot.wheels.distance_left") == "nil");
 }
 
-TEST_CASE("lua devices: the proximity ring of a foot-bot has angles and values", "[lua][devices]") {
-  // a wall with its face 5 cm ahead of the ring
-  SLuaExperiment experiment = WithDevices("", "", Device("footbot_proximity"));
+namespace {
+
+// A foot-bot with a sensor, and a wall with its face 5 cm ahead of the ring.
+SLuaExperiment BesideWall(const std::string& sensor) {
+  SLuaExperiment experiment = WithDevices("", "", Device(sensor));
   experiment.Arena = "<box id='wall' size='0.1,4,0.5' movable='false'><body position='" +
                      ToText(kFootBotRadius + 0.1) + ",0,0'/></box>";
-  CLuaWorld world(experiment);
+  return experiment;
+}
+
+}  // namespace
+
+TEST_CASE("lua devices: the proximity ring of a foot-bot has angles and values", "[lua][devices]") {
+  CLuaWorld world(BesideWall("footbot_proximity"));
   CHECK(world.Get("#robot.proximity") == "24");
   CHECK(world.Get("robot.proximity[1].value") == "0.0");
   world.Do("first = robot.proximity[1]");
@@ -162,10 +170,7 @@ TEST_CASE("lua devices: the proximity sensors of an e-puck have angles and value
 }
 
 TEST_CASE("lua devices: generic proximity is a list of numbers", "[lua][devices]") {
-  SLuaExperiment experiment = WithDevices("", "", Device("proximity"));
-  experiment.Arena = "<box id='wall' size='0.1,4,0.5' movable='false'><body position='" +
-                     ToText(kFootBotRadius + 0.1) + ",0,0'/></box>";
-  CLuaWorld world(experiment);
+  CLuaWorld world(BesideWall("proximity"));
   CHECK(world.Get("#robot.proximity") == "24");
   CHECK(world.Get("robot.proximity[1]") == "0.0");
   world.Step();

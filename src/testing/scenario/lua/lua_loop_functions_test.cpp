@@ -28,17 +28,6 @@ namespace {
 // tolerance of a few roundings of numbers of about 1
 constexpr Real kRounding = 1e-12;
 
-std::string TakeScriptLog() {
-  std::istringstream lines(TakeLog());
-  std::string rest;
-  for (std::string line; std::getline(lines, line);) {
-    if (line.rfind("[INFO]", 0) != 0) {
-      rest += line + ' ';
-    }
-  }
-  return rest;
-}
-
 /** The log output of loop functions whose init() is the given code. */
 std::string LogOf(const std::string& code, const std::string& arena = "") {
   TakeLog();
@@ -499,9 +488,7 @@ TEST_CASE("lua loop functions: variables of robots can be read and written",
       "  simulation.set_variable('fb', 'goal', { vector2(1, 2), name = 'nest' })\n"
       "  simulation.set_variable('fb', 'old', nil)\n"
       "end");
-  experiment.Script =
-      "items = { count = 3, where = vector3(1, 2, 3) } old = 1\n"
-      "function init() end function step() end function reset() end function destroy() end";
+  experiment.Script = "items = { count = 3, where = vector3(1, 2, 3) } old = 1\n" + kIdleScript;
   CLuaWorld world(experiment);
   world.Step();
   CHECK(TakeScriptLog() == "3 1,2,3 nil nil ");

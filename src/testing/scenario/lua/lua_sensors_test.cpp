@@ -22,8 +22,6 @@ constexpr Real kRounding = 1e-12;
 
 SLuaExperiment With(const std::string& sensors, const std::string& actuators = "") {
   SLuaExperiment experiment;
-  experiment.Script =
-      "function init() end function step() end function reset() end function destroy() end\n";
   experiment.Actuators = actuators;
   experiment.Sensors = sensors;
   return experiment;
@@ -154,13 +152,12 @@ TEST_CASE(
       "<box id='wall' size='0.1,4,0.5' movable='false'><body position='0.335036758,0,0'/></box>";
   CLuaWorld world(experiment);
   const std::string scanner = "robot.distance_scanner";
+  const std::string lengths = "#" + scanner + ".short_range .. ' ' .. #" + scanner + ".long_range";
   world.Step();
-  CHECK(world.Get("#" + scanner + ".short_range") == "0");
-  CHECK(world.Get("#" + scanner + ".long_range") == "0");
+  CHECK(world.Get(lengths) == "0 0");
   world.Do(scanner + ".enable()");
   world.Step();
-  REQUIRE(world.Get("#" + scanner + ".short_range") == "2");
-  REQUIRE(world.Get("#" + scanner + ".long_range") == "2");
+  REQUIRE(world.Get(lengths) == "2 2");
   // sorted by angle: ahead, then behind
   CHECK_THAT(GetNumber(world, scanner + ".short_range[1].angle"), WithinAbs(0.0, kRounding));
   CHECK_THAT(GetNumber(world, scanner + ".short_range[1].distance"), WithinAbs(20.0, 1e-11));
@@ -175,11 +172,10 @@ TEST_CASE(
              WithinAbs(-0.5 * M_PI, kRounding));
   world.Do(scanner + ".set_rpm(30)");
   world.Step();
-  CHECK(world.Get("#" + scanner + ".short_range") == "12");
-  CHECK(world.Get("#" + scanner + ".long_range") == "12");
+  CHECK(world.Get(lengths) == "12 12");
   world.Do(scanner + ".disable()");
   world.Step();
-  CHECK(world.Get("#" + scanner + ".short_range") == "0");
+  CHECK(world.Get(lengths) == "0 0");
 }
 
 TEST_CASE("lua devices: after a reset the table of a sensor that is off has no old readings",

@@ -3,7 +3,9 @@
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/wrappers/lua/lua_utility.h>
+#include <argos3/testing/support/captured_logs.h>
 
+#include <sstream>
 #include <stdexcept>
 
 namespace argos {
@@ -29,11 +31,20 @@ std::string ToXml(const SLuaExperiment& lua, const CTemporaryFolder& folder) {
 
 SLuaExperiment WithLoopFunctions(const std::string& loopScript, const std::string& arena) {
   SLuaExperiment experiment;
-  experiment.Script =
-      "function init() end function step() end function reset() end function destroy() end";
   experiment.LoopScript = loopScript;
   experiment.Arena = arena;
   return experiment;
+}
+
+std::string TakeScriptLog() {
+  std::istringstream lines(TakeLog());
+  std::string rest;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.rfind("[INFO]", 0) != 0) {
+      rest += line + ' ';
+    }
+  }
+  return rest;
 }
 
 CLuaWorld::CLuaWorld(const SLuaExperiment& experiment) {

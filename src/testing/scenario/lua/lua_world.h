@@ -12,9 +12,13 @@
 
 namespace argos {
 
+/** A script that does nothing. */
+inline const std::string kIdleScript =
+    "function init() end function step() end function reset() end function destroy() end\n";
+
 /** An experiment with one foot-bot, "fb", at the origin, that runs a script. */
 struct SLuaExperiment {
-  std::string Script; /**< text of robot.lua */
+  std::string Script = kIdleScript; /**< text of robot.lua */
   std::string LoopScript = ""; /**< text of loop.lua; if empty there are no loop functions */
   std::string Params = ""; /**< more attributes of the robot's <params> */
   std::string LoopParams = ""; /**< more attributes of the loop functions' <params> */
@@ -60,6 +64,10 @@ class CLuaWorld {
 
 /** The XML of such an experiment, with scripts in a folder. */
 std::string ToXml(const SLuaExperiment& experiment, const CTemporaryFolder& folder);
+
+/** Log output of scripts since the last call, without messages of the program; a space ends each
+ * line. */
+std::string TakeScriptLog();
 
 /** The error on loading; empty if it loads. */
 std::string LoadError(const SLuaExperiment& experiment);
