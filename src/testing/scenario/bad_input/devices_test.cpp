@@ -162,66 +162,65 @@ TEST_CASE("bad input: a message longer or shorter than the messages of the robot
                                        Contains("messages have 2 bytes, got " + bytes));
 }
 
+namespace {
+
+const std::string kRest = "function reset() end function destroy() end\n";
+
+std::string ErrorOf(const SScriptedRun& experiment) {
+  const SProgramRun run = experiment.Run();
+  CHECK(run.Status == 1);
+  return run.Err;
+}
+
+// the error of a run that a step of the script ends; the step is line 2
+std::string ErrorOfStep(SScriptedRun& experiment, const std::string& step) {
+  experiment.Script = "function init() end\nfunction step() " + step + " end " + kRest;
+  experiment.Params = "on_error='end_run'";
+  return ErrorOf(experiment);
+}
+
+}  // namespace
+
 TEST_CASE("bad input: errors of scripts end the program with status 1", "[bad_input]") {
-  const std::string rest = "function reset() end function destroy() end\n";
   SScriptedRun experiment;
   SECTION("a syntax error") {
-    experiment.Script = "function init() end\nfunction step( end\n" + rest;
-    const SProgramRun run = experiment.Run();
-    CHECK(run.Status == 1);
-    CHECK_THAT(run.Err, Contains("e.argos:3") && Contains("robot \"fb\"") &&
-                            Contains("the Lua script \"s.lua\" cannot be compiled") &&
-                            Contains("s.lua:2: <name> or '...' expected near 'end'"));
+    experiment.Script = "function init() end\nfunction step( end\n" + kRest;
+    CHECK_THAT(ErrorOf(experiment), Contains("e.argos:3") && Contains("robot \"fb\"") &&
+                                        Contains("the Lua script \"s.lua\" cannot be compiled") &&
+                                        Contains("s.lua:2: <name> or '...' expected near 'end'"));
   }
   SECTION("an endless loop in init()") {
-    experiment.Script = "function init()\n  while true do end\nend\nfunction step() end " + rest;
+    experiment.Script = "function init()\n  while true do end\nend\nfunction step() end " + kRest;
     experiment.Params = "max_instructions='100000'";
-    const SProgramRun run = experiment.Run();
-    CHECK(run.Status == 1);
-    CHECK_THAT(run.Err,
+    CHECK_THAT(ErrorOf(experiment),
                Contains("robot \"fb\": the Lua script \"s.lua\" failed in init()") &&
                    Contains("s.lua:2: interrupted after 100000 instructions; is there an endless "
                             "loop? If not, raise \"max_instructions\" in <params>"));
   }
   SECTION("an argument of the wrong type") {
-    experiment.Script =
-        "function init() end\nfunction step() robot.wheels.set_velocity(1, '2') end " + rest;
-    experiment.Params = "on_error='end_run'";
-    const SProgramRun run = experiment.Run();
-    CHECK(run.Status == 1);
-    CHECK_THAT(run.Err, Contains("robot \"fb\": the Lua script \"s.lua\" failed in step()") &&
-                            Contains("s.lua:2: robot.wheels.set_velocity: argument 2 must be a "
-                                     "number, got string \"2\""));
+    CHECK_THAT(ErrorOfStep(experiment, "robot.wheels.set_velocity(1, '2')"),
+               Contains("robot \"fb\": the Lua script \"s.lua\" failed in step()") &&
+                   Contains("s.lua:2: robot.wheels.set_velocity: argument 2 must be a "
+                            "number, got string \"2\""));
   }
   SECTION("a message that is too long") {
     experiment.Actuators = "<range_and_bearing implementation='default'/>";
     experiment.Media = "<range_and_bearing id='rab'/>";
-    experiment.Script =
-        "function init() end\nfunction step() robot.range_and_bearing.set_data({ 1, 2, 3, 4 }) "
-        "end " +
-        rest;
-    experiment.Params = "on_error='end_run'";
-    const SProgramRun run = experiment.Run();
-    CHECK(run.Status == 1);
-    CHECK_THAT(run.Err, Contains("s.lua:2: robot.range_and_bearing.set_data: argument 1 must be a "
-                                 "table of 3 whole numbers from 0 to 255, got a table of 4"));
+    CHECK_THAT(ErrorOfStep(experiment, "robot.range_and_bearing.set_data({ 1, 2, 3, 4 })"),
+               Contains("s.lua:2: robot.range_and_bearing.set_data: argument 1 must be a "
+                        "table of 3 whole numbers from 0 to 255, got a table of 4"));
   }
   SECTION("a device missing in the XML") {
-    experiment.Script =
-        "function init() end\nfunction step() robot.gripper.lock_positive() end " + rest;
-    experiment.Params = "on_error='end_run'";
-    const SProgramRun run = experiment.Run();
-    CHECK(run.Status == 1);
-    CHECK_THAT(run.Err, Contains("robot \"fb\"") &&
-                            Contains("s.lua:2: attempt to index a nil value (field 'gripper')"));
+    CHECK_THAT(ErrorOfStep(experiment, "robot.gripper.lock_positive()"),
+               Contains("robot \"fb\"") &&
+                   Contains("s.lua:2: attempt to index a nil value (field 'gripper')"));
   }
   SECTION("an unknown actuator") {
-    experiment.Script = "function init() end function step() end " + rest;
+    experiment.Script = "function init() end function step() end " + kRest;
     experiment.Actuators = "<footbot_griper implementation='default'/>";
-    const SProgramRun run = experiment.Run();
-    CHECK(run.Status == 1);
-    CHECK_THAT(run.Err, Contains(kActuatorLine +
-                                 "there is no actuator \"footbot_griper (default)\"; did you mean "
+    CHECK_THAT(
+        ErrorOf(experiment),
+        Contains(kActuatorLine + "there is no actuator \"footbot_griper (default)\"; did you mean "
                                  "\"footbot_gripper (default)\""));
   }
 }

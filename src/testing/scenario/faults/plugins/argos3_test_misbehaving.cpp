@@ -182,11 +182,13 @@ class CMisbehaves : public CCI_Controller {
 
 class CIdle : public CCI_Controller {};
 
-class CMisbehavingSensor : public CSimulatedSensor, public CCI_Sensor {
+/** @tparam SIMULATED, INTERFACE  those of sensors or of actuators. */
+template <typename SIMULATED, typename INTERFACE>
+class CMisbehavingDevice : public SIMULATED, public INTERFACE {
  public:
   void SetRobot(CComposableEntity& robot) override { m_robot = robot.GetId(); }
   void Init(TConfigurationNode& node) override {
-    CCI_Sensor::Init(node);
+    INTERFACE::Init(node);
     m_plan.Init(node);
     m_plan.Do("init", m_robot);
   }
@@ -199,22 +201,8 @@ class CMisbehavingSensor : public CSimulatedSensor, public CCI_Sensor {
   std::string m_robot;
 };
 
-class CMisbehavingActuator : public CSimulatedActuator, public CCI_Actuator {
- public:
-  void SetRobot(CComposableEntity& robot) override { m_robot = robot.GetId(); }
-  void Init(TConfigurationNode& node) override {
-    CCI_Actuator::Init(node);
-    m_plan.Init(node);
-    m_plan.Do("init", m_robot);
-  }
-  void Update() override { m_plan.Do("update", m_robot); }
-  void Reset() override { m_plan.Do("reset", m_robot); }
-  void Destroy() override { m_plan.Do("destroy", m_robot); }
-
- private:
-  CPlan m_plan;
-  std::string m_robot;
-};
+class CMisbehavingSensor : public CMisbehavingDevice<CSimulatedSensor, CCI_Sensor> {};
+class CMisbehavingActuator : public CMisbehavingDevice<CSimulatedActuator, CCI_Actuator> {};
 
 class CMisbehavingMedium : public CMedium {
  public:
