@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Checks the page of the live view: its types, its size, its decoder against argos3, and the page in a headless Chromium:
-#   scripts/check_page.sh BUILD [TEST...]     by default all tests: decode, live, page, tools, viewers
+#   scripts/check_page.sh BUILD [TEST...]     by default all tests: decode, live, mock, page, tools, viewers
 # BUILD is a build folder with bin/argos3 and the experiments. With PAGE_SHOTS=FOLDER the tests keep pictures of the page
 # there. The tests "live", "tools" and "viewers" need a build with the live view. Needs npm, Node.js 18 or later and chromium, and a way to npm's packages, or these in npm's cache.
 set -euo pipefail

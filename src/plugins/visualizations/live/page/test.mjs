@@ -1,4 +1,5 @@
 // Bundles the tests and runs them in node: node test.mjs [names of test files without .test.ts]
+// They are one program, so that all of them use one browser and its pages.
 import { spawnSync } from "node:child_process";
 import { readdirSync } from "node:fs";
 import { dirname, join } from "node:path";
@@ -12,21 +13,16 @@ const names = readdirSync(join(folder, "tests"))
   .filter((name) => name.endsWith(".test.ts"))
   .map((name) => name.slice(0, -".test.ts".length))
   .filter((name) => wanted.length === 0 || wanted.includes(name));
-const out = join(process.env.PAGE_OUT ?? join(folder, "out"), "tests");
+const out = join(process.env.PAGE_OUT ?? join(folder, "out"), "tests.mjs");
 await build({
-  entryPoints: names.map((name) => join(folder, "tests", `${name}.test.ts`)),
+  stdin: { contents: names.map((name) => `import "./tests/${name}.test";`).join("\n"), resolveDir: folder },
   bundle: true,
   platform: "node",
   format: "esm",
   target: "node18",
   packages: "external",
-  outdir: out,
-  outExtension: { ".js": ".mjs" },
+  outfile: out,
   logLevel: "warning",
 });
-const result = spawnSync(
-  process.execPath,
-  ["--test", ...names.map((name) => join(out, `${name}.test.mjs`))],
-  { stdio: "inherit", cwd: folder },
-);
+const result = spawnSync(process.execPath, ["--test", out], { stdio: "inherit", cwd: folder });
 process.exit(result.status ?? 1);

@@ -2,16 +2,20 @@
 
 import { existsSync, mkdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
-import { after, before } from "node:test";
+import { after, afterEach } from "node:test";
 
-import { type Browser, type Page, chromium } from "playwright-core";
+import { type Browser, type BrowserContext, type Page, chromium } from "playwright-core";
 
-import { endPrograms, run } from "./runs";
+import { run } from "./runs";
 
 export const pageFile = process.env.PAGE ?? join(process.cwd(), "dist/index.html");
 
 export const shots = process.env.PAGE_SHOTS;
 
+// where only what is shown counts: fewer pixels, and fewer pictures a second, for the processor draws them
+const kSize = { width: 960, height: 640 };
+const kPicturePeriod = 40; // ms, added to that of the browser
+const kEvents = ["pageerror", "console", "request", "dialog"] as const; // that tests listen to
 const kPaths = ["/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"];
 
 /** Null, or why there is no browser. */
@@ -28,21 +32,10 @@ export function missingLive(): string | false {
   return missingBrowser() ?? (run("--help").includes("--live") ? false : "this argos3 has no --live");
 }
 
-/** Opens a browser before the tests of a file, and ends it and all runs after them. */
-export function useBrowser(skip: string | false, take: (browser: Browser) => void): void {
-  let browser: Browser | undefined;
-  before(async () => {
-    if (skip === false) {
-      take((browser = await launch()));
-    }
-  });
-  after(async () => {
-    endPrograms();
-    await browser?.close();
-  });
-}
+let browser: Browser | null = null;
+let context: BrowserContext | null = null;
 
-export async function launch(): Promise<Browser> {
+async function launch(): Promise<Browser> {
   const executablePath = process.env.CHROMIUM ?? kPaths.find((candidate) => existsSync(candidate))!;
   return chromium.launch({
     executablePath,
@@ -57,11 +50,34 @@ export async function launch(): Promise<Browser> {
   });
 }
 
-/** An opened page, whose errors fail the test at its end. */
+async function openContext(opened: Browser): Promise<BrowserContext> {
+  const made = await opened.newContext({ viewport: kSize });
+  await made.addInitScript((period) => {
+    const request = window.requestAnimationFrame.bind(window);
+    window.requestAnimationFrame = (draw) => Number(setTimeout(() => request(draw), period));
+  }, kPicturePeriod);
+  return made;
+}
+
+type Theme = "light" | "dark";
+
+// where pages of files and of servers, which have processes of their own, wait for the next test
+const idle = { file: [] as Page[], http: [] as Page[] };
+
+/**
+ * A page of the browser that has loaded the page of the live view, whose errors fail the test at its end. The browser needs
+ * longer to make a page than to load it again, so the next test may get it: after close() without errors, in which case
+ * nothing of the former test is left but the process. What a test that has failed did not close is never used again.
+ */
 export class Tab {
   readonly errors: string[] = [];
+  private static readonly all = new Set<Tab>();
 
-  private constructor(readonly page: Page) {
+  private constructor(
+    readonly page: Page,
+    private readonly kind: keyof typeof idle,
+  ) {
+    Tab.all.add(this);
     page.on("pageerror", (error) => this.errors.push(error.message));
     page.on("console", (message) => {
       // a lost connection is written by the browser itself
@@ -77,17 +93,30 @@ export class Tab {
     });
   }
 
-  static async open(
-    browser: Browser,
-    url: string,
-    size = { width: 1280, height: 800 },
-    colorScheme: "light" | "dark" = "light",
-  ): Promise<Tab> {
-    const page = await browser.newPage({ viewport: size, colorScheme });
+  static async open(url: string, size = kSize, colorScheme: Theme = "light"): Promise<Tab> {
+    browser ??= await launch();
+    context ??= await openContext(browser);
+    const kind = url.startsWith("http") ? "http" : "file";
+    const page = idle[kind].pop() ?? (await context.newPage());
     page.setDefaultTimeout(12_000);
-    const tab = new Tab(page);
+    await page.setViewportSize(size);
+    await page.emulateMedia({ colorScheme });
+    const tab = new Tab(page, kind);
     await page.goto(url);
     return tab;
+  }
+
+  /** Ends the pages of tests that have failed. */
+  static async closeAll(): Promise<void> {
+    await Promise.all([...Tab.all].map(({ page }) => page.close()));
+    Tab.all.clear();
+  }
+
+  /** As a change of the system's setting does. */
+  async setTheme(colorScheme: Theme): Promise<void> {
+    await this.page.emulateMedia({ colorScheme });
+    await this.page.waitForFunction((theme) => document.documentElement.dataset.theme === theme, colorScheme);
+    await this.page.evaluate(() => Promise.allSettled(document.getAnimations().map(({ finished }) => finished))); // colours fade
   }
 
   async openRecording(path: string): Promise<void> {
@@ -151,11 +180,27 @@ export class Tab {
     }, id);
   }
 
+  /** Returns the errors of the page. It ends its connection, as a page that is closed does. */
   async close(): Promise<string[]> {
-    await this.page.close();
+    const { page } = this;
+    Tab.all.delete(this);
+    if (this.errors.length > 0) {
+      await page.close();
+      return this.errors;
+    }
+    if (page.url() !== "about:blank") {
+      await page.evaluate(() => localStorage.clear());
+    }
+    await page.mouse.move(0, 0);
+    await page.goto("about:blank");
+    kEvents.forEach((event) => page.removeAllListeners(event));
+    idle[this.kind].push(page);
     return this.errors;
   }
 }
+
+afterEach(() => Tab.closeAll());
+after(() => browser?.close());
 
 /** A copy of the page with a recording in it. */
 export function embed(recording: string): string {

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
-import { readFileSync, rmSync } from "node:fs";
+import { readFileSync } from "node:fs";
 import { join } from "node:path";
-import { after, test } from "node:test";
+import { test } from "node:test";
 
 import { kFileHeaderSize } from "../src/decode/blocks";
 import { ByteReader } from "../src/decode/bytes";
@@ -12,8 +12,6 @@ import { Recording, sourceOfBlob, sourceOfBytes } from "../src/decode/recording"
 import { StreamDecoder } from "../src/decode/stream";
 import { withoutJumps } from "../src/view/math";
 import { changedExperiment, experiment, folder, readTable, record, run } from "./runs";
-
-after(() => rmSync(folder, { recursive: true }));
 
 function open(path: string): Promise<Recording> {
   return Recording.open(sourceOfBytes(new Uint8Array(readFileSync(path))));

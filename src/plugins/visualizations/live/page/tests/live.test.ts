@@ -3,18 +3,13 @@ import { request } from "node:http";
 import { test } from "node:test";
 import { gunzipSync } from "node:zlib";
 
-import type { Browser } from "playwright-core";
-
-import { Tab, missingLive, useBrowser } from "./browser";
+import { Tab, missingLive } from "./browser";
 import { startRun } from "./runs";
 import { SlowLink } from "./slow_link";
 import { Watcher, mostBehind } from "./watcher";
 
 const kTimeout = 40_000; // ms, of a test
 const skip = missingLive();
-let browser: Browser;
-
-useBrowser(skip, (opened) => (browser = opened));
 
 async function numEntities(tab: Tab): Promise<number> {
   return tab.page.evaluate(
@@ -33,7 +28,7 @@ async function waitForEntities(tab: Tab, expected: number): Promise<void> {
 
 test("live: a run is played, its robot looked into, and it is ended", { skip, timeout: kTimeout }, async () => {
   const { url, ended } = await startRun("diffusion_10");
-  const tab = await Tab.open(browser, url);
+  const tab = await Tab.open(url);
   await tab.waitForTick((tick) => tick === 0, "the first state");
   await tab.button("Play").click();
   await tab.waitForTick((tick) => tick > 5, "the run");
@@ -81,7 +76,7 @@ test("live: browsers get the page compressed, others as it is", { skip, timeout:
 
 test("live: a robot is dragged, refused in a wall, added and removed", { skip, timeout: kTimeout }, async () => {
   const { url } = await startRun("diffusion_10");
-  const tab = await Tab.open(browser, url);
+  const tab = await Tab.open(url);
   await tab.waitForTick((tick) => tick === 0, "the first state");
   await tab.page.keyboard.press("t");
   await tab.page.waitForTimeout(300);
@@ -152,7 +147,7 @@ test("live: over 10 Mbit/s and 100 ms a viewer gets each tenth of a second, half
   const far = await Watcher.open(url, link.port);
   await far.waitForTick(0);
   const isMeasured = process.env.LINK_SECONDS !== undefined;
-  const tab = isMeasured ? await Tab.open(browser, url.replace(port, String(link.port))) : null;
+  const tab = isMeasured ? await Tab.open(url.replace(port, String(link.port))) : null;
   await tab?.waitForTick((tick) => tick === 0, "the first state");
   const shownOfPage = tab === null ? null : await watchPage(tab);
   near.command("play");

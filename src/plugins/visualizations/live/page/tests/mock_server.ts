@@ -3,6 +3,7 @@
 import { readFileSync } from "node:fs";
 import { type Server, createServer } from "node:http";
 import type { AddressInfo } from "node:net";
+import { afterEach } from "node:test";
 
 import { type WebSocket, WebSocketServer } from "ws";
 
@@ -90,7 +91,7 @@ export class MockServer {
 
   private static readonly all = new Set<MockServer>();
 
-  /** Also those of tests that have failed. */
+  /** Those of tests that have failed. */
   static async closeAll(): Promise<void> {
     await Promise.all([...MockServer.all].map((server) => server.close()));
   }
@@ -283,3 +284,5 @@ export class MockServer {
     this.clients.forEach((other) => this.sendStates(other));
   }
 }
+
+afterEach(() => MockServer.closeAll());

@@ -1,34 +1,18 @@
 import assert from "node:assert/strict";
-import { readFileSync, rmSync, writeFileSync } from "node:fs";
+import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
-import { after, before, test } from "node:test";
+import { test } from "node:test";
 
-import type { Browser } from "playwright-core";
-
-import { MockServer } from "./mock_server";
-import { Tab, embed, launch, missingBrowser, pageFile, shots } from "./browser";
-import { changedExperiment, folder, record, run } from "./runs";
+import { Tab, embed, missingBrowser, pageFile, shots } from "./browser";
+import { changedExperiment, folder, record, run, sampleRecording } from "./runs";
 
 const skip = missingBrowser() ?? false;
 const kTimeout = 40_000; // ms, of a test
 const url = `file://${pageFile}`;
-let browser: Browser;
-let recording: string;
-
-before(async () => {
-  if (skip === false) {
-    browser = await launch();
-    recording = process.env.PAGE_RECORDING ?? record("diffusion_10", 8);
-  }
-});
-after(async () => {
-  await MockServer.closeAll();
-  await browser?.close();
-  rmSync(folder, { recursive: true });
-});
+const recording = skip === false ? sampleRecording() : "";
 
 test("page: a recording is opened, played, paused, stepped and scrubbed", { skip, timeout: kTimeout }, async () => {
-  const tab = await Tab.open(browser, url);
+  const tab = await Tab.open(url);
   assert.ok(await tab.button("Play").isDisabled());
   assert.equal(await tab.button("Play").getAttribute("title"), "Open a recording first");
   await tab.openRecording(recording);
@@ -59,7 +43,7 @@ test("page: a recording is opened, played, paused, stepped and scrubbed", { skip
 });
 
 test("page: a click selects a robot, whose values and plot are shown", { skip, timeout: kTimeout }, async () => {
-  const tab = await Tab.open(browser, url);
+  const tab = await Tab.open(url);
   await tab.openRecording(recording);
   const place = await tab.placeOf("fb3");
   await tab.page.mouse.click(place.x, place.y);
@@ -83,7 +67,7 @@ test("page: a click selects a robot, whose values and plot are shown", { skip, t
 });
 
 test("page: an entity is found by its id, and the keyboard reaches it", { skip, timeout: kTimeout }, async () => {
-  const tab = await Tab.open(browser, url);
+  const tab = await Tab.open(url);
   await tab.openRecording(recording);
   await tab.page.getByRole("searchbox", { name: "Find an entity" }).fill("fb7");
   assert.equal(await tab.page.locator(".entities button").count(), 1);
@@ -94,11 +78,15 @@ test("page: an entity is found by its id, and the keyboard reaches it", { skip, 
 });
 
 test("page: every button has a name and a title, at 1280 and 390 pixels", { skip, timeout: kTimeout }, async () => {
-  for (const size of [{ width: 1280, height: 800 }, { width: 390, height: 844 }]) {
-    for (const theme of ["light", "dark"] as const) {
-      const tab = await Tab.open(browser, url, size, theme);
-      await tab.openRecording(recording);
-      await tab.page.locator(".entities button").first().click();
+  for (const [size, themes] of [
+    [{ width: 1280, height: 800 }, ["light", "dark"]],
+    [{ width: 390, height: 844 }, ["dark", "light"]],
+  ] as const) {
+    const tab = await Tab.open(url, size, themes[0]);
+    await tab.openRecording(recording);
+    await tab.page.locator(".entities button").first().click();
+    for (const theme of themes) {
+      await tab.setTheme(theme);
       const problems = await tab.page.evaluate(() => {
         const found: string[] = [];
         for (const element of document.querySelectorAll<HTMLElement>("button, select, input")) {
@@ -121,13 +109,13 @@ test("page: every button has a name and a title, at 1280 and 390 pixels", { skip
       });
       assert.deepEqual(problems, [], `${size.width} ${theme}`);
       await tab.shoot(`recording_${size.width}_${theme}`);
-      assert.deepEqual(await tab.close(), []);
     }
+    assert.deepEqual(await tab.close(), []);
   }
 });
 
 test("page: many robots are the same points whether WebGL draws them or the page", { skip, timeout: kTimeout }, async () => {
-  const tab = await Tab.open(browser, url);
+  const tab = await Tab.open(url);
   await tab.openRecording(record("rooms", 1));
   for (const elevation of [Math.PI / 2, 0.9, 0.15]) {
     const { drawnAs, points, different } = await tab.page.evaluate((angle) => {
@@ -165,13 +153,14 @@ test("page: many robots are the same points whether WebGL draws them or the page
 });
 
 test("page: texts are drawn where they are, and only when they change", { skip, timeout: kTimeout }, async () => {
-  const tab = await Tab.open(browser, url);
+  const tab = await Tab.open(url);
   await tab.openRecording(recording);
   const place = (): Promise<{ width: number; height: number }> =>
     tab.page.evaluate(() => {
       const { width, height } = document.querySelector("canvas.labels")!.getBoundingClientRect();
       return { width, height };
     });
+  await tab.page.waitForFunction(() => document.querySelector("canvas.labels")!.clientWidth < 200); // 300 before it is drawn
   const scaleBar = await place();
   assert.ok(scaleBar.width > 0 && scaleBar.width <= 128 && scaleBar.height <= 96, JSON.stringify(scaleBar));
   await tab.page.evaluate(() => {
@@ -234,7 +223,7 @@ test("page: texts are drawn where they are, and only when they change", { skip, 
 test("page: a recording inside the page opens from disk", { skip, timeout: kTimeout }, async () => {
   const path = join(folder, "embedded.html");
   writeFileSync(path, embed(recording));
-  const tab = await Tab.open(browser, `file://${path}`);
+  const tab = await Tab.open(`file://${path}`);
   await tab.waitForTick((tick) => tick === 0, "the embedded recording");
   assert.equal(await tab.page.locator("h1").innerText(), "diffusion_10.argos");
   await tab.page.keyboard.press("End");
@@ -243,7 +232,7 @@ test("page: a recording inside the page opens from disk", { skip, timeout: kTime
 });
 
 test("page: what is no recording is refused with the reason", { skip, timeout: kTimeout }, async () => {
-  const tab = await Tab.open(browser, url);
+  const tab = await Tab.open(url);
   const path = join(folder, "other.rec");
   writeFileSync(path, "this is a text, and not a recording of anything");
   await tab.page.setInputFiles("input[type=file]", path);
@@ -257,7 +246,7 @@ test("page: a browser without WebGL 2 is told, and nothing else fails", { skip, 
   const path = join(folder, "no_webgl.html");
   const script = "<script>HTMLCanvasElement.prototype.getContext = () => null;</script>";
   writeFileSync(path, embed(recording).replace("<body>", `<body>${script}`));
-  const tab = await Tab.open(browser, `file://${path}`);
+  const tab = await Tab.open(`file://${path}`);
   const alert = tab.page.getByRole("alert");
   await alert.waitFor();
   await tab.page.waitForTimeout(300);
@@ -274,7 +263,7 @@ for (const size of [{ width: 1280, height: 800 }, { width: 390, height: 844 }]) 
 }
 
 async function comparePictures(size: { width: number; height: number }): Promise<void> {
-  const tab = await Tab.open(browser, `${url}?detail=full`, size);
+  const tab = await Tab.open(`${url}?detail=full`, size);
   await tab.openRecording(recording);
   await tab.page.keyboard.press("End");
   await tab.waitForTick((tick) => tick === 80, "the end");
@@ -287,7 +276,6 @@ async function comparePictures(size: { width: number; height: number }): Promise
     const canvas = document.querySelector<HTMLCanvasElement>("canvas.picture")!;
     return { position: [x, y, z], target: view.camera.target, size: [canvas.width, canvas.height] };
   });
-  await tab.page.waitForTimeout(1500);
   const pictures = join(folder, `pictures_${size.width}`);
   const changed = changedExperiment("diffusion_10", (xml) =>
     xml.replace(
@@ -338,201 +326,8 @@ async function comparePictures(size: { width: number; height: number }): Promise
   assert.deepEqual(await tab.close(), []);
 }
 
-test("page: a run is watched, played, stepped and reset", { skip, timeout: kTimeout }, async () => {
-  const server = await MockServer.start(recording, pageFile);
-  const tab = await Tab.open(browser, server.url);
-  await tab.waitForTick((tick) => tick === 0, "the first state");
-  await tab.button("Play").click();
-  await tab.waitForTick((tick) => tick > 10, "the run");
-  await tab.button("Pause").click();
-  await tab.button("Play").waitFor();
-  const paused = server.tickNow;
-  await tab.waitForTick((tick) => tick === paused, "the state at the pause");
-  await tab.button("One tick ahead").click();
-  await tab.waitForTick((tick) => tick === paused + 1, "a step");
-  await tab.button("One state back").click();
-  await tab.waitForTick((tick) => tick < paused + 1, "what was received before");
-  await tab.button("Present").first().or(tab.button("Back to the present")).first().click();
-  await tab.waitForTick((tick) => tick === paused + 1, "the present");
-  await tab.button("Reset").or(tab.page.getByRole("button", { name: /^Reset/ })).first().click();
-  await tab.waitForTick((tick) => tick === 0, "the reset");
-  const names = server.commands.map((command) => command.do);
-  assert.deepEqual(names.filter((name) => name !== "parameters"), ["play", "pause", "step", "reset"]);
-  await tab.page.locator(".entities button").first().click();
-  const card = tab.page.getByRole("region", { name: "fb0" });
-  await tab.button("One tick ahead").click();
-  await card.getByText("Proximity", { exact: true }).waitFor();
-  assert.match(await card.innerText(), /left\s+\d m\/s/);
-  await tab.shoot("live");
-  server.sendAll({ log: [{ level: "error", text: "<b>a robot</b> failed", tick: 1 }] });
-  await tab.page.getByRole("tab", { name: "Log" }).click();
-  assert.match(await tab.page.getByRole("log").innerText(), /<b>a robot<\/b> failed/);
-  assert.deepEqual(await tab.close(), []);
-  await server.close();
-});
-
-test("page: a drag that is refused says why", { skip, timeout: kTimeout }, async () => {
-  const server = await MockServer.start(recording, pageFile);
-  const tab = await Tab.open(browser, server.url);
-  await tab.waitForTick((tick) => tick === 0);
-  const place = await tab.placeOf("fb3");
-  await tab.page.mouse.click(place.x, place.y);
-  await tab.page.getByRole("region", { name: "fb3" }).waitFor();
-  await tab.page.mouse.move(place.x, place.y);
-  await tab.page.mouse.down();
-  await tab.page.mouse.move(place.x + 60, place.y - 30, { steps: 4 });
-  await tab.page.mouse.up();
-  await tab.page.getByRole("alert").first().waitFor();
-  assert.match(await tab.page.getByRole("alert").first().innerText(), /would overlap with "wall_north"/);
-  const move = server.commands.find((command) => command.do === "move")!;
-  assert.equal(move.entity, "fb3");
-  assert.equal((move.position as number[]).length, 3);
-  assert.deepEqual(await tab.close(), []);
-  await server.close();
-});
-
-test("page: a driven robot is let go when another one is selected, or keys drive no more", { skip, timeout: kTimeout }, async () => {
-  const server = await MockServer.start(recording, pageFile);
-  const tab = await Tab.open(browser, server.url);
-  await tab.waitForTick((tick) => tick === 0);
-  await tab.page.locator('.entities button[data-id="fb3"]').click();
-  await tab.button("Drive the selected robot by W, A, S and D").click();
-  await tab.page.keyboard.down("w");
-  await tab.page.locator('.entities button[data-id="fb5"]').click();
-  await tab.page.keyboard.up("w");
-  await tab.page.keyboard.press("a");
-  await tab.button("Drive the selected robot by W, A, S and D").click();
-  await tab.button("One tick ahead").click();
-  await tab.waitForTick((tick) => tick === 1);
-  const drives = server.commands.filter((command) => command.do === "drive");
-  assert.deepEqual(
-    drives.map(({ entity, left, right }) => [entity, left, right]),
-    [
-      ["fb3", 10, 10],
-      ["fb3", undefined, undefined],
-      ["fb5", -4, 4],
-      ["fb5", 0, 0],
-      ["fb5", undefined, undefined],
-    ],
-  );
-  assert.deepEqual(await tab.close(), []);
-  await server.close();
-});
-
-const kPicture = "canvas.picture";
-
-test("page: user functions get the keys of the picture first, and the page acts on those that they leave", { skip, timeout: kTimeout }, async () => {
-  const server = await MockServer.start(recording, pageFile);
-  server.usedKeys = new Set(["ArrowRight", "s", "S"]);
-  const tab = await Tab.open(browser, server.url);
-  const { page } = tab;
-  await tab.waitForTick((tick) => tick === 0);
-  const told = (): string[] =>
-    server.commands.filter(({ do: name }) => name === "user_key").map(({ key, down }) => `${down === false ? "-" : "+"}${key as string}`);
-  const isChecked = (name: string): Promise<boolean> =>
-    page.evaluate((option) => (window as unknown as { argosView: { options: Record<string, boolean> } }).argosView.options[option]!, name);
-  const rays = await isChecked("rays");
-  await page.locator(kPicture).focus();
-  await page.keyboard.press("ArrowRight");
-  await page.keyboard.press("s");
-  await page.keyboard.press("i");
-  await tab.waitFor("the ids", () => isChecked("ids"));
-  assert.deepEqual(told(), ["+ArrowRight", "-ArrowRight", "+s", "-s", "+i", "-i"]);
-  assert.equal(await tab.tick(), 0, "no step");
-  assert.equal(await isChecked("rays"), rays);
-  await page.keyboard.press("Space");
-  await tab.waitForTick((tick) => tick > 3, "the run, which Space has started");
-  await tab.button("Pause").click();
-  await tab.button("Play").waitFor();
-
-  // released where it was pressed, whatever its name and the focus are then
-  server.commands = [];
-  await page.locator(kPicture).focus();
-  await page.keyboard.down("Shift");
-  await page.keyboard.down("S");
-  await page.keyboard.up("Shift");
-  await page.getByRole("tab", { name: "Log" }).click();
-  await page.keyboard.up("s");
-  await tab.waitFor("the release", () => told().length === 4);
-  assert.deepEqual(told(), ["+Shift", "+S", "-Shift", "-S"]);
-
-  // with the keys that are down with them, but for what browsers do by Ctrl
-  server.commands = [];
-  await page.locator(kPicture).focus();
-  const options = await page.evaluate(() => ({ ...(window as unknown as { argosView: { options: object } }).argosView.options }));
-  await page.keyboard.press("Shift+ArrowUp");
-  await page.keyboard.press("Control+Alt+h");
-  await page.keyboard.press("Control+g");
-  await page.keyboard.press("Control+c");
-  const names = ["shift", "control", "alt", "meta"];
-  const withModifiers = (): string[] =>
-    server.commands
-      .filter(({ do: name }) => name === "user_key")
-      .map((command) => [command.down === false ? "-" : "+", command.key, ...names.filter((name) => command[name] === true)].join(" "));
-  await tab.waitFor("all keys", () => withModifiers().length >= 16);
-  assert.deepEqual(withModifiers(), [
-    ...["+ Shift shift", "+ ArrowUp shift", "- ArrowUp shift", "- Shift"],
-    ...["+ Control control", "+ Alt control alt", "+ h control alt", "- h control alt", "- Alt control", "- Control"],
-    ...["+ Control control", "+ g control", "- g control", "- Control"],
-    ...["+ Control control", "- Control"],
-  ]);
-  assert.deepEqual(
-    await page.evaluate(() => ({ ...(window as unknown as { argosView: { options: object } }).argosView.options })),
-    options,
-    "the page takes Ctrl and a letter for the letter",
-  );
-
-  // elsewhere keys are the page's, and Tab leads there
-  server.commands = [];
-  await page.locator(kPicture).focus();
-  await page.keyboard.press("Tab");
-  assert.equal(await page.evaluate(() => document.activeElement!.tagName), "BUTTON");
-  const before = await tab.tick();
-  await page.keyboard.press("ArrowRight");
-  await tab.waitForTick((tick) => tick === before + 1, "a step");
-  assert.deepEqual(told().filter((key) => !key.endsWith("Tab")), []);
-  assert.deepEqual(await tab.close(), []);
-  await server.close();
-});
-
-test("page: without user functions nothing is told of keys, and they act at once", { skip, timeout: kTimeout }, async () => {
-  const server = await MockServer.start(recording, pageFile);
-  const tab = await Tab.open(browser, server.url);
-  await tab.waitForTick((tick) => tick === 0);
-  const place = await tab.placeOf("fb3");
-  await tab.page.mouse.click(place.x, place.y);
-  await tab.page.getByRole("region", { name: "fb3" }).waitFor();
-  await tab.page.locator(kPicture).press("ArrowRight");
-  await tab.waitForTick((tick) => tick === 1, "a step");
-  assert.deepEqual(server.commands.filter(({ do: name }) => /^user_/.test(name as string)), []);
-  assert.deepEqual(await tab.close(), []);
-  await server.close();
-});
-
-test("page: readings that a robot no longer has are not shown", { skip, timeout: kTimeout }, async () => {
-  const server = await MockServer.start(recording, pageFile);
-  const tab = await Tab.open(browser, server.url);
-  await tab.waitForTick((tick) => tick === 0);
-  await tab.page.locator('.entities button[data-id="fb3"]').click();
-  const card = tab.page.getByRole("region", { name: "fb3" });
-  const sendMessages = (...ranges: number[]): void => {
-    const messages = ranges.map((range) => ({ "message_range (cm)": range, "message_horizontal_bearing (rad)": 0.5 }));
-    server.sendAll({ values: { entity: "fb3", tick: 0, tree: { messages, colliding: { colliding: 0 } } } });
-  };
-  sendMessages(12, 345);
-  await card.getByText("345 cm, 28.6°").waitFor();
-  assert.match(await card.innerText(), /colliding\s+no/);
-  sendMessages(12);
-  await card.getByText("345 cm, 28.6°").waitFor({ state: "hidden" });
-  assert.ok(await card.getByText("12 cm, 28.6°").isVisible());
-  sendMessages();
-  await card.getByText("Messages").waitFor({ state: "hidden" });
-  assert.deepEqual(await tab.close(), []);
-  await server.close();
-});
-
 test("page: the whole arena stays in the picture when the window changes, unless the camera was moved", { skip, timeout: kTimeout }, async () => {
-  const tab = await Tab.open(browser, url);
+  const tab = await Tab.open(url);
   await tab.openRecording(recording);
   const isWhole = (): Promise<boolean> =>
     tab.page.evaluate(() => {
@@ -564,56 +359,8 @@ test("page: the whole arena stays in the picture when the window changes, unless
   await tab.page.locator("canvas").first().hover();
   await tab.page.mouse.wheel(0, -300);
   await tab.page.setViewportSize({ width: 1280, height: 800 });
-  await tab.page.waitForTimeout(300);
+  await tab.page.waitForFunction(() => document.querySelector("canvas")!.clientWidth > 600);
   await tab.page.setViewportSize({ width: 390, height: 844 });
   await becomes(false);
   assert.deepEqual(await tab.close(), []);
-});
-
-test("page: the connection comes back after the server's restart", { skip, timeout: kTimeout }, async () => {
-  const server = await MockServer.start(recording, pageFile);
-  const tab = await Tab.open(browser, server.url);
-  await tab.waitForTick((tick) => tick === 0);
-  const { port } = server;
-  await server.close();
-  await tab.page.getByText("Connection lost").first().waitFor();
-  assert.equal(await tab.button("Play").getAttribute("title"), "There is no connection to the run");
-  const second = await MockServer.start(recording, pageFile, port);
-  await tab.page.getByText("Paused").first().waitFor();
-  await tab.button("One tick ahead").click();
-  await tab.waitForTick((tick) => tick === 1, "a step of the new server");
-  assert.deepEqual(await tab.close(), []);
-  await second.close();
-});
-
-test("page: of two viewers one has control, and can hand it over", { skip, timeout: kTimeout }, async () => {
-  const server = await MockServer.start(recording, pageFile);
-  const first = await Tab.open(browser, server.url);
-  await first.waitForTick((tick) => tick === 0);
-  const second = await Tab.open(browser, server.url);
-  await second.waitForTick((tick) => tick === 0);
-  await second.button("Another viewer has control. Ask for it").click();
-  assert.equal(
-    await second.button("Play").getAttribute("title"),
-    "Another viewer has control: ask for it",
-  );
-  await first.button("You have control").click();
-  await first.page.getByRole("button", { name: "Hand control to viewer 2" }).click();
-  await second.page.waitForFunction(
-    () => !document.querySelector<HTMLButtonElement>("button.primary.round")!.disabled,
-  );
-  await second.button("One tick ahead").click();
-  await first.waitForTick((tick) => tick === 1, "the other viewer's step");
-  assert.deepEqual(await first.close(), []);
-  assert.deepEqual(await second.close(), []);
-  await server.close();
-});
-
-test("page: a wrong token is refused, and not tried again", { skip, timeout: kTimeout }, async () => {
-  const server = await MockServer.start(recording, pageFile);
-  const tab = await Tab.open(browser, `http://127.0.0.1:${server.port}/#00000000000000000000000000000000`);
-  await tab.page.getByRole("alert").waitFor();
-  assert.match(await tab.page.getByRole("alert").innerText(), /token/);
-  await tab.close();
-  await server.close();
 });

@@ -4,6 +4,7 @@ import { type ChildProcess, execFileSync, spawn } from "node:child_process";
 import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
+import { after, afterEach } from "node:test";
 
 export const repository = process.env.REPOSITORY ?? resolve(process.cwd(), "../../../../..");
 export const argos3 = process.env.ARGOS3 ?? join(repository, "build/bin/argos3");
@@ -39,10 +40,18 @@ export function readTable(path: string): Map<string, string>[] {
 /** Records an experiment; returns the path of the recording. */
 export function record(name: string, seconds: number, ...args: string[]): string {
   mkdirSync(folder, { recursive: true });
-  const path = join(folder, `${name}.rec`);
+  const path = join(folder, `${name}.${seconds}.rec`);
   const source = existsSync(name) ? name : experiment(name);
   run("-zc", source, "--quiet", "--record", path, "--length", String(seconds), ...args);
   return path;
+}
+
+let sample: string | null = null;
+
+/** Ten robots for eight seconds. */
+export function sampleRecording(): string {
+  sample ??= process.env.PAGE_RECORDING ?? record("diffusion_10", 8);
+  return sample;
 }
 
 const programs: ChildProcess[] = [];
@@ -80,8 +89,7 @@ export function startLive(...args: string[]): Promise<LiveRun> {
   });
 }
 
-/** Ends what startRun() has started, and removes the files of the tests. */
-export function endPrograms(): void {
-  programs.forEach((program) => program.kill("SIGKILL"));
-  rmSync(folder, { recursive: true, force: true });
-}
+afterEach(() => {
+  programs.splice(0).forEach((program) => program.kill("SIGKILL"));
+});
+after(() => rmSync(folder, { recursive: true, force: true }));

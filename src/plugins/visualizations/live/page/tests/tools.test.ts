@@ -5,9 +5,7 @@ import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
 
-import type { Browser } from "playwright-core";
-
-import { Tab, missingLive, shots, useBrowser } from "./browser";
+import { Tab, missingLive, shots } from "./browser";
 import {
   changedExperiment,
   folder,
@@ -19,9 +17,6 @@ import {
 
 const kTimeout = 60_000; // ms, of a test
 const skip = missingLive();
-let browser: Browser;
-
-useBrowser(skip, (opened) => (browser = opened));
 
 async function save(tab: Tab, item: string): Promise<string> {
   await tab.page.getByRole("button", { name: /^Save a picture, a film/ }).click();
@@ -62,7 +57,7 @@ function editable(): string {
 
 test("tools: a script is edited, with an error and without", { skip, timeout: kTimeout }, async () => {
   const { url } = await startRun(editable(), "--length", "60");
-  const tab = await Tab.open(browser, url);
+  const tab = await Tab.open(url);
   const { page } = tab;
   await tab.waitForTick((tick) => tick === 0, "the first state");
   await page.getByRole("tab", { name: "Script" }).click();
@@ -107,7 +102,7 @@ test("tools: a script is edited, with an error and without", { skip, timeout: kT
 
 test("tools: where scripts may not be edited, the page says why", { skip, timeout: kTimeout }, async () => {
   const { url } = await startRun("diffusion_10_lua");
-  const tab = await Tab.open(browser, url);
+  const tab = await Tab.open(url);
   await tab.waitForTick((tick) => tick === 0);
   await select(tab, "fb0");
   await tab.page.getByRole("tab", { name: "Script" }).click();
@@ -118,7 +113,7 @@ test("tools: where scripts may not be edited, the page says why", { skip, timeou
 
 test("tools: the past of a run is shown, and the present again", { skip, timeout: kTimeout }, async () => {
   const { url } = await startRun("diffusion_10");
-  const tab = await Tab.open(browser, url);
+  const tab = await Tab.open(url);
   const { page } = tab;
   await tab.waitForTick((tick) => tick === 0);
   const start = await positions(tab);
@@ -151,7 +146,7 @@ test("tools: the past of a run is shown, and the present again", { skip, timeout
 
 test("tools: what a viewer has received is saved, and replayed", { skip, timeout: kTimeout }, async () => {
   const { url } = await startRun("foraging");
-  const tab = await Tab.open(browser, url);
+  const tab = await Tab.open(url);
   const { page } = tab;
   await tab.waitForTick((tick) => tick === 0);
   await page.getByRole("combobox", { name: "Speed" }).selectOption("5");
@@ -170,7 +165,7 @@ test("tools: what a viewer has received is saved, and replayed", { skip, timeout
   assert.ok(poses.some((value) => Math.abs(value - x) < 1e-9));
 
   const html = await save(tab, "Save this page with the recording in it, HTML: it opens without a server");
-  const opened = await Tab.open(browser, `file://${html}`);
+  const opened = await Tab.open(`file://${html}`);
   await opened.waitForTick((tick) => tick === 0, "the first state of the file");
   await opened.page.keyboard.press("End");
   await opened.waitForTick((tick) => tick === last, "the last state of the file");
@@ -187,8 +182,8 @@ interface Region {
 
 // mean differences of the channels of two pictures in regions; a film is shown by its last picture
 async function compare(first: string, second: string, regions: Region[]): Promise<number[]> {
-  const page = await browser.newPage();
-  const differences = await page.evaluate(
+  const tab = await Tab.open("about:blank");
+  const differences = await tab.page.evaluate(
     async ([urls, places]) => {
       const load = async (url: string): Promise<CanvasImageSource & { w: number; h: number }> => {
         if (url.startsWith("data:image")) {
@@ -217,7 +212,7 @@ async function compare(first: string, second: string, regions: Region[]): Promis
     },
     [[first, second], regions] as const,
   );
-  await page.close();
+  assert.deepEqual(await tab.close(), []);
   return differences;
 }
 
@@ -229,7 +224,7 @@ function dataUrl(path: string, type: string): string {
 // some levels of what is fine, but much less than a missing text.
 test("tools: pictures and films have the texts and the clock that the page shows", { skip, timeout: kTimeout }, async () => {
   const { url } = await startRun("diffusion_10");
-  const tab = await Tab.open(browser, url);
+  const tab = await Tab.open(url);
   const { page } = tab;
   await tab.waitForTick((tick) => tick === 0);
   await page.keyboard.press("i");
@@ -267,7 +262,7 @@ test("tools: pictures and films have the texts and the clock that the page shows
 
 test("tools: the experiment is saved with everything where it is", { skip, timeout: kTimeout }, async () => {
   const { url } = await startRun("diffusion_10");
-  const tab = await Tab.open(browser, url);
+  const tab = await Tab.open(url);
   const { page } = tab;
   await tab.waitForTick((tick) => tick === 0);
   await tab.button("Add a robot or a thing").click();
@@ -296,7 +291,7 @@ test("tools: the experiment is saved with everything where it is", { skip, timeo
 
 test("tools: a robot is turned by dragging and by keys, and parameters are set", { skip, timeout: kTimeout }, async () => {
   const { url } = await startRun("diffusion_10");
-  const tab = await Tab.open(browser, url);
+  const tab = await Tab.open(url);
   const { page } = tab;
   await tab.waitForTick((tick) => tick === 0);
   await page.keyboard.press("t");
@@ -336,7 +331,7 @@ test("tools: a robot is turned by dragging and by keys, and parameters are set",
 
 test("tools: what a robot perceives is drawn, and its lines of the log are with it", { skip, timeout: kTimeout }, async () => {
   const { url } = await startRun("flocking");
-  const tab = await Tab.open(browser, url);
+  const tab = await Tab.open(url);
   const { page } = tab;
   await tab.waitForTick((tick) => tick === 0);
   await page.getByRole("button", { name: "Go ahead by this number of ticks" }).click();

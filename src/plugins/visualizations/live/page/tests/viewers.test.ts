@@ -5,17 +5,14 @@ import assert from "node:assert/strict";
 import { join } from "node:path";
 import { test } from "node:test";
 
-import type { Browser, CDPSession } from "playwright-core";
+import type { CDPSession } from "playwright-core";
 
-import { Tab, missingLive, useBrowser } from "./browser";
+import { Tab, missingLive } from "./browser";
 import { changedExperiment, experiment, folder, record, run, startLive, startRun } from "./runs";
 import { SlowLink } from "./slow_link";
 
 const kTimeout = 60_000; // ms, of a test
 const skip = missingLive();
-let browser: Browser;
-
-useBrowser(skip, (opened) => (browser = opened));
 
 interface View {
   find(id: string): number;
@@ -39,7 +36,7 @@ function placeInArena(tab: Tab, id: string): Promise<[number, number]> {
 
 test("viewers: keys drive a robot through user functions, and the page acts on the others", { skip, timeout: kTimeout }, async () => {
   const { url } = await startRun("manual_control");
-  const tab = await Tab.open(browser, url);
+  const tab = await Tab.open(url);
   const { page } = tab;
   await tab.waitForTick((tick) => tick === 0);
   const options = await page.evaluate(() => ({ ...(window as unknown as { argosView: View }).argosView.options }));
@@ -79,8 +76,8 @@ test("viewers: keys drive a robot through user functions, and the page acts on t
 // Red blobs of the camera are lamps in the middle of other foot-bots. A state later, these have driven 4 cm, and a tenth of a
 // second later 10 cm.
 test("viewers: at ten times real time, what a robot perceives is drawn where the robots are", { skip, timeout: kTimeout }, async () => {
-  const { url } = await startRun("flocking", "--length", "60");
-  const tab = await Tab.open(browser, url);
+  const { url } = await startRun("flocking", "--length", "600");
+  const tab = await Tab.open(url);
   const { page } = tab;
   await tab.waitForTick((tick) => tick === 0);
   await page.locator('.entities button[data-id="fb0"]').click();
@@ -122,9 +119,9 @@ test("viewers: at ten times real time, what a robot perceives is drawn where the
 
 test("viewers: of two viewers one has control, which goes on with the other", { skip, timeout: kTimeout }, async () => {
   const { url } = await startRun("diffusion_10");
-  const first = await Tab.open(browser, url);
+  const first = await Tab.open(url);
   await first.waitForTick((tick) => tick === 0);
-  const second = await Tab.open(browser, url);
+  const second = await Tab.open(url);
   await second.waitForTick((tick) => tick === 0);
   assert.equal(await second.button("Play").getAttribute("title"), "Another viewer has control: ask for it");
   await second.button("Another viewer has control. Ask for it").click();
@@ -145,9 +142,9 @@ test("viewers: of two viewers one has control, which goes on with the other", { 
 
 test("viewers: what was selected without control is driven by keys once there is control", { skip, timeout: kTimeout }, async () => {
   const { url } = await startRun("manual_control");
-  const first = await Tab.open(browser, url);
+  const first = await Tab.open(url);
   await first.waitForTick((tick) => tick === 0);
-  const second = await Tab.open(browser, url);
+  const second = await Tab.open(url);
   await second.waitForTick((tick) => tick === 0);
   for (const [tab, robot] of [[first, "fb0"], [second, "fb1"]] as const) {
     await tab.page.locator(`.entities button[data-id="${robot}"]`).click();
@@ -175,7 +172,7 @@ test("viewers: a page comes back to its run when the connection does, and to non
   const fast = 1e9; // bytes/s
   const link = await SlowLink.open(Number(port), fast, 0);
   const ownPort = link.port;
-  const tab = await Tab.open(browser, first.url.replace(port, String(ownPort)));
+  const tab = await Tab.open(first.url.replace(port, String(ownPort)));
   const { page } = tab;
   await tab.waitForTick((tick) => tick === 0);
   await page.locator('.entities button[data-id="fb0"]').click();
@@ -214,7 +211,7 @@ test("viewers: a page comes back to its run when the connection does, and to non
 test("viewers: a replay is scrubbed, and its robots are selected without complaints", { skip, timeout: kTimeout }, async () => {
   const recording = record("diffusion_10", 20);
   const { url } = await startLive("--replay", recording, "--live");
-  const tab = await Tab.open(browser, url);
+  const tab = await Tab.open(url);
   const { page } = tab;
   await tab.waitForTick((tick) => tick === 0);
   const slider = page.getByRole("slider", { name: "Time" });
@@ -238,7 +235,7 @@ test("viewers: a replay is scrubbed, and its robots are selected without complai
 test("viewers: argos3 writes a page with a recording, which opens from disk", { skip, timeout: kTimeout }, async () => {
   const html = join(folder, "sent.html");
   run("--replay", record("foraging", 10, "--set", "/loop_functions/foraging/@output=/dev/null"), "--html", html);
-  const tab = await Tab.open(browser, `file://${html}`);
+  const tab = await Tab.open(`file://${html}`);
   await tab.waitForTick((tick) => tick === 0, "the first state of the file");
   await tab.page.keyboard.press("End");
   await tab.waitForTick((tick) => tick === 100, "the last state of the file");
@@ -254,7 +251,7 @@ test("viewers: markup in ids and errors is shown as text", { skip, timeout: kTim
   const escaped = kMarkup.replaceAll("&", "&amp;").replaceAll("<", "&lt;").replaceAll(">", "&gt;").replaceAll('"', "&quot;");
   const file = changedExperiment("manual_control", (xml) => xml.replace('id="fb0"', `id="${escaped}"`));
   const { url } = await startRun(file);
-  const tab = await Tab.open(browser, url);
+  const tab = await Tab.open(url);
   const { page } = tab;
   await tab.waitForTick((tick) => tick === 0);
   await page.locator(".entities button", { hasText: "onerror" }).click();
@@ -300,11 +297,13 @@ function usable(tab: Tab): Promise<string[]> {
 /** Goes through the page by Tab; returns what it has not reached. */
 async function notReached(tab: Tab): Promise<string[]> {
   const expected = await usable(tab);
-  for (let i = 0; i < 2 * expected.length + 10; ++i) {
+  let isDone = false;
+  for (let i = 0; i < 2 * expected.length + 10 && !isDone; ++i) {
     await tab.page.keyboard.press("Tab");
-    await tab.page.evaluate(() => {
+    isDone = await tab.page.evaluate(() => {
       const element = document.activeElement as HTMLElement;
       element.dataset.reached = "yes";
+      return document.querySelector("[data-reached='no']") === null;
     });
   }
   return tab.page.evaluate(() =>
@@ -331,7 +330,7 @@ async function withoutName(session: CDPSession): Promise<string[]> {
 test("viewers: keyboard and screen reader reach every button, at 1280 and 390 pixels", { skip, timeout: 2 * kTimeout }, async () => {
   const { url } = await startRun("diffusion_10");
   for (const size of [{ width: 1280, height: 800 }, { width: 390, height: 844 }]) {
-    const tab = await Tab.open(browser, url, size);
+    const tab = await Tab.open(url, size);
     const { page } = tab;
     const session = await page.context().newCDPSession(page);
     await tab.waitForTick((tick) => tick === 0);
@@ -368,13 +367,13 @@ test("viewers: keyboard and screen reader reach every button, at 1280 and 390 pi
 // Of text and its background, as WCAG 2.2 asks for: 4.5, and 3 for large text; controls that are off need none.
 test("viewers: texts differ from their background by 4.5, light and dark", { skip, timeout: 2 * kTimeout }, async () => {
   const { url } = await startRun("manual_control");
+  const tab = await Tab.open(url);
+  const { page } = tab;
+  await tab.waitForTick((tick) => tick >= 0);
+  await page.locator('.entities button[data-id="fb0"]').click();
+  await page.getByRole("region", { name: "fb0", exact: true }).waitFor();
   for (const theme of ["light", "dark"] as const) {
-    const tab = await Tab.open(browser, url, undefined, theme);
-    const { page } = tab;
-    await tab.waitForTick((tick) => tick >= 0);
-    assert.equal(await page.evaluate(() => document.documentElement.dataset.theme), theme);
-    await page.locator('.entities button[data-id="fb0"]').click();
-    await page.getByRole("region", { name: "fb0", exact: true }).waitFor();
+    await tab.setTheme(theme);
     for (const panel of ["Inspect", "Metrics", "Script", "Log", "About"]) {
       await page.getByRole("tab", { name: panel }).click();
       assert.deepEqual(await faintTexts(tab), [], `${theme}, ${panel}`);
@@ -386,8 +385,9 @@ test("viewers: texts differ from their background by 4.5, light and dark", { ski
     await tab.button("What the picture shows").click();
     assert.deepEqual(await faintTexts(tab), [], `${theme}, menu`);
     await tab.shoot(`menu_${theme}`);
-    assert.deepEqual(await tab.close(), []);
+    await page.keyboard.press("Escape");
   }
+  assert.deepEqual(await tab.close(), []);
 });
 
 function faintTexts(tab: Tab): Promise<string[]> {
