@@ -4,7 +4,7 @@ import { existsSync, mkdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, afterEach } from "node:test";
 
-import { type Browser, type BrowserContext, type Page, chromium } from "playwright-core";
+import { type Browser, type Page, chromium } from "playwright-core";
 
 import { run } from "./runs";
 
@@ -13,8 +13,8 @@ export const pageFile = process.env.PAGE ?? join(process.cwd(), "dist/index.html
 export const shots = process.env.PAGE_SHOTS;
 
 // where only what is shown counts: fewer pixels, and fewer pictures a second, for the processor draws them
-const kSize = { width: 960, height: 640 };
-const kPicturePeriod = 40; // ms, added to that of the browser
+const kSize = { width: 800, height: 560 };
+const kPicturePeriod = 60; // ms, added to that of the browser
 const kEvents = ["pageerror", "console", "request", "dialog"] as const; // that tests listen to
 const kPaths = ["/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"];
 
@@ -33,7 +33,6 @@ export function missingLive(): string | false {
 }
 
 let browser: Browser | null = null;
-let context: BrowserContext | null = null;
 
 async function launch(): Promise<Browser> {
   const executablePath = process.env.CHROMIUM ?? kPaths.find((candidate) => existsSync(candidate))!;
@@ -50,13 +49,15 @@ async function launch(): Promise<Browser> {
   });
 }
 
-async function openContext(opened: Browser): Promise<BrowserContext> {
-  const made = await opened.newContext({ viewport: kSize });
-  await made.addInitScript((period) => {
+// in a window of its own: those behind others in a window may not be drawn
+async function makePage(opened: Browser): Promise<Page> {
+  const page = await opened.newPage({ viewport: kSize });
+  await page.addInitScript((period) => {
     const request = window.requestAnimationFrame.bind(window);
     window.requestAnimationFrame = (draw) => Number(setTimeout(() => request(draw), period));
   }, kPicturePeriod);
-  return made;
+  page.setDefaultTimeout(12_000);
+  return page;
 }
 
 type Theme = "light" | "dark";
@@ -95,10 +96,8 @@ export class Tab {
 
   static async open(url: string, size = kSize, colorScheme: Theme = "light"): Promise<Tab> {
     browser ??= await launch();
-    context ??= await openContext(browser);
     const kind = url.startsWith("http") ? "http" : "file";
-    const page = idle[kind].pop() ?? (await context.newPage());
-    page.setDefaultTimeout(12_000);
+    const page = idle[kind].pop() ?? (await makePage(browser));
     await page.setViewportSize(size);
     await page.emulateMedia({ colorScheme });
     const tab = new Tab(page, kind);

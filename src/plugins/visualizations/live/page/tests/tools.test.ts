@@ -149,7 +149,7 @@ test("tools: what a viewer has received is saved, and replayed", { skip, timeout
   const tab = await Tab.open(url);
   const { page } = tab;
   await tab.waitForTick((tick) => tick === 0);
-  await page.getByRole("combobox", { name: "Speed" }).selectOption("5");
+  await page.getByRole("combobox", { name: "Speed" }).selectOption("10");
   await tab.button("Play").click();
   await tab.waitForTick((tick) => tick > 150);
   await tab.button("Pause").click();
