@@ -16,6 +16,8 @@ constexpr UInt32 kFirstSeries = 2;
 constexpr UInt32 kSecondSeries = 8;
 constexpr UInt32 kLongestSeries = 64;
 constexpr UInt32 kNewtonSteps = 6;
+// where motors of turrets and drives at their bounds are searched, too
+constexpr UInt32 kGripSteps = 12;
 // A step may make the last change so many times as great, because the way to the solution of such
 // equations is often uphill. Else it is taken back, and the next one is shorter.
 constexpr double kWorse = 6.0;
@@ -157,15 +159,16 @@ template <typename NUMBER>
 NUMBER CContactIsland<NUMBER>::StepByNewton(CIslandNewton<NUMBER>& newton, NUMBER change) {
   Start();
   NUMBER damping = NUMBER(kDamping);
-  for (UInt32 step = 0; step < kNewtonSteps && m_sweeps < m_mostSweeps; ++step) {
+  const UInt32 steps = m_grips.empty() ? kNewtonSteps : kGripSteps;
+  for (UInt32 step = 0; step < steps && m_sweeps < m_mostSweeps; ++step) {
     SChange next;
     SweepDrives(next);
-    SweepMotors(next);
+    SolveTurrets();
     if (!newton.Step(damping)) {
       break;
     }
     SweepDrives(next);
-    SweepMotors(next);
+    SolveTurrets();
     next = SChange();
     SweepContacts(next);
     if (!m_grips.empty()) {
@@ -188,6 +191,19 @@ NUMBER CContactIsland<NUMBER>::StepByNewton(CIslandNewton<NUMBER>& newton, NUMBE
   return change;
 }
 
+// Solves the turning of a drive. @return the change of its impulse, N m s.
+template <typename NUMBER>
+inline NUMBER SolveTurn(SIslandBody<NUMBER>& body) {
+  NUMBER& velocity = body.Velocity.Now[kAxisTurn];
+  NUMBER& impulse = body.Impulse.Now[kAxisTurn];
+  const NUMBER turn = std::clamp(impulse + (body.Target[kAxisTurn] - velocity) * body.Inertia,
+                                 -body.AngularMost, body.AngularMost);
+  const NUMBER change = turn - impulse;
+  impulse = turn;
+  velocity += body.InverseInertia * change;
+  return change;
+}
+
 template <typename NUMBER>
 void CContactIsland<NUMBER>::SweepDrives(SChange& change) {
   NUMBER greatest = change.Velocity;
@@ -203,23 +219,18 @@ void CContactIsland<NUMBER>::SweepDrives(SChange& change) {
       x *= scale;
       y *= scale;
     }
-    const NUMBER turn = std::clamp(
-        impulse[kAxisTurn] + (body.Target[kAxisTurn] - velocity[kAxisTurn]) * body.Inertia,
-        -body.AngularMost, body.AngularMost);
     const NUMBER changeX = x - impulse[kAxisX];
     const NUMBER changeY = y - impulse[kAxisY];
-    const NUMBER changeTurn = turn - impulse[kAxisTurn];
     impulse[kAxisX] = x;
     impulse[kAxisY] = y;
-    impulse[kAxisTurn] = turn;
     const NUMBER changeVX = body.InverseMass * changeX;
     const NUMBER changeVY = body.InverseMass * changeY;
-    const NUMBER changeW = body.InverseInertia * changeTurn;
     velocity[kAxisX] += changeVX;
     velocity[kAxisY] += changeVY;
-    velocity[kAxisTurn] += changeW;
+    const NUMBER changeTurn = SolveTurn(body);
     greatest = std::max({greatest, std::abs(changeVX), std::abs(changeVY)});
-    energy += changeVX * changeX + changeVY * changeY + changeW * changeTurn;
+    energy +=
+        changeVX * changeX + changeVY * changeY + body.InverseInertia * changeTurn * changeTurn;
   }
   change = {greatest, energy};
 }
@@ -262,14 +273,27 @@ void CContactIsland<NUMBER>::SweepContacts(SChange& change) {
   change = {greatest, energy};
 }
 
+// Solves the motor of each turret together with the turning of the robot's drive: exactly if only
+// one of the two is at its bound, or none.
 template <typename NUMBER>
-void CContactIsland<NUMBER>::SweepMotors(SChange& change) {
+void CContactIsland<NUMBER>::SolveTurrets() {
+  constexpr int kPasses = 3;
   for (SIslandGrip<NUMBER>& grip : m_grips) {
-    if (grip.HasTurret()) {
-      const NUMBER motor = SolveGripMotor(grip, GetGripMotion(m_bodies[grip.A]));
-      ApplyGripChange(m_bodies, grip, {NUMBER(0), NUMBER(0), motor});
-      change.Energy += motor * motor * grip.InverseArmInertia;
+    if (!grip.HasTurret()) {
+      continue;
     }
+    SIslandBody<NUMBER>& body = m_bodies[grip.A];
+    // as if the robot turned as its drive aims
+    SGripMotion<NUMBER> a = GetGripMotion(body);
+    a.Turn = body.Target[kAxisTurn];
+    a.InverseInertia = NUMBER(0);
+    ApplyGripChange(m_bodies, grip, {NUMBER(0), NUMBER(0), SolveGripMotor(grip, a)});
+    for (int pass = 0; pass < kPasses; ++pass) {
+      SolveTurn(body);
+      const NUMBER motor = SolveGripMotor(grip, GetGripMotion(body));
+      ApplyGripChange(m_bodies, grip, {NUMBER(0), NUMBER(0), motor});
+    }
+    SolveTurn(body);
   }
 }
 

@@ -249,7 +249,7 @@ class CContactIsland {
   bool IsDone(NUMBER change) const { return change <= m_tolerance || m_sweeps >= m_mostSweeps; }
   void SweepDrives(SChange& change);
   void SweepContacts(SChange& change);
-  void SweepMotors(SChange& change);
+  void SolveTurrets();
   void SweepGrips(SChange& change);
   void StepOn(NUMBER share);
 
