@@ -22,12 +22,12 @@ TEST_CASE("rooms: 10,000 e-pucks stay out of the walls", "[scenario][dynamics2d]
   CAPTURE(engine);
   SRoomsWorld rooms;
   rooms.Engine = engine;
-  rooms.Robots = 10000;
+  rooms.Robots = FewerIfSanitized(10000);
   rooms.Side = 40.0;
   rooms.RoomsPerSide = 4;
   rooms.Threads = 2;
   CTestWorld world(rooms.ToXML());
-  REQUIRE(world.GetSpace().GetControllableEntities().size() == 10000);
+  REQUIRE(world.GetSpace().GetControllableEntities().size() == rooms.Robots);
 
   SOverlaps overlaps;
   Real deepestInWall = 0.0;

@@ -100,16 +100,20 @@ TEST_CASE("campaign: two managers at once, and no run twice", "[campaign][progra
 
 TEST_CASE("campaign: a full disk in the middle ends it, and it can be resumed",
           "[campaign][program]") {
+  constexpr size_t kNum = 100;
   const CTestFolder folder;
   folder.Write("experiment.argos", MakeCampaignExperiment());
-  folder.Write("c.xml",
-               "<argos-campaign experiment='experiment.argos' results='results.sqlite'>\n"
-               "  <runs seeds='400' />\n"
-               "  <collect><metric name='level' series='true' /></collect>\n</argos-campaign>\n");
+  folder.Write(
+      "c.xml",
+      "<argos-campaign experiment='experiment.argos' results='results.sqlite'>\n"
+      "  <runs seeds='" +
+          std::to_string(kNum) +
+          "' />\n"
+          "  <collect><metric name='level' series='true' /></collect>\n</argos-campaign>\n");
   // the limit of the size of files stands for the disk
   rlimit old{};
   getrlimit(RLIMIT_FSIZE, &old);
-  const rlimit limit{400'000, old.rlim_max};
+  const rlimit limit{130'000, old.rlim_max};
   REQUIRE(setrlimit(RLIMIT_FSIZE, &limit) == 0);
   const SProgramRun run = folder.RunProgram("argos3-campaign", {"run", "c.xml"});
   setrlimit(RLIMIT_FSIZE, &old);
@@ -121,11 +125,11 @@ TEST_CASE("campaign: a full disk in the middle ends it, and it can be resumed",
                           "is whole"));
   const size_t stored = ReadTable(folder.Path("results.sqlite")).size();
   CHECK(stored > 0);
-  CHECK(stored < 400);
+  CHECK(stored < kNum);
   const SProgramRun rest = folder.RunProgram("argos3-campaign", {"resume", "c.xml"});
   INFO(rest.Err);
   CHECK(rest.Status == 0);
-  CHECK(ReadTable(folder.Path("results.sqlite")).size() == 400);
+  CHECK(ReadTable(folder.Path("results.sqlite")).size() == kNum);
 }
 
 TEST_CASE("campaign: results of another campaign or program are refused, and left alone",

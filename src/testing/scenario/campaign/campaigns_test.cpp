@@ -63,11 +63,12 @@ TEST_CASE("campaign: the table does not depend on jobs and isolation", "[campaig
   SetPluginPath();
   std::vector<std::string> expected;
   for (const char* isolation : {"process", "thread"}) {
-    for (const char* jobs : {"1", "2", "5"}) {
+    for (const unsigned jobs : MostIfSanitized({1, 2, 5})) {
       CAPTURE(isolation, jobs);
       const CTestFolder folder;
       folder.Write("c.xml", MakeDiffusionCampaign(std::string("isolation='") + isolation + "'"));
-      const SProgramRun run = folder.RunProgram("argos3-campaign", {"run", "c.xml", "-j", jobs});
+      const SProgramRun run =
+          folder.RunProgram("argos3-campaign", {"run", "c.xml", "-j", std::to_string(jobs)});
       INFO(run.Out << run.Err);
       REQUIRE(run.Status == 0);
       CHECK_THAT(run.Err, Contains("24/24 runs (100 %), 4/4 combinations complete"));

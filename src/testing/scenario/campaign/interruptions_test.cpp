@@ -4,6 +4,7 @@
 #include "campaign_world.h"
 
 #include <argos3/testing/support/paths.h>
+#include <argos3/testing/support/sanitizers.h>
 
 #include <catch2/catch.hpp>
 
@@ -20,7 +21,8 @@ using namespace argos;
 
 namespace {
 
-constexpr size_t kRuns = 240;
+constexpr size_t kSeeds = FewerIfSanitized(80);
+constexpr size_t kRuns = 3 * kSeeds;
 
 std::string MakeCampaign(const std::string& runs, const std::string& isolation) {
   return "<argos-campaign experiment='experiment.argos' results='results.sqlite'>\n"
@@ -31,7 +33,7 @@ std::string MakeCampaign(const std::string& runs, const std::string& isolation) 
 
 void WriteCampaign(const CTestFolder& folder, const std::string& isolation) {
   folder.Write("experiment.argos", MakeCampaignExperiment("", 1, 2));
-  folder.Write("c.xml", MakeCampaign("seeds='80'", isolation));
+  folder.Write("c.xml", MakeCampaign("seeds='" + std::to_string(kSeeds) + "'", isolation));
 }
 
 }  // namespace

@@ -71,12 +71,12 @@ class CLoad {
 };
 
 // short runs with threads on a busy machine: first valid ones, then ones whose robots throw
-void CheckStatusOfShortRuns(int runs) {
+void CheckStatusOfShortRuns(unsigned runs) {
   const CTestFolder folder;
   folder.Write("good.argos", Experiment());
   folder.Write("bad.argos", Experiment("test_throws_in_step"));
   const CLoad load;
-  for (int run = 0; run < runs; ++run) {
+  for (unsigned run = 0; run < runs; ++run) {
     const std::string threads = std::to_string(2 + run % 7);
     CAPTURE(run, threads);
     REQUIRE(folder.Run({"-c", "good.argos", "--length", "0.1", "--threads", threads}).Status == 0);
@@ -88,7 +88,7 @@ void CheckStatusOfShortRuns(int runs) {
 
 TEST_CASE("argos3: short runs with threads end with their status on a busy machine",
           "[command_line][threads]") {
-  CheckStatusOfShortRuns(25);
+  CheckStatusOfShortRuns(FewerIfSanitized(25));
 }
 
 TEST_CASE("argos3: 2,000 short runs with threads end with their status on a busy machine",
