@@ -113,7 +113,7 @@ TEST_CASE("campaign: a full disk in the middle ends it, and it can be resumed",
   // the limit of the size of files stands for the disk
   rlimit old{};
   getrlimit(RLIMIT_FSIZE, &old);
-  const rlimit limit{130'000, old.rlim_max};
+  const rlimit limit{230'000, old.rlim_max};
   REQUIRE(setrlimit(RLIMIT_FSIZE, &limit) == 0);
   const SProgramRun run = folder.RunProgram("argos3-campaign", {"run", "c.xml"});
   setrlimit(RLIMIT_FSIZE, &old);
