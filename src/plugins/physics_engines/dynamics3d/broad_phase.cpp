@@ -43,12 +43,32 @@ void UpdateBounds(SRigidBody& body, Real path) {
   }
 }
 
+Real ComputeRimSpeed(const SRigidBody& body) {
+  if (body.Body == nullptr || IsBall(body)) {
+    return 0.0;
+  }
+  const Real turn = FromODE(dBodyGetAngularVel(body.Body)).Length();
+  const CVector3 centre = FromODE(dBodyGetPosition(body.Body));
+  Real rim = 0.0;
+  for (size_t i = 0; turn > 0.0 && i < body.Solids.size(); ++i) {
+    dReal bounds[6];  // m: least and greatest x, y and z
+    dGeomGetAABB(body.Solids[i], bounds);
+    const CVector3 low(bounds[0], bounds[2], bounds[4]);
+    const CVector3 high(bounds[1], bounds[3], bounds[5]);
+    rim = std::max(rim, ((low + high) * 0.5 - centre).Length() + 0.5 * (high - low).Length());
+  }
+  return turn * rim;
+}
+
 const std::vector<SRigidPair>& CBroadPhase::FindPairs(const std::vector<SRigidBody*>& movables,
                                                       const std::vector<SRigidBody*>& fixed,
-                                                      Real substep) {
+                                                      Real substep, bool anticipates) {
   for (SRigidBody* body : movables) {
     if (!body->Asleep) {
-      const Real speed = IsBall(*body) ? FromODE(dBodyGetLinearVel(body->Body)).Length() : 0.0;
+      // the margin of robots is wider than their way
+      const bool reaches = IsBall(*body) || (anticipates && !body->HasDrive());
+      const Real speed =
+          reaches ? FromODE(dBodyGetLinearVel(body->Body)).Length() + ComputeRimSpeed(*body) : 0.0;
       UpdateBounds(*body, kForesight * speed * substep);
     }
   }

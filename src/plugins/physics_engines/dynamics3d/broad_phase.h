@@ -35,10 +35,11 @@ class CBroadPhase {
    * Finds the pairs at the current positions.
    * @param movables, fixed  all bodies with bounds, in the order of their numbers.
    * @param substep  s: balls reach as far as they move in it.
+   * @param anticipates  whether all other objects do, too.
    */
   const std::vector<SRigidPair>& FindPairs(const std::vector<SRigidBody*>& movables,
                                            const std::vector<SRigidBody*>& fixed,
-                                           Real substep = 0.0);
+                                           Real substep = 0.0, bool anticipates = false);
 
  private:
   struct SEntry {

@@ -108,7 +108,9 @@ void CContactFinder::Find(const std::vector<SRigidBody*>& movables,
   m_cache.StartSubstep();
   ResetForest(m_parents, movables.size());
   m_islands.assign(movables.size(), {});
-  const std::vector<SRigidPair>& pairs = m_broadPhase.FindPairs(movables, fixed, substep);
+  const std::vector<SRigidPair>& pairs = m_broadPhase.FindPairs(
+      movables, fixed, substep,
+      m_settings.Stepper != SRigidSettings::EStepper::Direct && m_settings.Restitution == 0.0);
   WakeNeighbours(pairs, grips);
   for (SRigidBody* body : movables) {
     body->HasGroundContact = false;
@@ -212,14 +214,18 @@ void CContactFinder::Touch(SRigidBody& first, SRigidBody& second) {
 Real CContactFinder::ComputeReach(const SRigidBody& first, const SRigidBody& second) const {
   const Real rest = m_settings.Stepper == SRigidSettings::EStepper::Direct ? 0.0 : kSkin;
   const bool isOfRobots = first.HasDrive() && second.HasDrive();
-  if (!isOfRobots && (rest == 0.0 || (!IsBall(first) && !IsBall(second)))) {
+  if (!isOfRobots &&
+      (rest == 0.0 || (m_settings.Restitution > 0.0 && !IsBall(first) && !IsBall(second)))) {
     return rest;
   }
   const auto velocityOf = [](const SRigidBody& body) {
     return body.Body != nullptr ? FromODE(dBodyGetLinearVel(body.Body)) : CVector3();
   };
-  const CVector3 speed = velocityOf(first) - velocityOf(second);
-  return std::max(rest, kForesight * speed.Length() * m_substep);
+  Real speed = (velocityOf(first) - velocityOf(second)).Length();
+  if (!isOfRobots && m_settings.Restitution == 0.0) {
+    speed += ComputeRimSpeed(first) + ComputeRimSpeed(second);
+  }
+  return std::max(rest, kForesight * speed * m_substep);
 }
 
 void CContactFinder::TouchSolids(const SRigidBody& first, const SRigidBody& second) {

@@ -5,6 +5,7 @@
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/prism_contacts.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/prism_geom.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_body.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_settings.h>
 
 #include <algorithm>
 #include <array>
@@ -173,7 +174,20 @@ std::optional<SStand> FindFaceBelow(const SUpright& cylinder, dGeomID box) {
 // For a cylinder on a box, ODE returns points all around its rim, as many as the array can store.
 constexpr int kMaxBoxContacts = 16;
 
-int FindContactsWithBox(dGeomID first, dGeomID second, int most, dContactGeom* contacts, int skip) {
+// @return true if a cylinder stands beside a box: a part of its side that is longer than the reach
+// is at the same height.
+bool IsBesideBox(const SUpright& cylinder, dGeomID box, Real reach) {
+  dVector3 size;
+  dGeomBoxGetLengths(box, size);
+  const dReal* const rotation = dGeomGetRotation(box);
+  const CVector3 up(rotation[2], rotation[6], rotation[10]);
+  const Real above = up.DotProduct(cylinder.Centre - FromODE(dGeomGetPosition(box)));
+  return std::abs(up.DotProduct(cylinder.Axis)) > kParallel &&
+         cylinder.HalfLength + 0.5 * size[2] - std::abs(above) > reach;
+}
+
+int FindContactsWithBox(dGeomID first, dGeomID second, int most, dContactGeom* contacts, int skip,
+                        Real reach) {
   const bool isFirst = dGeomGetClass(first) == dCylinderClass;
   const dGeomID cylinder = isFirst ? first : second;
   const dGeomID box = isFirst ? second : first;
@@ -184,6 +198,9 @@ int FindContactsWithBox(dGeomID first, dGeomID second, int most, dContactGeom* c
       Exchange(contacts, count, skip);
     }
     return count;
+  }
+  if (reach > kSkin && IsBesideBox(Describe(cylinder), box, reach)) {
+    return FindPrismContacts(first, second, most, contacts, skip, reach);
   }
   std::array<dContactGeom, kMaxBoxContacts> all;
   const int count = dCollide(first, second, kMaxBoxContacts, all.data(), sizeof(dContactGeom));
@@ -236,11 +253,12 @@ int FindContacts(dGeomID first, dGeomID second, int most, dContactGeom* contacts
   if (isUpright(first) && dGeomGetClass(second) == dConvexClass) {
     return FindHullContacts(second, first, most, contacts, skip);
   }
-  if (IsPrism(first) || IsPrism(second)) {
+  // ODE finds no contacts of boxes that are apart
+  if (IsPrism(first) || IsPrism(second) || (areA(dBoxClass, dBoxClass) && reach > kSkin)) {
     return FindPrismContacts(first, second, most, contacts, skip, reach);
   }
   if (areA(dCylinderClass, dBoxClass) || areA(dBoxClass, dCylinderClass)) {
-    return FindContactsWithBox(first, second, most, contacts, skip);
+    return FindContactsWithBox(first, second, most, contacts, skip, reach);
   }
   if (areA(dCylinderClass, dPlaneClass)) {
     return FindContactsWithPlane(first, second, most, contacts, skip);

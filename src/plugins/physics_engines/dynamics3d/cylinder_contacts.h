@@ -16,7 +16,8 @@ constexpr dReal kParallel = 0.9994;
  * prisms, FindPrismContacts().
  * @param skip   bytes from one contact to the next.
  * @param reach  m: cylinders side by side, and prisms, at up to this distance have a contact, too,
- *               with a depth below 0.
+ *               with a depth below 0. If it is more than kSkin, also boxes, and cylinders that
+ *               stand beside boxes.
  * @return the number of contacts, at most @p most.
  */
 int FindContacts(dGeomID first, dGeomID second, int most, dContactGeom* contacts, int skip,

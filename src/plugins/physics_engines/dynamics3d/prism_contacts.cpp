@@ -224,8 +224,8 @@ void AddFaceContacts(const SBestAxis& best, const SPlacedPrism& first, const SPl
       AddContact(point + normal * (0.5 * depth), -best.Direction, depth, scratch.Contacts);
     }
   }
-  if (scratch.Contacts.empty()) {
-    // corner to corner
+  if (scratch.Contacts.empty() && best.Gap <= 0.0) {
+    // corner to corner; while they are apart, they may pass each other
     const CVector3 corner = other.FindFarthest(-normal);
     AddContact(corner - normal * (0.5 * best.Gap), -best.Direction, -best.Gap, scratch.Contacts);
   }
@@ -261,17 +261,17 @@ CVector3 CollidePrisms(const SPlacedPrism& first, const SPlacedPrism& second, Re
   return best.Direction;
 }
 
-SPlacedPrism PlacePrism(dGeomID prism) {
-  return SPlacedPrism(prism, GetPrismBase(prism), GetPrismHeight(prism));
-}
-
-void CollideWithBox(const SPlacedPrism& prism, dGeomID box, Real reach, SScratch& scratch) {
+// A prism, or a box as one. @param base  receives the base of a box.
+SPlacedPrism PlacePrism(dGeomID solid, TPolygon& base) {
+  if (IsPrism(solid)) {
+    return SPlacedPrism(solid, GetPrismBase(solid), GetPrismHeight(solid));
+  }
   dVector3 size;
-  dGeomBoxGetLengths(box, size);
+  dGeomBoxGetLengths(solid, size);
   const Real x = 0.5 * size[0];
   const Real y = 0.5 * size[1];
-  scratch.Bases[0] = {CVector2(-x, -y), CVector2(x, -y), CVector2(x, y), CVector2(-x, y)};
-  CollidePrisms(prism, SPlacedPrism(box, scratch.Bases[0], size[2]), reach, scratch);
+  base = {CVector2(-x, -y), CVector2(x, -y), CVector2(x, y), CVector2(-x, y)};
+  return SPlacedPrism(solid, base, size[2]);
 }
 
 void CollideWithPlane(const SPlacedPrism& prism, dGeomID plane, Real reach, SScratch& scratch) {
@@ -387,9 +387,6 @@ void Collide(const SPlacedPrism& prism, dGeomID other, Real reach, SScratch& scr
     case dPlaneClass:
       CollideWithPlane(prism, other, reach, scratch);
       break;
-    case dBoxClass:
-      CollideWithBox(prism, other, reach, scratch);
-      break;
     case dCylinderClass:
       CollideWithCylinder(prism, other, reach, scratch);
       break;
@@ -397,7 +394,7 @@ void Collide(const SPlacedPrism& prism, dGeomID other, Real reach, SScratch& scr
       CollideWithSphere(prism, other, reach, scratch);
       break;
     default:
-      CollidePrisms(prism, PlacePrism(other), reach, scratch);
+      CollidePrisms(prism, PlacePrism(other, scratch.Bases[0]), reach, scratch);
       break;
   }
 }
@@ -408,8 +405,9 @@ int FindPrismContacts(dGeomID first, dGeomID second, int most, dContactGeom* con
                       dReal reach) {
   thread_local SScratch scratch;
   scratch.Contacts.clear();
-  const bool isFirst = IsPrism(first);
-  Collide(PlacePrism(isFirst ? first : second), isFirst ? second : first, reach, scratch);
+  const bool isFirst = IsPrism(first) || (dGeomGetClass(first) == dBoxClass && !IsPrism(second));
+  Collide(PlacePrism(isFirst ? first : second, scratch.Bases[1]), isFirst ? second : first, reach,
+          scratch);
   for (dContactGeom& contact : scratch.Contacts) {
     contact.g1 = first;
     contact.g2 = second;

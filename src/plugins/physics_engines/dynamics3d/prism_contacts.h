@@ -6,8 +6,8 @@
 namespace argos {
 
 /**
- * The contacts of a prism with a plane, box, cylinder, sphere or prism; in either order, at most
- * four, which are far apart. The normals point into the first.
+ * The contacts of a prism or a box with a plane, box, cylinder, sphere or prism; in either order,
+ * at most four, which are far apart. The normals point into the first.
  *
  * Exact, except that a cylinder counts as one with 24 sides where it is skew to the prism or on top
  * of it, turned so that one of its edges is the line that is nearest to the prism.

@@ -189,6 +189,12 @@ inline bool IsBall(const SRigidBody& body) {
          dGeomGetClass(body.Solids[0]) == dSphereClass;
 }
 
+/**
+ * A bound on the speed of any point of a body against its main part's centre of mass, m/s; 0 for
+ * what does not move, and for a ball, which covers the same place when it turns.
+ */
+Real ComputeRimSpeed(const SRigidBody& body);
+
 /** Position of the centre of a roller of a robot, m, world frame. */
 inline CVector3 LocateRoller(const SRigidBody& robot, size_t roller) {
   if (roller < robot.Wheels.size()) {

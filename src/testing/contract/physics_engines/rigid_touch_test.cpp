@@ -3,6 +3,7 @@
 #include <argos3/testing/contract/physics_engines/rigid_scene.h>
 
 #include <argos3/core/utility/math/angles.h>
+#include <argos3/plugins/simulator/physics_engines/planar/separation.h>
 #include <argos3/testing/support/robot_sizes.h>
 
 #include <catch2/catch.hpp>
@@ -42,6 +43,27 @@ struct STurn {
   // a coordinate of the scene before it was turned
   Real Along(const CVector3& place) const { return place.DotProduct((*this)(1.0, 0.0)); }
 };
+
+std::string CylinderXml(const std::string& id, Real radius, const CVector3& place, Real mass) {
+  std::ostringstream xml;
+  xml << "<cylinder id='" << id << "' radius='" << radius << "' height='0.1' mass='" << mass
+      << "' movable='" << (mass > 0.0 ? "true" : "false") << "'><body position='" << place
+      << "'/></cylinder>";
+  return xml.str();
+}
+
+// what the body covers of the floor, which has one upright solid
+SFootprint CoveredBy(CRigidScene& world, const std::string& id) {
+  const CVector3 place = world.Position(id);
+  SPlanarPose pose;
+  pose.X = place.GetX();
+  pose.Y = place.GetY();
+  pose.HalfCos = std::cos(0.5 * world.Yaw(id));
+  pose.HalfSin = std::sin(0.5 * world.Yaw(id));
+  std::vector<SFootprint> footprints;
+  AppendFootprints(*world.Body(id).GetBodyDescription(), pose, footprints);
+  return footprints.front();
+}
 
 std::string Name(int i) {
   return "b" + std::to_string(i);
@@ -212,6 +234,51 @@ TEST_CASE("rigid touch: a fast robot does not pass through a thin wall",
   }
   // 10 % of the radius
   CHECK(farthest < 0.5 - 0.5 * thickness - 0.9 * kEPuckRadius);
+}
+
+// at the end of each substep, of which there is one in a tick
+TEST_CASE("rigid touch: what strikes an object or a wall does not enter it",
+          "[contract][engine][rigid][touch]") {
+  const std::string mover = GENERATE("box", "turned box", "cylinder", "foot-bot");
+  const std::string target = GENERATE("box", "turned box", "cylinder", "wall");
+  const Real gap = GENERATE(2e-3, 2.7e-3, 3.4e-3, 4.1e-3);  // m
+  CAPTURE(mover, target, gap);
+  const auto solid = [](const std::string& kind, const std::string& id, const CVector3& place,
+                        Real mass) {
+    if (kind == "cylinder") {
+      return CylinderXml(id, 0.06, place, mass);
+    }
+    return SBoxXml{id, CVector3(0.12, 0.15, 0.1), place,
+                   CVector3(kind == "turned box" ? 30.0 : 0.0, 0.0, 0.0), mass}
+        .ToXml();
+  };
+  const CVector3 start(-0.5, 0.02, 0.0);
+  SExperiment experiment = CDriveWorld::Describe(
+      GroundedEngine("upright='false' free_robots='false'"),
+      (mover == "foot-bot" ? DriverXml(mover, "a", start.GetX(), start.GetY(), 0.0, 30.0, 30.0)
+                           : solid(mover, "a", start, 0.01)) +
+          solid(target, "b", CVector3(), target == "wall" ? 0.0 : 0.3));
+  experiment.TicksPerSecond = 100;
+  CRigidScene world(experiment);
+  world.Step(mover == "foot-bot" ? 10 : 1);
+  const auto measureGap = [&] { return ComputeGap(CoveredBy(world, "a"), CoveredBy(world, "b")); };
+  // beside the target, at a distance that its way in a substep decides whether it is reached in one
+  CVector3 place = start;
+  for (int i = 0; i < 50; ++i) {
+    const Real now = measureGap();
+    place.SetX(world.Position("a").GetX() + now - gap);
+    world.Body("a").MoveTo(place, world.Body("a").GetOriginAnchor().Orientation);
+  }
+  world.Launch("a", CVector3(0.38, 0.0, 0.0));
+  Real deepest = -1.0;
+  for (int tick = 0; tick < 20; ++tick) {
+    world.Step();
+    deepest = std::max(deepest, -measureGap());
+  }
+  // it has struck
+  CHECK(deepest > -2e-4);
+  // 0.2 % of the size
+  CHECK(deepest < 0.002 * 0.12);
 }
 
 TEST_CASE("rigid touch: a tower of ten boxes stands for a minute",
