@@ -111,15 +111,12 @@ export class App implements SessionListener {
   private readonly metricArea = h("div", { class: "plots" });
   private readonly metricHint = h("p", { class: "empty" });
   private readonly infoList = h("dl", { class: "info" });
-  private readonly surface = openSurface(() =>
-    h("canvas", {
-      class: "picture",
-      tabindex: 0,
-      role: "img",
-      "aria-label": "The arena. Entities can also be chosen in the list of the panel “Inspect”.",
-    }),
-  );
-  private readonly canvas = this.surface.canvas;
+  private canvas = h("canvas", {
+    class: "picture",
+    tabindex: 0,
+    role: "img",
+    "aria-label": "The arena. Entities can also be chosen in the list of the panel “Inspect”.",
+  });
   private readonly labelCanvas = h("canvas", { class: "labels", "aria-hidden": "true" });
   private readonly title = h("h1", {}, "ARGoS");
   private readonly stateChip = h("span", { class: "chip", role: "status" });
@@ -189,7 +186,9 @@ export class App implements SessionListener {
     });
     this.root.append(this.makeLayout(), this.fileInput, this.help);
     try {
-      this.view = new View(this.surface, this.labelCanvas);
+      const surface = openSurface(this.canvas); // of its size, now that it has a place
+      this.canvas = surface.canvas;
+      this.view = new View(surface, this.labelCanvas);
       Object.assign(window, { argosView: this.view }); // for tests and the console
     } catch (error) {
       this.showTab("inspect");

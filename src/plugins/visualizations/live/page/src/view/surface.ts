@@ -18,12 +18,29 @@ function nameOf(gl: WebGL2RenderingContext): string {
   return String(gl.getParameter(info === null ? gl.RENDERER : info.UNMASKED_RENDERER_WEBGL));
 }
 
+const kSoftwarePixels = 700_000;
+
+/**
+ * Pixels across and down of the picture in its place on the page.
+ * @param share  of the pixels that the processor draws.
+ */
+export function pixelsOf(canvas: HTMLCanvasElement, isSoftware: boolean, share = 1): [number, number] {
+  const width = Math.max(1, canvas.clientWidth);
+  const height = Math.max(1, canvas.clientHeight);
+  // where the processor draws, fewer pixels keep it fluid
+  const factor = isSoftware
+    ? Math.min(1, Math.sqrt((kSoftwarePixels * share) / (width * height)))
+    : Math.min(window.devicePixelRatio, 2);
+  return [Math.round(width * factor), Math.round(height * factor)];
+}
+
 /**
  * Only a context knows what draws, and whether its edges are smoothed cannot be changed later. Where the processor draws,
  * they are not, and a second context would delay the first picture: so the first one is without.
+ * @param canvas  in the page; replaced by a copy of it if a second context is needed.
  */
-export function openSurface(makeCanvas: () => HTMLCanvasElement): Surface {
-  const canvas = makeCanvas();
+export function openSurface(canvas: HTMLCanvasElement): Surface {
+  [canvas.width, canvas.height] = pixelsOf(canvas, true); // a context would make another memory for another size
   const gl = open(canvas, false);
   if (gl === null) {
     return { canvas, gl, rendererName: "", isSoftware: false };
@@ -37,6 +54,8 @@ export function openSurface(makeCanvas: () => HTMLCanvasElement): Surface {
     return { canvas, gl, rendererName, isSoftware };
   }
   gl.getExtension("WEBGL_lose_context")?.loseContext();
-  const smooth = makeCanvas();
+  const smooth = canvas.cloneNode() as HTMLCanvasElement;
+  canvas.replaceWith(smooth);
+  [smooth.width, smooth.height] = pixelsOf(smooth, isSoftware);
   return { canvas: smooth, gl: open(smooth, true), rendererName, isSoftware };
 }

@@ -38,7 +38,7 @@ import {
   toWorld,
   withoutJumps,
 } from "./math";
-import type { Surface } from "./surface";
+import { type Surface, pixelsOf } from "./surface";
 
 /** What is shown besides the entities. */
 export interface ViewOptions {
@@ -76,7 +76,6 @@ const kMaxIds = 400;
 const kMaxTrailParts = 24_000;
 const kTrailStates = 200;
 const kChoicePeriod = 250; // ms
-const kSoftwarePixels = 700_000;
 const kMinPixelShare = 0.4;
 const kPickPixels = 9;
 const kMaxHovered = 5000;
@@ -332,16 +331,14 @@ export class View {
 
   resize(): void {
     ++this.changes; // a canvas with another size is empty
-    const width = Math.max(1, this.canvas.clientWidth);
-    const height = Math.max(1, this.canvas.clientHeight);
-    const ratio = this.isSoftware ? 1 : Math.min(window.devicePixelRatio, 2);
-    // where the processor draws, fewer pixels keep it fluid
-    const most = kSoftwarePixels * this.pixelShare;
-    const share = this.isSoftware ? Math.min(1, Math.sqrt(most / (width * height))) : 1;
-    this.isReduced = share < 1;
-    this.renderer.setPixelRatio(1);
-    this.renderer.setSize(Math.round(width * ratio * share), Math.round(height * ratio * share), false);
-    this.camera.resize(width, height);
+    const { clientWidth, clientHeight } = this.canvas;
+    const [width, height] = pixelsOf(this.canvas, this.isSoftware, this.pixelShare);
+    this.isReduced = this.isSoftware && width * height < clientWidth * clientHeight;
+    // a canvas gets new memory even for the size that it has
+    if (this.canvas.width !== width || this.canvas.height !== height) {
+      this.renderer.setSize(width, height, false);
+    }
+    this.camera.resize(Math.max(1, clientWidth), Math.max(1, clientHeight));
   }
 
   /** Draws, if the picture would be another one. Returns whether it has drawn. */
@@ -350,8 +347,6 @@ export class View {
       return false;
     }
     if (this.frame === null) {
-      this.renderer.clear();
-      this.hasChosen = true;
       return false;
     }
     const size = this.renderer.getSize(new Vector2());
@@ -390,6 +385,7 @@ export class View {
     });
     this.renderer.clear();
     this.renderer.render(this.scene, camera);
+    this.canvas.classList.add("is-drawn");
     this.drawLabels();
     return true;
   }
