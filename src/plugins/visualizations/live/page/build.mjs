@@ -43,7 +43,7 @@ async function bundle(entry, options = {}) {
   });
   return outputFiles[0].text.replaceAll("</script", "<\\/script");
 }
-// what the first picture does not need is run later: see src/parts.ts
+// what is run later: see src/first.ts and src/parts.ts
 const partOf = (name, entry) => bundle(entry, { globalName: `argosPart_${name}` });
 // what CodeMirror needs has the same authors and licence
 const licences = ["three", "uplot", "zstddec", "@codemirror/view", "@lezer/common"]
@@ -54,13 +54,14 @@ const licences = ["three", "uplot", "zstddec", "@codemirror/view", "@lezer/commo
   .join("\n\n");
 const parts = {
   "/* style */": await bundle("src/style.css"),
-  "/* script */": await bundle("src/main.ts"),
+  "/* first */": await bundle("src/first.ts"),
+  "/* page */": await partOf("page", "src/main.ts"),
   "/* editor */": await partOf("editor", "src/ui/editor.ts"),
   "/* plots */": await partOf("plots", "src/ui/charts.ts"),
   "licences": licences.replaceAll("--", "- -"),
 };
 const page = readFileSync(join(folder, "src/index.html"), "utf8").replace(
-  /\/\* (style|script|editor|plots) \*\/|(?<=<!-- )licences(?= -->)/g,
+  /\/\* (style|first|page|editor|plots) \*\/|(?<=<!-- )licences(?= -->)/g,
   (name) => parts[name],
 );
 mkdirSync(dirname(output), { recursive: true });

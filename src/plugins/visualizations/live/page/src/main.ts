@@ -1,5 +1,6 @@
+// Starts the page. The first picture needs all of it, but its connection was made before, see first.ts.
+
 import { prepareUnpacking } from "./decode/blocks";
-import { kProtocol } from "./live/client";
 import { App } from "./ui/app";
 
 // A recording inside the page, as base64.
@@ -19,29 +20,16 @@ function embeddedRecording(): Uint8Array | null {
 // the decompressor of states is compiled while the page is made
 prepareUnpacking().catch(() => undefined); // whoever waits for it says why
 
-// the secret of a run; null: the page shows none
-function tokenOfRun(): string | null {
-  const token = location.hash.slice(1);
-  return location.protocol.startsWith("http") && /^[0-9a-f]{8,}$/i.test(token) ? token : null;
-}
-
 function start(): void {
   const recording = embeddedRecording();
-  const token = recording === null ? tokenOfRun() : null;
-  // the connection is made while the page is
-  const url = `${location.protocol === "https:" ? "wss" : "ws"}://${location.host}/live`;
-  const socket = token !== null ? new WebSocket(url, kProtocol) : null;
   const app = new App(document.getElementById("app")!);
+  const first = window.argosConnection;
   if (recording !== null) {
+    first?.socket.close();
     void app.openBytes(recording, document.title);
-  } else if (socket !== null) {
-    app.openLive(url, token!, socket);
+  } else if (first !== undefined) {
+    app.openLive(first);
   }
 }
 
-// a recording may follow the script
-if (document.readyState === "loading" && tokenOfRun() === null) {
-  document.addEventListener("DOMContentLoaded", start);
-} else {
-  start();
-}
+start();

@@ -1,6 +1,7 @@
-// Parts of the page that the first picture does not need: scripts in it that are run when they are asked for.
+// Parts of the page: scripts in it that are run when they are needed. The first picture needs only that of the page itself.
 
 interface Parts {
+  page: typeof import("./main");
   editor: typeof import("./ui/editor");
   plots: typeof import("./ui/charts");
 }

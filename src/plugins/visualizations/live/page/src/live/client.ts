@@ -3,6 +3,7 @@
 import { type RecordingInfo, prepareUnpacking } from "../decode/blocks";
 import type { Frame } from "../decode/frames";
 import { StreamDecoder } from "../decode/stream";
+import { type FirstConnection, connect } from "./connect";
 import { History } from "./history";
 import type {
   Abilities,
@@ -17,7 +18,6 @@ import type {
   Viewer,
 } from "../session";
 
-export const kProtocol = "argos-live.1";
 const kFirstRetry = 500; // ms
 const kLongestRetry = 8000;
 const kMaxPinned = 16; // of the protocol
@@ -98,13 +98,15 @@ export class LiveClient implements Session {
   private refusal: string | null = null;
   private isSeeking = false;
   private nextSeek: number | null = null;
+  private readonly url: string;
+  private readonly token: string;
 
   constructor(
-    private readonly url: string,
-    private readonly token: string,
     private readonly listener: SessionListener,
-    first: WebSocket,
+    first: FirstConnection,
   ) {
+    this.url = first.url;
+    this.token = first.token;
     this.connect(first);
   }
 
@@ -174,14 +176,12 @@ export class LiveClient implements Session {
     };
   }
 
-  private connect(socket = new WebSocket(this.url, kProtocol)): void {
+  private connect({ socket, messages } = connect(this.url, this.token)): void {
     this.decoder = new StreamDecoder();
     this.isFirstFrame = true;
     this.wasWelcomed = false;
-    socket.binaryType = "arraybuffer";
     this.socket = socket;
-    socket.onopen = () => this.sendText({ hello: { token: this.token, name: "" } });
-    socket.onmessage = async (event: MessageEvent<string | ArrayBuffer>) => {
+    const read = async (event: MessageEvent<string | ArrayBuffer>): Promise<void> => {
       try {
         await prepareUnpacking(); // messages stay in their order
       } catch (error) {
@@ -193,11 +193,18 @@ export class LiveClient implements Session {
         this.receive(event.data);
       }
     };
-    socket.onclose = () => {
+    const reading = messages.map(read);
+    socket.onmessage = read;
+    const closed = (): void => {
       if (this.socket === socket) {
         this.lost();
       }
     };
+    socket.onclose = closed;
+    // a server that refuses this viewer may have done so before
+    if (socket.readyState === WebSocket.CLOSED) {
+      void Promise.all(reading).then(closed);
+    }
   }
 
   private lost(): void {

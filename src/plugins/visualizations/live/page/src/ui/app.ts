@@ -5,6 +5,7 @@ import type { Frame } from "../decode/frames";
 import { Recording, sourceOfBlob, type ByteSource, sourceOfBytes } from "../decode/recording";
 import { arenaAround, readArena } from "../experiment";
 import { LiveClient } from "../live/client";
+import type { FirstConnection } from "../live/connect";
 import { RecordingPlayer } from "../player";
 import { Scan } from "../scan";
 import type { LogLine, Perception, Session, SessionListener, Tree } from "../session";
@@ -238,13 +239,12 @@ export class App implements SessionListener {
     await this.openSource(sourceOfBytes(bytes), name);
   }
 
-  /** @param socket  to that address, and not open yet. */
-  openLive(url: string, token: string, socket: WebSocket): void {
+  openLive(first: FirstConnection): void {
     if (this.view === undefined) {
-      socket.close(); // the page says why there is no picture
+      first.socket.close(); // the page says why there is no picture
       return;
     }
-    this.start(new LiveClient(url, token, this, socket));
+    this.start(new LiveClient(this, first));
   }
 
   private async openSource(source: ByteSource, name: string): Promise<void> {
