@@ -18,6 +18,22 @@ namespace campaign_faults_test {
 using namespace argos;
 using Catch::Contains;
 
+namespace {
+
+std::string MakeCampaignText(const std::string& contents) {
+  return "<argos-campaign experiment='experiment.argos' results='results.sqlite'>\n" + contents +
+         "\n</argos-campaign>\n";
+}
+
+// writes the files of a campaign, with an experiment that succeeds, and runs it
+SProgramRun RunCampaign(const CTestFolder& folder, const std::string& contents) {
+  folder.Write("experiment.argos", MakeCampaignExperiment());
+  folder.Write("c.xml", MakeCampaignText(contents));
+  return folder.RunProgram("argos3-campaign", {"run", "c.xml"});
+}
+
+}  // namespace
+
 TEST_CASE("campaign: crashes in 3 % of runs, a hang and a lack of memory leave a complete campaign",
           "[campaign][program]") {
   if (!kCanLimitMemory) {
@@ -75,9 +91,7 @@ TEST_CASE("campaign: crashes in 3 % of runs, a hang and a lack of memory leave a
 TEST_CASE("campaign: two managers at once, and no run twice", "[campaign][program]") {
   const CTestFolder folder;
   folder.Write("experiment.argos", MakeCampaignExperiment("hang", 2));
-  folder.Write("c.xml",
-               "<argos-campaign experiment='experiment.argos' results='results.sqlite'>\n"
-               "  <runs seeds='3' />\n</argos-campaign>\n");
+  folder.Write("c.xml", MakeCampaignText("<runs seeds='3' />"));
   const pid_t first = StartCampaign(folder, {"run", "c.xml", "-j", "1"});
   // the second run hangs
   REQUIRE(AwaitRuns(folder.Path("results.sqlite"), 1, first));
@@ -168,12 +182,9 @@ TEST_CASE("campaign: results of another campaign or program are refused, and lef
 
 TEST_CASE("campaign: a metric that no run records is a warning", "[campaign][program]") {
   const CTestFolder folder;
-  folder.Write("experiment.argos", MakeCampaignExperiment());
-  folder.Write("c.xml",
-               "<argos-campaign experiment='experiment.argos' results='results.sqlite'>\n"
-               "  <runs until='levle' width='1' min='5' max='12' />\n"
-               "  <collect><metric name='levle' /></collect>\n</argos-campaign>\n");
-  const SProgramRun run = folder.RunProgram("argos3-campaign", {"run", "c.xml"});
+  const SProgramRun run = RunCampaign(folder,
+                                      "<runs until='levle' width='1' min='5' max='12' />\n"
+                                      "<collect><metric name='levle' /></collect>");
   CHECK(run.Status == 0);
   CHECK_THAT(run.Err, Contains(" runs are done, and none has recorded \"levle\": "));
   const SProgramRun report = folder.RunProgram("argos3-campaign", {"report", "c.xml"});
@@ -183,12 +194,8 @@ TEST_CASE("campaign: a metric that no run records is a warning", "[campaign][pro
 
 TEST_CASE("campaign: a constant attribute that nothing reads is a warning", "[campaign][program]") {
   const CTestFolder folder;
-  folder.Write("experiment.argos", MakeCampaignExperiment());
-  folder.Write("c.xml",
-               "<argos-campaign experiment='experiment.argos' results='results.sqlite'>\n"
-               "  <set path='//experiment/@lenght' value='2' />\n  <runs seeds='3' />\n"
-               "</argos-campaign>\n");
-  const SProgramRun run = folder.RunProgram("argos3-campaign", {"run", "c.xml"});
+  const SProgramRun run =
+      RunCampaign(folder, "<set path='//experiment/@lenght' value='2' />\n<runs seeds='3' />");
   CHECK(run.Status == 0);
   const size_t place =
       run.Err.find("<experiment>: attribute \"lenght\" is not used by anything; did");
@@ -198,11 +205,6 @@ TEST_CASE("campaign: a constant attribute that nothing reads is a warning", "[ca
 }
 
 namespace {
-
-std::string MakeCampaignText(const std::string& contents) {
-  return "<argos-campaign experiment='experiment.argos' results='results.sqlite'>\n" + contents +
-         "\n</argos-campaign>\n";
-}
 
 void Insert(std::string& text, const std::string& before, const std::string& inserted) {
   const size_t place = text.find(before);
@@ -269,13 +271,11 @@ TEST_CASE("campaign: a <set> of the number of threads reaches the runs", "[campa
 
 TEST_CASE("campaign: a factor without effect is reported", "[campaign][program]") {
   const CTestFolder folder;
-  folder.Write("experiment.argos", MakeCampaignExperiment());
-  folder.Write("c.xml", MakeCampaignText(R"(<factors>
+  const SProgramRun run = RunCampaign(folder, R"(<factors>
     <factor name='place' path='//foot-bot[1]/body/@position' values='1,1,0; -1,-1,0' />
     <factor name='deed' path='//params/@what' values='none, nothing' />
     <factor name='gain' path='//loop_functions/@gain' values='1, 2, 3' />
-  </factors><runs seeds='2' />)"));
-  const SProgramRun run = folder.RunProgram("argos3-campaign", {"run", "c.xml"});
+  </factors><runs seeds='2' />)");
   CHECK(run.Status == 0);
   CHECK_THAT(run.Err,
              Contains("[WARNING] the levels none and nothing of the factor \"deed\" have equal "

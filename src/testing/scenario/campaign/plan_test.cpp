@@ -240,17 +240,25 @@ TEST_CASE("failed runs: the command is quoted for a shell", "[campaign][plan]") 
         "argos3 -zc 'my experiment.argos' --seed 9 --set '//c/@d=1, 2' --set //a/@b=0");
 }
 
+namespace {
+
+// 45 of 120 runs are finished, 25 of them now
+SCampaignProgress MakeProgress() {
+  return {.Combinations = 12,
+          .CompleteCombinations = 3,
+          .KnownRuns = 20,
+          .Runs = 25,
+          .FailedRuns = 2,
+          .OpenRuns = 75,
+          .WallSeconds = 2.0};
+}
+
+}  // namespace
+
 TEST_CASE("progress of a campaign: text", "[campaign][plan]") {
-  SCampaignProgress progress;
-  progress.Combinations = 12;
-  progress.OpenRuns = 120;
+  SCampaignProgress progress{.Combinations = 12, .OpenRuns = 120};
   CHECK(DescribeCampaignProgress(progress) == "0/120 runs (0 %), 0/12 combinations complete");
-  progress.CompleteCombinations = 3;
-  progress.KnownRuns = 20;
-  progress.Runs = 25;
-  progress.FailedRuns = 2;
-  progress.OpenRuns = 75;
-  progress.WallSeconds = 2.0;
+  progress = MakeProgress();
   CHECK(DescribeCampaignProgress(progress) ==
         "45/120 runs (37 %), 2 failed, 0:06 left, 3/12 combinations complete, 12.5 runs/s");
   // 75 runs are open, three times those that are finished
@@ -289,14 +297,7 @@ std::string ShowOnTerminal(unsigned short columns,
 
 TEST_CASE("progress of a campaign: the line in a terminal has a bar and no more columns than it",
           "[campaign][plan]") {
-  SCampaignProgress progress;
-  progress.Combinations = 12;
-  progress.CompleteCombinations = 3;
-  progress.KnownRuns = 20;
-  progress.Runs = 25;
-  progress.FailedRuns = 2;
-  progress.OpenRuns = 75;
-  progress.WallSeconds = 2.0;
+  const SCampaignProgress progress = MakeProgress();
   // 45 of 120 runs are 7.5 of 20 places
   const std::string line =
       "[#######.............] 45/120 runs (37 %), 2 failed, 0:06 left, "

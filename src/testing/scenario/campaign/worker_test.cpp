@@ -39,6 +39,41 @@ SRunSetup MakeSetup(const CTestFolder& folder, const std::string& what, EIsolati
   return setup;
 }
 
+// replaces the attributes of the loop functions
+void SetLoopFunctions(SRunSetup& setup, const std::string& attributes) {
+  const std::string gain = "gain=\"1\"";
+  setup.ExperimentText.replace(setup.ExperimentText.find(gain), gain.size(), attributes);
+}
+
+constexpr std::array kReductions = {
+    SCollectedMetric::EReduction::Last, SCollectedMetric::EReduction::Mean,
+    SCollectedMetric::EReduction::Sum, SCollectedMetric::EReduction::Min,
+    SCollectedMetric::EReduction::Max};
+
+void CollectReductions(SRunSetup& setup, const std::string& name) {
+  for (const auto reduction : kReductions) {
+    SCollectedMetric& metric = setup.Metrics.emplace_back();
+    metric.Name = name;
+    metric.Reduction = reduction;
+  }
+}
+
+SCollectedMetric& CollectSeries(SRunSetup& setup, const std::string& name) {
+  SCollectedMetric& series = setup.Metrics.emplace_back();
+  series.Name = name;
+  series.IsSeries = true;
+  return series;
+}
+
+// of a metric whose reductions were collected first
+void CheckReductions(const SRunResult& result,
+                     const std::array<Real, kReductions.size()>& expected) {
+  for (size_t i = 0; i < expected.size(); ++i) {
+    CAPTURE(i);
+    CHECK(result.Metrics.at(i).Value == expected[i]);
+  }
+}
+
 /*
  * What the driver of tests has redirected for its own purposes goes to the standard streams during
  * the lifetime of this object, and crashes have their default action, as in the program.
@@ -228,9 +263,7 @@ TEST_CASE("worker: helper threads and static objects see the run's simulator",
   const EIsolation isolation = GENERATE(EIsolation::OwnProcess, EIsolation::SharedProcess);
   const CTestFolder folder;
   SRunSetup setup = MakeSetup(folder, "", isolation);
-  const std::string gain = "gain=\"1\"";
-  setup.ExperimentText.replace(setup.ExperimentText.find(gain), gain.size(),
-                               "uses_threads=\"true\"");
+  SetLoopFunctions(setup, "uses_threads=\"true\"");
   for (const SRunResult& result : Execute(folder, setup, {1, 2})) {
     INFO(result.Log);
     REQUIRE(result.Status == ERunStatus::Done);
@@ -261,20 +294,11 @@ TEST_CASE("worker: output is read to its end, and dropped beyond its limit",
 }
 
 TEST_CASE("worker: reductions, series and columns of files", "[campaign][execution]") {
-  using enum SCollectedMetric::EReduction;
   const CTestFolder folder;
   SRunSetup setup = MakeSetup(folder, "", EIsolation::OwnProcess);
-  for (const auto reduction : {Last, Mean, Sum, Min, Max}) {
-    SCollectedMetric& metric = setup.Metrics.emplace_back();
-    metric.Name = "ticks";
-    metric.Reduction = reduction;
-  }
+  CollectReductions(setup, "ticks");
   // its number is that of the metric above
-  SCollectedMetric series;
-  series.Name = "ticks";
-  series.IsSeries = true;
-  series.Every = 4;
-  setup.Metrics.push_back(series);
+  CollectSeries(setup, "ticks").Every = 4;
   SCollectedMetric dispersion;
   dispersion.Name = "dispersion";
   dispersion.Source = SCollectedMetric::ESource::BuiltIn;
@@ -291,10 +315,7 @@ TEST_CASE("worker: reductions, series and columns of files", "[campaign][executi
   REQUIRE(result.Status == ERunStatus::Done);
   REQUIRE(result.Metrics.size() == 7);
   // of 1, 2, ..., 10
-  const std::vector<Real> expected = {10.0, 5.5, 55.0, 1.0, 10.0};
-  for (size_t i = 0; i < expected.size(); ++i) {
-    CHECK(result.Metrics[i].Value == expected[i]);
-  }
+  CheckReductions(result, {10.0, 5.5, 55.0, 1.0, 10.0});
   // each robot starts 1 m from the centroid, and moves at most 0.1 m
   CHECK_THAT(result.Metrics[5].Value, Catch::WithinAbs(1.0, 0.1));
   CHECK(result.Metrics[5].Unit == "m");
@@ -309,58 +330,36 @@ TEST_CASE("worker: reductions, series and columns of files", "[campaign][executi
 
 TEST_CASE("worker: results of PostExperiment() replace the values of the last tick",
           "[campaign][execution]") {
-  using enum SCollectedMetric::EReduction;
   const CTestFolder folder;
   SRunSetup setup = MakeSetup(folder, "", EIsolation::OwnProcess);
-  const std::string gain = "gain=\"1\"";
-  setup.ExperimentText.replace(setup.ExperimentText.find(gain), gain.size(), "result=\"1000\"");
-  for (const auto reduction : {Last, Mean, Sum, Min, Max}) {
-    SCollectedMetric& metric = setup.Metrics.emplace_back();
-    metric.Name = "ticks";
-    metric.Reduction = reduction;
-  }
-  SCollectedMetric& series = setup.Metrics.emplace_back();
-  series.Name = "ticks";
-  series.IsSeries = true;
+  SetLoopFunctions(setup, "result=\"1000\"");
+  CollectReductions(setup, "ticks");
+  CollectSeries(setup, "ticks");
   const SRunResult result = Execute(folder, setup, {1}).at(0);
   INFO(result.Log);
   REQUIRE(result.Status == ERunStatus::Done);
   // of 1, 2, ..., 9, and 1000 in place of 10
-  const std::vector<Real> expected = {1000.0, 104.5, 1045.0, 1.0, 1000.0};
-  for (size_t i = 0; i < expected.size(); ++i) {
-    CHECK(result.Metrics.at(i).Value == expected[i]);
-  }
+  CheckReductions(result, {1000.0, 104.5, 1045.0, 1.0, 1000.0});
   REQUIRE(result.Series.size() == 1);
   CHECK(result.Series[0].Values == std::vector<Real>{1, 2, 3, 4, 5, 6, 7, 8, 9, 1000});
 }
 
 TEST_CASE("worker: reductions are those of the values at the ends of all ticks",
           "[campaign][execution]") {
-  using enum SCollectedMetric::EReduction;
   const CTestFolder folder;
   SRunSetup setup = MakeSetup(folder, "", EIsolation::OwnProcess);
   // recorded in ticks 4 and 8 of 10, with their numbers: no value in ticks 1 to 3, which do not
   // count, 4 at the ends of ticks 4 to 7, 8 at those of 8 to 10
-  const std::string gain = "gain=\"1\"";
-  setup.ExperimentText.replace(setup.ExperimentText.find(gain), gain.size(), "event_every=\"4\"");
-  for (const auto reduction : {Last, Mean, Sum, Min, Max}) {
-    SCollectedMetric& metric = setup.Metrics.emplace_back();
-    metric.Name = "event";
-    metric.Reduction = reduction;
-  }
-  SCollectedMetric& series = setup.Metrics.emplace_back();
-  series.Name = "event";
-  series.IsSeries = true;
+  SetLoopFunctions(setup, "event_every=\"4\"");
+  CollectReductions(setup, "event");
+  CollectSeries(setup, "event");
   SCollectedMetric& absent = setup.Metrics.emplace_back();
   absent.Name = "absent";
-  absent.Reduction = Sum;
+  absent.Reduction = SCollectedMetric::EReduction::Sum;
   const SRunResult result = Execute(folder, setup, {1}).at(0);
   INFO(result.Log);
   REQUIRE(result.Status == ERunStatus::Done);
-  const std::vector<Real> expected = {8.0, 40.0 / 7.0, 40.0, 4.0, 8.0};
-  for (size_t i = 0; i < expected.size(); ++i) {
-    CHECK(result.Metrics.at(i).Value == expected[i]);
-  }
+  CheckReductions(result, {8.0, 40.0 / 7.0, 40.0, 4.0, 8.0});
   // a series has all ticks, from the first
   REQUIRE(result.Series.size() == 1);
   CHECK(result.Series[0].Ticks == std::vector<UInt32>{1, 2, 3, 4, 5, 6, 7, 8, 9, 10});
