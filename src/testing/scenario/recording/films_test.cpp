@@ -80,10 +80,26 @@ double MeanDifference(const std::string& first, const std::string& second) {
   return sum / static_cast<double>(first.size());
 }
 
-SCircumstances WithFfmpeg(const std::string& program) {
+SCircumstances WithFfmpeg(const std::string& program, const std::vector<std::string>& more = {}) {
   SCircumstances circumstances;
   circumstances.Environment = {"ARGOS_FFMPEG=" + program};
+  circumstances.Environment.insert(circumstances.Environment.end(), more.begin(), more.end());
   return circumstances;
+}
+
+// a script in place of ffmpeg; @return its path
+std::string WriteFfmpeg(const CTestFolder& folder, const std::string& commands) {
+  const std::string path = folder.Write("ffmpeg", "#!/bin/sh\n" + commands + "\n");
+  std::filesystem::permissions(path, std::filesystem::perms::owner_all);
+  return path;
+}
+
+// such a script on a disk with a fault. @param fault  NAME=FILE, for the library of failing writes
+SCircumstances WithFaultyDisk(const CTestFolder& folder, const std::string& commands,
+                              const std::string& fault) {
+  return WithFfmpeg(
+      WriteFfmpeg(folder, commands),
+      {fault, "LD_PRELOAD=" + InBuildTree("testing/faults/libargos3_test_failing_writes.so")});
 }
 
 std::vector<std::string> ListParts(const CTestFolder& folder) {
@@ -216,14 +232,10 @@ TEST_CASE("films: a full disk ends the run at its second picture, whatever the e
           "[scenario][recording][films]") {
   const CTestFolder folder;
   // like ffmpeg, which writes nothing while its buffers have room
-  const std::string ffmpeg = folder.Write("ffmpeg", "#!/bin/sh\ncat > /dev/null\nsleep 100\n");
-  std::filesystem::permissions(ffmpeg, std::filesystem::perms::owner_all);
-  SCircumstances circumstances;
-  circumstances.Environment = {
-      "ARGOS_FFMPEG=" + ffmpeg, "ARGOS_TEST_FULL_DISK=a.mp4",
-      "LD_PRELOAD=" + InBuildTree("testing/faults/libargos3_test_failing_writes.so")};
+  const SCircumstances fullDisk =
+      WithFaultyDisk(folder, "cat > /dev/null\nsleep 100", "ARGOS_TEST_FULL_DISK=a.mp4");
   const SProgramRun run =
-      RunProgramUnder(folder, Flocking({"--video", "a.mp4", "--csv", "tables"}), circumstances);
+      RunProgramUnder(folder, Flocking({"--video", "a.mp4", "--csv", "tables"}), fullDisk);
   CHECK(run.Status == 1);
   CHECK_THAT(run.Err,
              Contains("The film \"a.mp4\" cannot be written: no space is left on its disk"));
@@ -237,13 +249,9 @@ TEST_CASE("films: a full disk ends the run at its second picture, whatever the e
 TEST_CASE("films: a file system that does not say how large it is, is not full",
           "[scenario][recording][films]") {
   const CTestFolder folder;
-  const std::string ffmpeg = folder.Write("ffmpeg", "#!/bin/sh\ncat > /dev/null\n");
-  std::filesystem::permissions(ffmpeg, std::filesystem::perms::owner_all);
-  SCircumstances circumstances;
-  circumstances.Environment = {
-      "ARGOS_FFMPEG=" + ffmpeg, "ARGOS_TEST_NO_SIZES=a.mp4",
-      "LD_PRELOAD=" + InBuildTree("testing/faults/libargos3_test_failing_writes.so")};
-  const SProgramRun run = RunProgramUnder(folder, Flocking({"--video", "a.mp4"}), circumstances);
+  const SProgramRun run =
+      RunProgramUnder(folder, Flocking({"--video", "a.mp4"}),
+                      WithFaultyDisk(folder, "cat > /dev/null", "ARGOS_TEST_NO_SIZES=a.mp4"));
   CHECK(run.Err == "");
   CHECK(run.Status == 0);
   CHECK(std::filesystem::exists(folder.Path("a.mp4")));
@@ -252,11 +260,9 @@ TEST_CASE("films: a file system that does not say how large it is, is not full",
 TEST_CASE("films: an encoder that does nothing is killed, and is an error",
           "[scenario][recording][films]") {
   const CTestFolder folder;
-  const std::string ffmpeg = folder.Write("ffmpeg", "#!/bin/sh\nsleep 100\n");
-  std::filesystem::permissions(ffmpeg, std::filesystem::perms::owner_all);
-  SCircumstances circumstances;
-  circumstances.Environment = {"ARGOS_FFMPEG=" + ffmpeg, "ARGOS_OUTPUT_TIMEOUT=0.5"};
-  const SProgramRun run = RunProgramUnder(folder, Flocking({"--video", "a.mp4"}), circumstances);
+  const SProgramRun run =
+      RunProgramUnder(folder, Flocking({"--video", "a.mp4"}),
+                      WithFfmpeg(WriteFfmpeg(folder, "sleep 100"), {"ARGOS_OUTPUT_TIMEOUT=0.5"}));
   CHECK(run.Status == 1);
   CHECK_THAT(run.Err, Contains("The film \"a.mp4\" cannot be written") &&
                           Contains("no sign of life for 0.5 s (ARGOS_OUTPUT_TIMEOUT)"));
