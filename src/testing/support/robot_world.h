@@ -72,6 +72,12 @@ class CRobotWorldController : public CCI_Controller {
 
 /** XML of a robot of type @p tag with the controller "c". @param pose attributes of `<body>`. */
 std::string Robot(const std::string& tag, const std::string& id, const std::string& pose);
+/** XML attributes that are refused, and a part of the error. */
+struct SInvalidAttributes {
+  const char* Attributes;
+  const char* Reason;
+};
+
 /** The error on loading an experiment; empty if it loads. */
 std::string LoadError(const SRobotExperiment& experiment);
 

@@ -180,15 +180,13 @@ TEST_CASE("pan tilt camera: noise is drawn each time that an angle is set",
 
 TEST_CASE("pan tilt camera: invalid orders and experiments are refused with the reason",
           "[contract][cameras][errors]") {
-  struct SCase {
-    const char* Attributes;
-    const char* Reason;
-  };
-  const SCase c =
-      GENERATE(SCase{"pan_range=\"10:20\"", "contains 0, got 10:20"},
-               SCase{"tilt_range=\"-20:-10\"", "contains 0, got -20:-10"},
-               SCase{"pan_range=\"-181:0\"", "-180:180"}, SCase{"tilt_range=\"-5:91\"", "-90:90"},
-               SCase{"max_speed=\"0\"", "max_speed"}, SCase{"max_speed=\"-3\"", "> 0"});
+  const SInvalidAttributes c =
+      GENERATE(SInvalidAttributes{"pan_range=\"10:20\"", "contains 0, got 10:20"},
+               SInvalidAttributes{"tilt_range=\"-20:-10\"", "contains 0, got -20:-10"},
+               SInvalidAttributes{"pan_range=\"-181:0\"", "-180:180"},
+               SInvalidAttributes{"tilt_range=\"-5:91\"", "-90:90"},
+               SInvalidAttributes{"max_speed=\"0\"", "max_speed"},
+               SInvalidAttributes{"max_speed=\"-3\"", "> 0"});
   CAPTURE(c.Attributes);
   CHECK_THAT(LoadError(WithHead("", c.Attributes)),
              Contains(c.Reason) && Contains("test.argos:") && Contains("<pan_tilt_camera>"));

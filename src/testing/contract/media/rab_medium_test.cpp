@@ -287,14 +287,11 @@ TEST_CASE("rab medium: after a reset nothing is received until the next tick",
 
 TEST_CASE("rab medium: invalid attributes are refused with the reason",
           "[contract][media][errors]") {
-  struct SCase {
-    const char* Attributes;
-    const char* Reason;
-  };
-  const SCase c =
-      GENERATE(SCase{"index=\"tree\"", "\"grid\", \"hash\" or \"dummy\""},
-               SCase{"grid_size=\"1,2\"", "grid_size"}, SCase{"grid_size=\"0,2,1\"", "at least 1"},
-               SCase{"check_occlusions=\"maybe\"", "check_occlusions"});
+  const SInvalidAttributes c =
+      GENERATE(SInvalidAttributes{"index=\"tree\"", "\"grid\", \"hash\" or \"dummy\""},
+               SInvalidAttributes{"grid_size=\"1,2\"", "grid_size"},
+               SInvalidAttributes{"grid_size=\"0,2,1\"", "at least 1"},
+               SInvalidAttributes{"check_occlusions=\"maybe\"", "check_occlusions"});
   CHECK_THAT(LoadError(WithRAB("", c.Attributes)),
              Contains(c.Reason) && Contains("test.argos:") && Contains("range_and_bearing"));
 }

@@ -450,15 +450,14 @@ TEST_CASE("rfid: a tick in steady state allocates nothing", "[contract][media][a
 TEST_CASE("rfid: invalid experiments are refused with the reason", "[contract][media][errors]") {
   const std::string robot = Robot("e-puck", "r", "position=\"0,0,0\"");
   SECTION("invalid tags") {
-    struct SCase {
-      const char* Attributes;
-      const char* Reason;
-    };
-    const SCase c =
-        GENERATE(SCase{"memory=\"2\" data=\"1,2,3\"", "3 bytes, which exceed the memory of 2"},
-                 SCase{"data=\"1,256\"", "from 0 to 255"}, SCase{"data=\"1,-1\"", "from 0 to 255"},
-                 SCase{"data=\"1,\"", "from 0 to 255"}, SCase{"data=\"a\"", "from 0 to 255"},
-                 SCase{"memory=\"-1\"", "memory"}, SCase{"memory=\"2000000\"", "at most 1048576"});
+    const SInvalidAttributes c = GENERATE(
+        SInvalidAttributes{"memory=\"2\" data=\"1,2,3\"", "3 bytes, which exceed the memory of 2"},
+        SInvalidAttributes{"data=\"1,256\"", "from 0 to 255"},
+        SInvalidAttributes{"data=\"1,-1\"", "from 0 to 255"},
+        SInvalidAttributes{"data=\"1,\"", "from 0 to 255"},
+        SInvalidAttributes{"data=\"a\"", "from 0 to 255"},
+        SInvalidAttributes{"memory=\"-1\"", "memory"},
+        SInvalidAttributes{"memory=\"2000000\"", "at most 1048576"});
     CAPTURE(c.Attributes);
     CHECK_THAT(LoadError(WithRFID(robot + Tag("t", CVector3(), c.Attributes))),
                Contains(c.Reason) && Contains("test.argos:"));

@@ -279,19 +279,16 @@ TEST_CASE("robots: the appearance shows the body and its front", "[contract][rob
 
 TEST_CASE("robots: invalid experiments are refused with place and reason",
           "[contract][robots][errors]") {
-  struct SCase {
-    const char* Attributes;
-    const char* Reason;
-  };
   SRobotExperiment experiment;
   SECTION("invalid attributes of the foot-bot") {
-    const SCase c = GENERATE(
-        SCase{"rab_range=\"-1\"", "rab_range"}, SCase{"rab_data_size=\"-1\"", "rab_data_size"},
-        SCase{"omnidirectional_camera_aperture=\"90\"", "90 degrees"},
-        SCase{"perspective_camera_aperture=\"0\"", "perspective_camera_aperture"},
-        SCase{"perspective_camera_focal_length=\"0\"", "focal_length"},
-        SCase{"perspective_camera_range=\"-2\"", "perspective_camera_range"},
-        SCase{"perspective_camera_front=\"yes\"", "perspective_camera_front"});
+    const SInvalidAttributes c = GENERATE(
+        SInvalidAttributes{"rab_range=\"-1\"", "rab_range"},
+        SInvalidAttributes{"rab_data_size=\"-1\"", "rab_data_size"},
+        SInvalidAttributes{"omnidirectional_camera_aperture=\"90\"", "90 degrees"},
+        SInvalidAttributes{"perspective_camera_aperture=\"0\"", "perspective_camera_aperture"},
+        SInvalidAttributes{"perspective_camera_focal_length=\"0\"", "focal_length"},
+        SInvalidAttributes{"perspective_camera_range=\"-2\"", "perspective_camera_range"},
+        SInvalidAttributes{"perspective_camera_front=\"yes\"", "perspective_camera_front"});
     CAPTURE(c.Attributes);
     experiment.Arena = std::string("<foot-bot id=\"r\" ") + c.Attributes +
                        "><body position=\"0,0,0\"/><controller config=\"c\"/></foot-bot>";

@@ -369,15 +369,12 @@ TEST_CASE("range and bearing: invalid orders and experiments are refused with th
     CHECK_THROWS_WITH(Actuator(world, "a").SetData(3, 1), Contains("no byte 3"));
   }
   SECTION("invalid attributes") {
-    struct SCase {
-      const char* Attribute;
-      const char* Reason;
-    };
-    const SCase c = GENERATE(SCase{"noise_std_dev=\"-1\"", ">= 0, got -1"},
-                             SCase{"packet_drop_prob=\"1.5\"", "[0,1], got 1.5"},
-                             SCase{"packet_drop_prob=\"x\"", "packet_drop_prob"},
-                             SCase{"show_rays=\"x\"", "show_rays"});
-    CHECK_THAT(LoadError(WithRAB(Pair(), c.Attribute)),
+    const SInvalidAttributes c =
+        GENERATE(SInvalidAttributes{"noise_std_dev=\"-1\"", ">= 0, got -1"},
+                 SInvalidAttributes{"packet_drop_prob=\"1.5\"", "[0,1], got 1.5"},
+                 SInvalidAttributes{"packet_drop_prob=\"x\"", "packet_drop_prob"},
+                 SInvalidAttributes{"show_rays=\"x\"", "show_rays"});
+    CHECK_THAT(LoadError(WithRAB(Pair(), c.Attributes)),
                Contains(c.Reason) && Contains("test.argos:"));
   }
   SECTION("noise on an unknown quantity") {
