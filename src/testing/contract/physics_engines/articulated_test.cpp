@@ -63,12 +63,18 @@ class CJointWorld : public CRigidScene {
   }
 };
 
+// a rod on a fixed base. @param joint, onBase, onRod  attributes
+std::string FixedArm(const std::string& position, const std::string& joint,
+                     const std::string& onBase, const std::string& onRod) {
+  return Prototype("movable='false'", position, kBase + kRod,
+                   Joint(joint, "link='base' " + onBase, "link='rod' " + onRod));
+}
+
 // a rod that hangs from a fixed base, 0.1 rad from the vertical
 std::string Pendulum(const std::string& type, Real angle = 0.1) {
   std::ostringstream child;
-  child << "link='rod' position='0,0,0.5' orientation='0," << -angle * 180.0 / ARGOS_PI << ",0'";
-  return Prototype("movable='false'", "0,0,2", kBase + kRod,
-                   Joint("id='j' type='" + type + "' axis='0,1,0'", "link='base'", child.str()));
+  child << "position='0,0,0.5' orientation='0," << -angle * 180.0 / ARGOS_PI << ",0'";
+  return FixedArm("0,0,2", "id='j' type='" + type + "' axis='0,1,0'", "", child.str());
 }
 
 }  // namespace
@@ -99,9 +105,8 @@ TEST_CASE("joints: a rod on a hinge swings with the period of a physical pendulu
 TEST_CASE("joints: a slider falls freely along its axis as far as its limit",
           "[contract][engine][rigid][joints]") {
   CJointWorld world(RigidEngine("", "<gravity g='9.81'/>"),
-                    Prototype("movable='false'", "0,0,2", kBase + kRod,
-                              Joint("id='j' type='prismatic' axis='0,0,1' limit='-0.4:0.1'",
-                                    "link='base'", "link='rod' position='0,0,0.5'")));
+                    FixedArm("0,0,2", "id='j' type='prismatic' axis='0,0,1' limit='-0.4:0.1'", "",
+                             "position='0,0,0.5'"));
   world.Step(2);
   const Real fallen = 0.5 * kGravity * 0.2 * 0.2;
   // the integrator differs by g h t / 2, or less in shorter substeps
@@ -280,10 +285,9 @@ TEST_CASE("joints: forces between links leave the momentum of a free body alone"
 
 TEST_CASE("joints: rays, overlaps and bounds see links where they are now",
           "[contract][engine][rigid][joints]") {
-  CJointWorld world(RigidEngine("", "<gravity g='0'/>"),
-                    Prototype("movable='false'", "0,0,1", kBase + kRod,
-                              Joint("id='j' type='revolute' axis='0,1,0'",
-                                    "link='base' position='0,0,0.2'", "link='rod'")));
+  CJointWorld world(
+      RigidEngine("", "<gravity g='0'/>"),
+      FixedArm("0,0,1", "id='j' type='revolute' axis='0,1,0'", "position='0,0,0.2'", ""));
   const auto hit = [&world](const CVector3& from, const CVector3& to) {
     SEmbodiedEntityIntersectionItem item;
     return world.GetSpace().GetBodyIndex().FindClosestHit(item, CRay3(from, to)) ? item.TOnRay
@@ -393,10 +397,9 @@ TEST_CASE("joints: engines that cannot move joints refuse with a message",
 
 TEST_CASE("joints: what a motor cannot do is an error, and changes nothing",
           "[contract][engine][joints]") {
-  CJointWorld world(RigidEngine("", "<gravity g='0'/>"),
-                    Prototype("movable='false'", "0,0,0", kBase + kRod,
-                              Joint("id='j' type='revolute' axis='0,1,0'", "link='base'",
-                                    "link='rod' position='0,0,0.3'")));
+  CJointWorld world(
+      RigidEngine("", "<gravity g='0'/>"),
+      FixedArm("0,0,0", "id='j' type='revolute' axis='0,1,0'", "", "position='0,0,0.3'"));
   CJointEquippedEntity& joints = world.Joints();
   const CJointEquippedEntity::SCommand turn{EMode::Velocity, 1.0, 2.0};
   joints.SetCommand(0, turn);
@@ -419,9 +422,7 @@ TEST_CASE("joints: what a motor cannot do is an error, and changes nothing",
 
 TEST_CASE("joints: a ball joint has neither a motor nor an encoder", "[contract][engine][joints]") {
   CJointWorld world(RigidEngine("", "<gravity g='0'/>"),
-                    Prototype("movable='false'", "0,0,0", kBase + kRod,
-                              Joint("id='ball' type='spherical'", "link='base'",
-                                    "link='rod' position='0,0,0.3'")));
+                    FixedArm("0,0,0", "id='ball' type='spherical'", "", "position='0,0,0.3'"));
   CHECK_THROWS_WITH(world.Joints().FindJoint("ball"),
                     Contains("joint \"ball\" of \"p\" is spherical"));
   // it is not proposed, either

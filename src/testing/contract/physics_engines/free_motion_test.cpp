@@ -119,9 +119,7 @@ TEST_CASE("free motion: a robot turning in place keeps its position and an exact
 TEST_CASE("free motion: an object without contacts does not move", "[contract][engine]") {
   const SEngineType engine = GENERATE(from_range(kEnginesWithWheels));
   CAPTURE(engine);
-  CDriveWorld world(engine.ToXml(),
-                    "<box id='b' size='0.2,0.3,0.1' movable='true' mass='1'><body "
-                    "position='1,2,0' orientation='30,0,0'/></box>");
+  CDriveWorld world(engine.ToXml(), BoxXml("b", 1, 2, 30, "0.2,0.3,0.1"));
   const CQuaternion orientation = world.Body("b").GetOriginAnchor().Orientation;
   world.Step(20);
   CHECK(Distance(world.Position("b"), CVector3(1, 2, 0)) <= engine.Slack);

@@ -52,10 +52,8 @@ TEST_CASE(
   const Real speed = GENERATE(-0.05, 0.05);  // m/s
   const UInt32 ticksPerSecond = GENERATE(10U, 100U);
   CAPTURE(mass, speed, ticksPerSecond);
-  CGripWorld::SOptions options;
-  options.TicksPerSecond = ticksPerSecond;
   CGripWorld world(GripperXml("r", 0, 0, 0, "lock='true'") + LoadXml("box", kAhead, 0, mass),
-                   options);
+                   {.TicksPerSecond = ticksPerSecond});
   const CGripGauge gauge = CGripGauge::Grip(world, "r", "box");
   CHECK_THAT(gauge.Stretch(), WithinAbs(0.0, 1e-6));
   world.Drive("r", 100.0 * speed, 100.0 * speed);
@@ -75,10 +73,9 @@ TEST_CASE(
 TEST_CASE("grip: softer grips stretch more", "[contract][engine][grip]") {
   const Real rigidity = GENERATE(200.0, 1000.0);  // N/m
   CAPTURE(rigidity);
-  CGripWorld::SOptions options;
-  options.Engine = "<dynamics2d id='e' gripping_rigidity='" + std::to_string(rigidity) + "'/>";
-  CGripWorld world(GripperXml("r", 0, 0, 0, "lock='true'") + LoadXml("box", kAhead, 0, 1.0),
-                   options);
+  CGripWorld world(
+      GripperXml("r", 0, 0, 0, "lock='true'") + LoadXml("box", kAhead, 0, 1.0),
+      {.Engine = "<dynamics2d id='e' gripping_rigidity='" + std::to_string(rigidity) + "'/>"});
   const CGripGauge gauge = CGripGauge::Grip(world, "r", "box");
   world.Drive("r", -5, -5);
   world.Step(100);
@@ -86,10 +83,8 @@ TEST_CASE("grip: softer grips stretch more", "[contract][engine][grip]") {
 }
 
 TEST_CASE("grip: without stiffness nothing is held", "[contract][engine][grip]") {
-  CGripWorld::SOptions options;
-  options.Engine = "<dynamics2d id='e' gripping_rigidity='0'/>";
   CGripWorld world(GripperXml("r", 0, 0, 0, "lock='true'") + LoadXml("box", kAhead, 0, 1.0),
-                   options);
+                   {.Engine = "<dynamics2d id='e' gripping_rigidity='0'/>"});
   world.Drive("r", -5, -5);
   world.Step(20);
   CHECK(world.HeldBy("r").empty());
@@ -124,10 +119,8 @@ TEST_CASE("grip: unlocking releases the load at once, and friction stops it",
 
 TEST_CASE("grip: a load without friction keeps its momentum when it is released",
           "[contract][engine][grip]") {
-  CGripWorld::SOptions options;
-  options.Engine = kSlippery;
   CGripWorld world(GripperXml("r", 0, 0, 0, "lock='true'") + RollXml("roll", kAhead, 0, 2.0),
-                   options);
+                   {.Engine = kSlippery});
   world.Drive("r", 10, 10);
   world.Step(40);
   REQUIRE(world.HeldBy("r") == "roll");

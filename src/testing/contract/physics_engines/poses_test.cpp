@@ -127,9 +127,7 @@ TEST_CASE("poses: enabled anchors and the bounding box move with an object that 
 TEST_CASE("poses: the bounding box contains solids away from the origin", "[contract][engine]") {
   const SEngineType engine = GENERATE(from_range(kEnginesWithWheels));
   CAPTURE(engine);
-  CDriveWorld world(engine.ToXml(),
-                    "<box id='a' size='0.2,0.1,0.1' movable='true' mass='1'>"
-                    "<body position='1,2,0' orientation='30,0,0'/></box>");
+  CDriveWorld world(engine.ToXml(), BoxXml("a", 1, 2, 30, "0.2,0.1,0.1"));
   CEmbodiedEntity& body = world.Body("a");
   auto description = std::make_shared<SBodyDescription>(*body.GetBodyDescription());
   description->Shapes = {SShapeDescription::Box(CVector3(0.2, 0.1, 0.1), CVector3(0.3, 0.1, 0)),

@@ -90,9 +90,7 @@ TEST_CASE("turret: position control follows its law in the shorter direction",
   const Real target = GENERATE(0.5, 3.0, -2.0);
   const UInt32 ticksPerSecond = GENERATE(10U, 100U);
   CAPTURE(target, ticksPerSecond);
-  CGripWorld::SOptions options;
-  options.TicksPerSecond = ticksPerSecond;
-  CGripWorld world(GripperXml("r", 0, 0, 0, ""), options);
+  CGripWorld world(GripperXml("r", 0, 0, 0, ""), {.TicksPerSecond = ticksPerSecond});
   world.Driver("r").Mode = TMode::MODE_POSITION_CONTROL;
   world.Driver("r").TurretRotation = CRadians(target);
   world.Step();
@@ -152,12 +150,10 @@ TEST_CASE("turret: it swings a load on a circle around the robot", "[contract][e
   const SInt32 rpm = GENERATE(-2, 1, 3);
   const Real mass = GENERATE(0.1, 2.0);
   CAPTURE(rpm, mass);
-  CGripWorld::SOptions options;
-  options.Engine = kSwivel;
   // the load touches the robot where it is gripped, so its centre stays on the line to that point
   constexpr Real kDistance = kRadius + kRoll;
   CGripWorld world(GripperXml("r", 0, 0, 0, "lock='true'") + RollXml("roll", kDistance, 0, mass),
-                   options);
+                   {.Engine = kSwivel});
   const CGripGauge gauge = CGripGauge::Grip(world, "r", "roll");
   world.Driver("r").Mode = TMode::MODE_SPEED_CONTROL;
   world.Driver("r").TurretSpeed = rpm;
@@ -187,10 +183,8 @@ TEST_CASE("turret: it swings a load on a circle around the robot", "[contract][e
 
 TEST_CASE("turret: position control with a load follows the same law",
           "[contract][engine][turret]") {
-  CGripWorld::SOptions options;
-  options.Engine = kSwivel;
   CGripWorld world(GripperXml("r", 0, 0, 0, "lock='true'") + RollXml("roll", kAhead, 0, 0.5),
-                   options);
+                   {.Engine = kSwivel});
   world.Step(2);
   REQUIRE(world.HeldBy("r") == "roll");
   world.Driver("r").Mode = TMode::MODE_POSITION_CONTROL;
