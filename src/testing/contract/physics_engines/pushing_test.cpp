@@ -47,6 +47,18 @@ Real ImpactError(UInt32 iterations) {
 
 const std::vector<SEngineType> kEnginesThatPush{kDynamics2D, kKinematics2D};
 
+constexpr Real kArmOfCouple = 0.4;  // m, from the middle of the bar
+
+// a bar "b", which two foot-bots on opposite sides turn
+CPushScene MakeCouple(bool isMirrored) {
+  const Real beside = 0.05 + 0.005 + kFootBot.Radius;
+  CPushScene scene(0.0, isMirrored);
+  scene.AddBox("b", 0.0, 0.0, 1.0, 0.1, 1.0);
+  scene.AddRobot(kFootBot, "r0", kArmOfCouple, -beside, 90.0);
+  scene.AddRobot(kFootBot, "r1", -kArmOfCouple, beside, -90.0);
+  return scene;
+}
+
 }  // namespace
 
 TEST_CASE("pushing: near the limit of one drive, the way of an object is the closed form",
@@ -168,12 +180,7 @@ TEST_CASE("pushing: couples turn nothing that friction holds", "[contract][engin
   const bool isMirrored = GENERATE(false, true);
   const Real torque = GENERATE(15.0, 1e6);  // N m; the couple is 12 N m
   CAPTURE(engine, iterations, isMirrored, torque);
-  constexpr Real kArm = 0.4;
-  const Real beside = 0.05 + 0.005 + kFootBot.Radius;
-  CPushScene scene(0.0, isMirrored);
-  scene.AddBox("b", 0.0, 0.0, 1.0, 0.1, 1.0);
-  scene.AddRobot(kFootBot, "r0", kArm, -beside, 90.0);
-  scene.AddRobot(kFootBot, "r1", -kArm, beside, -90.0);
+  const CPushScene scene = MakeCouple(isMirrored);
   CDriveWorld world(MakePushEngine(engine, iterations, {1.49, torque}), scene.GetArena());
   world.Step(60);
   // the robots' momentum at the impact turns it a little
@@ -187,17 +194,12 @@ TEST_CASE("pushing: a couple turns what friction does not hold, at the speed of 
   const UInt32 iterations = GENERATE(0, 1, 5);
   const bool isMirrored = GENERATE(false, true);
   CAPTURE(engine, iterations, isMirrored);
-  constexpr Real kArm = 0.4;
-  const Real beside = 0.05 + 0.005 + kFootBot.Radius;
-  CPushScene scene(0.0, isMirrored);
-  scene.AddBox("b", 0.0, 0.0, 1.0, 0.1, 1.0);
-  scene.AddRobot(kFootBot, "r0", kArm, -beside, 90.0);
-  scene.AddRobot(kFootBot, "r1", -kArm, beside, -90.0);
+  const CPushScene scene = MakeCouple(isMirrored);
   CDriveWorld world(MakePushEngine(engine, iterations, {1.49, 1.49}), scene.GetArena());
   world.Step(10);
   // the robots, which start beside the bar, have rolled on by 95 mm beside its middle
   const Real turn = (isMirrored ? -1.0 : 1.0) * scene.TurnOf(world, "b");
-  CHECK_THAT(turn, WithinAbs(std::atan(0.095 / kArm), 0.02));
+  CHECK_THAT(turn, WithinAbs(std::atan(0.095 / kArmOfCouple), 0.02));
   CHECK_THAT(scene.PlaceOf(world, "b").Length(), WithinAbs(0.0, 1e-3));
 }
 

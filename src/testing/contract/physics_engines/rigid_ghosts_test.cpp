@@ -46,6 +46,12 @@ SSides AnySides() {
                   SSides{kDynamics3D, kDynamics2D});
 }
 
+// "a" and "b" on the x axis, m; "a" drives at a speed, cm/s, "b" stands still
+std::string FootBotsXml(Real a, Real b, Real speed = 0.0) {
+  return DriverXml("foot-bot", "a", a, 0, 0, speed, speed) +
+         DriverXml("foot-bot", "b", b, 0, 0, 0, 0);
+}
+
 }  // namespace
 
 TEST_CASE("rigid ghosts: robots that drive head-on at a border do not overlap",
@@ -74,8 +80,7 @@ TEST_CASE("rigid ghosts: a robot that presses against a resting one does not mov
           "[contract][engine][rigid][partition]") {
   const SSides sides = AnySides();
   CAPTURE(sides.West, sides.East);
-  CRigidScene world(sides.ToXml(), DriverXml("foot-bot", "a", -0.5, 0, 0, 10, 10) +
-                                       DriverXml("foot-bot", "b", 0.07, 0, 0, 0, 0));
+  CRigidScene world(sides.ToXml(), FootBotsXml(-0.5, 0.07, 10));
   const CVector3 start = world.Position("b");
   for (int tick = 0; tick < 100; ++tick) {
     world.Step();
@@ -89,8 +94,7 @@ TEST_CASE("rigid ghosts: robots placed inside each other are separated, asleep o
           "[contract][engine][rigid][partition]") {
   const SSides sides = AnySides();
   CAPTURE(sides.West, sides.East);
-  CRigidScene world(sides.ToXml(), DriverXml("foot-bot", "a", -0.08, 0, 0, 0, 0) +
-                                       DriverXml("foot-bot", "b", 0.5, 0, 0, 0, 0));
+  CRigidScene world(sides.ToXml(), FootBotsXml(-0.08, 0.5));
   // long enough for bodies to fall asleep
   world.Step(20);
   // 1 cm deep; a moved body wakes up, but the move does not wake bodies of the other engine
@@ -107,9 +111,7 @@ TEST_CASE("rigid ghosts: a sleeping robot wakes up when a robot is placed in it"
   // robots that ODE moves fall asleep; those that roll freely are checked in every tick
   const SSides sides = GENERATE(SSides{kDynamics3D, kDynamics3D}, SSides{kDynamics3D, kDynamics2D});
   CAPTURE(sides.East);
-  CRigidScene world(
-      sides.ToXml("free_robots='false'"),
-      DriverXml("foot-bot", "a", -0.08, 0, 0, 0, 0) + DriverXml("foot-bot", "b", 0.5, 0, 0, 0, 0));
+  CRigidScene world(sides.ToXml("free_robots='false'"), FootBotsXml(-0.08, 0.5));
   world.Step(40);
   world.Body("b").MoveTo(CVector3(0.08, 0, 0), CQuaternion(), false, true);
   world.Step(20);
