@@ -33,6 +33,15 @@ std::vector<const CPhysicsEngine*> ListEngines(CTestWorld& world) {
   return engines;
 }
 
+// noisy robots that push objects, with and without threads in each of two types of engines
+SExperiment AnySwarm(UInt32 enginesPerSide) {
+  const UInt32 threads = GENERATE(0U, 2U);
+  const std::string engine = GENERATE("dynamics2d", "kinematics2d");
+  SExperiment experiment = Swarm(200, enginesPerSide, false, engine);
+  experiment.Threads = threads;
+  return experiment;
+}
+
 }  // namespace
 
 TEST_CASE("no allocation: a tick of the benchmark in steady state allocates nothing",
@@ -54,23 +63,17 @@ TEST_CASE("no allocation: a tick of the benchmark in steady state allocates noth
 
 TEST_CASE("no allocation: a tick of noisy robots that push objects allocates nothing",
           "[determinism][allocation]") {
-  const UInt32 threads = GENERATE(0U, 2U);
-  const std::string engine = GENERATE("dynamics2d", "kinematics2d");
-  CAPTURE(threads, engine);
-  SExperiment experiment = Swarm(200, 1, false, engine);
-  experiment.Threads = threads;
+  const SExperiment experiment = AnySwarm(1);
+  CAPTURE(experiment.Threads, experiment.Engines);
   CTestWorld world(experiment);
   CheckSettledTicks(world, 500, kCountedTicks);
 }
 
 TEST_CASE("no allocation: ticks with robots that cross between engines allocate nothing",
           "[determinism][allocation]") {
-  const UInt32 threads = GENERATE(0U, 2U);
-  const std::string engine = GENERATE("dynamics2d", "kinematics2d");
-  CAPTURE(threads, engine);
   // dense enough for contacts, so that robots with and without them cross borders, and crates too
-  SExperiment experiment = Swarm(200, 2, false, engine);
-  experiment.Threads = threads;
+  const SExperiment experiment = AnySwarm(2);
+  CAPTURE(experiment.Threads, experiment.Engines);
   CTestWorld world(experiment);
   world.Step(FewerIfSanitized(500));
   size_t crossings = 0;

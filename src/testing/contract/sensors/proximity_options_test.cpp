@@ -36,6 +36,13 @@ std::vector<Real> DrawReadings(CRobotWorld& world, const std::string& robot, int
   return readings;
 }
 
+SRobotExperiment WithSensor(const std::string& tag, const std::string& sensor) {
+  SRobotExperiment experiment;
+  experiment.Sensors = "<" + sensor + " implementation=\"default\"/>";
+  experiment.Arena = Robot(tag, "r", "position=\"0,0,0\"");
+  return experiment;
+}
+
 // The box begins at y = 0.06, in the range of sensor 2.
 SRobotExperiment EPuckBesideBox(const std::string& implementation = "default") {
   SRobotExperiment experiment;
@@ -131,10 +138,7 @@ TEST_CASE("proximity: rays are recorded only on request", "[contract][sensors]")
 }
 
 TEST_CASE("proximity: readings contain the directions of the sensors", "[contract][sensors]") {
-  SRobotExperiment experiment;
-  experiment.Sensors = "<footbot_proximity implementation=\"default\"/>";
-  experiment.Arena = Robot("foot-bot", "r", "position=\"0,0,0\"");
-  CRobotWorld footBots(experiment);
+  CRobotWorld footBots(WithSensor("foot-bot", "footbot_proximity"));
   const auto& footBot =
       footBots.GetSensor<CCI_FootBotProximitySensor>("r", "footbot_proximity").GetReadings();
   REQUIRE(footBot.size() == 24);
@@ -143,9 +147,7 @@ TEST_CASE("proximity: readings contain the directions of the sensors", "[contrac
     CHECK_THAT(ToDegrees(footBot[i].Angle).GetValue(),
                WithinAbs(degrees > 180.0 ? degrees - 360.0 : degrees, 1e-12));
   }
-  experiment.Sensors = "<epuck_proximity implementation=\"default\"/>";
-  experiment.Arena = Robot("e-puck", "r", "position=\"0,0,0\"");
-  CRobotWorld ePucks(experiment);
+  CRobotWorld ePucks(WithSensor("e-puck", "epuck_proximity"));
   const auto& ePuck =
       ePucks.GetSensor<CCI_EPuckProximitySensor>("r", "epuck_proximity").GetReadings();
   REQUIRE(ePuck.size() == 8);
