@@ -2,7 +2,7 @@
 import math
 import statistics
 
-T_99 = {7: 3.499, 14: 2.977, 23: 2.807, 46: 2.687, 47: 2.685}  # two-sided, by degrees of freedom
+T_99 = {7: 3.499, 14: 2.977, 15: 2.947, 23: 2.807, 30: 2.750, 46: 2.687, 47: 2.685}  # two-sided, by degrees of freedom
 
 
 def interval(values):

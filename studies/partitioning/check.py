@@ -1,6 +1,6 @@
 """Tests the reduced form (reduced.sqlite): the main property of the study, with fixed seeds.
 
-Each statement is an interval of 99 % (t distribution, 8 runs for each setting) that must lie within bounds.
+Each statement is an interval of 99 % (t distribution, 16 runs for each setting) that must lie within bounds.
 """
 import os
 
@@ -12,7 +12,7 @@ def main():
     _, runs = read(os.path.join(os.path.dirname(os.path.abspath(__file__)), "reduced.sqlite"))
 
     def values(metric, sigma, way):
-        return [run[metric] for run in runs if run["sigma"] == sigma and run["way"] == way and run["seed"] <= 8]
+        return [run[metric] for run in runs if run["sigma"] == sigma and run["way"] == way and run["seed"] <= 16]
 
     statements = Statements()
     require = statements.require
