@@ -11,10 +11,24 @@ const skip = missingBrowser() ?? false;
 const kTimeout = 40_000; // ms, of a test
 const recording = skip === false ? sampleRecording() : "";
 
-test("page: a run is watched, played, stepped and reset", { skip, timeout: kTimeout }, async () => {
+/** A page that shows the first state of a mocked run. */
+async function openRun(): Promise<{ server: MockServer; tab: Tab }> {
   const server = await MockServer.start(recording, pageFile);
   const tab = await Tab.open(server.url);
   await tab.waitForTick((tick) => tick === 0, "the first state");
+  return { server, tab };
+}
+
+/** Selects a robot in the picture. @returns where it is. */
+async function select(tab: Tab, id: string): Promise<{ x: number; y: number }> {
+  const place = await tab.placeOf(id);
+  await tab.page.mouse.click(place.x, place.y);
+  await tab.page.getByRole("region", { name: id }).waitFor();
+  return place;
+}
+
+test("page: a run is watched, played, stepped and reset", { skip, timeout: kTimeout }, async () => {
+  const { server, tab } = await openRun();
   await tab.button("Play").click();
   await tab.waitForTick((tick) => tick > 10, "the run");
   await tab.button("Pause").click();
@@ -45,12 +59,8 @@ test("page: a run is watched, played, stepped and reset", { skip, timeout: kTime
 });
 
 test("page: a drag that is refused says why", { skip, timeout: kTimeout }, async () => {
-  const server = await MockServer.start(recording, pageFile);
-  const tab = await Tab.open(server.url);
-  await tab.waitForTick((tick) => tick === 0);
-  const place = await tab.placeOf("fb3");
-  await tab.page.mouse.click(place.x, place.y);
-  await tab.page.getByRole("region", { name: "fb3" }).waitFor();
+  const { server, tab } = await openRun();
+  const place = await select(tab, "fb3");
   await tab.page.mouse.move(place.x, place.y);
   await tab.page.mouse.down();
   await tab.page.mouse.move(place.x + 60, place.y - 30, { steps: 4 });
@@ -65,9 +75,7 @@ test("page: a drag that is refused says why", { skip, timeout: kTimeout }, async
 });
 
 test("page: a driven robot is let go when another one is selected, or keys drive no more", { skip, timeout: kTimeout }, async () => {
-  const server = await MockServer.start(recording, pageFile);
-  const tab = await Tab.open(server.url);
-  await tab.waitForTick((tick) => tick === 0);
+  const { server, tab } = await openRun();
   await tab.page.locator('.entities button[data-id="fb3"]').click();
   await tab.button("Drive the selected robot by W, A, S and D").click();
   await tab.page.keyboard.down("w");
@@ -169,12 +177,8 @@ test("page: user functions get the keys of the picture first, and the page acts 
 });
 
 test("page: without user functions nothing is told of keys, and they act at once", { skip, timeout: kTimeout }, async () => {
-  const server = await MockServer.start(recording, pageFile);
-  const tab = await Tab.open(server.url);
-  await tab.waitForTick((tick) => tick === 0);
-  const place = await tab.placeOf("fb3");
-  await tab.page.mouse.click(place.x, place.y);
-  await tab.page.getByRole("region", { name: "fb3" }).waitFor();
+  const { server, tab } = await openRun();
+  await select(tab, "fb3");
   await tab.page.locator(kPicture).press("ArrowRight");
   await tab.waitForTick((tick) => tick === 1, "a step");
   assert.deepEqual(server.commands.filter(({ do: name }) => /^user_/.test(name as string)), []);
@@ -183,9 +187,7 @@ test("page: without user functions nothing is told of keys, and they act at once
 });
 
 test("page: readings that a robot no longer has are not shown", { skip, timeout: kTimeout }, async () => {
-  const server = await MockServer.start(recording, pageFile);
-  const tab = await Tab.open(server.url);
-  await tab.waitForTick((tick) => tick === 0);
+  const { server, tab } = await openRun();
   await tab.page.locator('.entities button[data-id="fb3"]').click();
   const card = tab.page.getByRole("region", { name: "fb3" });
   const sendMessages = (...ranges: number[]): void => {
@@ -205,9 +207,7 @@ test("page: readings that a robot no longer has are not shown", { skip, timeout:
 });
 
 test("page: the connection comes back after the server's restart", { skip, timeout: kTimeout }, async () => {
-  const server = await MockServer.start(recording, pageFile);
-  const tab = await Tab.open(server.url);
-  await tab.waitForTick((tick) => tick === 0);
+  const { server, tab } = await openRun();
   const { port } = server;
   await server.close();
   await tab.page.getByText("Connection lost").first().waitFor();
